@@ -75,15 +75,15 @@ void measure_tick(double seconds, Report& report) {
     if (control::is_inside(act.control.phase)) contact_us.add(took_us);
     rig.apply(act.force, act.contact, kTick_s);
   }
-  report.rows.push_back(at_most("tick, plain skin, p50", tick_us.p50(), "us", 5.0));
-  report.rows.push_back(at_most("tick, plain skin, p99.9", tick_us.p999(), "us", 50.0));
-  report.rows.push_back(measured("tick, plain skin, p99.9 of processor time", cpu_us.p999(), "us"));
-  report.rows.push_back(measured("tick in contact, p50", contact_us.p50(), "us"));
-  report.rows.push_back(measured("ticks in contact", static_cast<double>(contact_us.count()), ""));
+  report.rows.push_back(at_most("tick of a scene with skin alone: time, p50", tick_us.p50(), "us", 5.0));
+  report.rows.push_back(at_most("tick of a scene with skin alone: time, p99.9", tick_us.p999(), "us", 50.0));
+  report.rows.push_back(measured("tick of a scene with skin alone: processor time, p99.9", cpu_us.p999(), "us"));
+  report.rows.push_back(measured("tick in contact: time, p50", contact_us.p50(), "us"));
+  report.rows.push_back(measured("number of ticks in contact", static_cast<double>(contact_us.count()), ""));
 }
 
 void run_trials(bool by_camera, Report& report) {
-  const std::string on = by_camera ? ", on the camera's surface" : ", on the plane";
+  const std::string on = by_camera ? ", skin as a camera sees it" : ", skin exactly known";
   trials::TrialFigures worst;
   int outer = 0;
   int inner = 0;
@@ -109,14 +109,21 @@ void run_trials(bool by_camera, Report& report) {
           f.entered(control::Phase::ObjectLateral) > 0 && f.entered(control::Phase::AroundObject) > 0)
         ++inner;
     }
-  report.rows.push_back(at_least("trial runs of 8 that reach all outer phases" + on, outer, "", 8));
-  report.rows.push_back(at_least("third trials of 2 that reach the cylinder's phases" + on, inner, "", 2));
-  report.rows.push_back(at_most("end-effector jump at transitions" + on, worst.worst_jump_m * 1e3, "mm", 0.1));
-  report.rows.push_back(at_most("speed jump at transitions" + on, worst.worst_speed_jump_m_per_s * 1e3, "mm/s", 20.0));
-  report.rows.push_back(at_most("force step in one tick" + on, worst.worst_force_step_N, "N", 0.05));
-  report.rows.push_back(at_most("deeper than 2 mm in the true skin unfelt" + on, worst.unfelt_s * 1e3, "ms", 2.0));
-  report.rows.push_back(at_most("largest force" + on, worst.most_force_N, "N", 10.0));
-  report.rows.push_back(measured("least passivity balance in the trials" + on, worst.least_passivity_J * 1e3, "mJ"));
+  report.rows.push_back(
+      at_least("number of the 8 trial runs with all four phases of touching and leaving the skin" + on, outer, "", 8));
+  report.rows.push_back(
+      at_least("number of the 2 runs of the third trial with all three phases at the cylinder" + on, inner, "", 2));
+  report.rows.push_back(
+      at_most("largest jump of the end-effector at a change of phase" + on, worst.worst_jump_m * 1e3, "mm", 0.1));
+  report.rows.push_back(at_most("largest jump of the end-effector's speed at a change of phase" + on,
+                                worst.worst_speed_jump_m_per_s * 1e3, "mm/s", 20.0));
+  report.rows.push_back(
+      at_most("largest force step in one tick of the trials" + on, worst.worst_force_step_N, "N", 0.05));
+  report.rows.push_back(at_most("time in a trial over 2 mm deep in the true skin without contact, worst" + on,
+                                worst.unfelt_s * 1e3, "ms", 2.0));
+  report.rows.push_back(at_most("largest force in the trials" + on, worst.most_force_N, "N", 10.0));
+  report.rows.push_back(
+      measured("lowest energy balance of the display in the trials" + on, worst.least_passivity_J * 1e3, "mJ"));
 }
 
 /// Worst relative error of the skin's force against eq. (6) to (8), straight and slanted, 1 to 60 mm deep.
@@ -136,11 +143,11 @@ void check_force_law(Report& report) {
       worst = std::max(worst, (skin.step(in, kTick_s).N - expected_N).norm() / expected_N.norm());
     }
   }
-  report.rows.push_back(at_most("force law, relative error 1-60 mm", worst * 100.0, "%", 0.5));
+  report.rows.push_back(at_most("force law: largest relative error, 1 to 60 mm deep", worst * 100.0, "%", 0.5));
 }
 
 void search_for_cylinders(bool by_camera, int searches, Report& report) {
-  const std::string on = by_camera ? ", on the camera's surface" : ", on the plane";
+  const std::string on = by_camera ? ", skin as a camera sees it" : ", skin exactly known";
   int found = 0;
   int at_the_place = 0;
   int imagined = 0;
@@ -156,10 +163,15 @@ void search_for_cylinders(bool by_camera, int searches, Report& report) {
     unfelt += with.places_unfelt + without.places_unfelt;
   }
   const double percent = 100.0 / searches;
-  report.rows.push_back(at_least("cylinders found by force" + on, percent * found, "%", 95));
-  report.rows.push_back(measured("pressed within its radius" + on, percent * at_the_place, "%"));
-  report.rows.push_back(at_most("cylinders imagined, or not searched for" + on, percent * imagined, "%", 5));
-  report.rows.push_back(at_most("places where the skin was not felt" + on, unfelt, "", 0));
+  report.rows.push_back(at_least("share of blind searches that find the cylinder under the skin by its force" + on,
+                                 percent * found, "%", 95));
+  report.rows.push_back(measured("share of blind searches that find the cylinder within 30 mm of its place" + on,
+                                 percent * at_the_place, "%"));
+  report.rows.push_back(
+      at_most("share of blind searches without a cylinder that report one, or do not feel the skin at a place" + on,
+              percent * imagined, "%", 5));
+  report.rows.push_back(
+      at_most("number of places in all blind searches at which the skin was not felt" + on, unfelt, "", 0));
 }
 
 /// Every other sample is held out and predicted from those before it.
@@ -208,11 +220,15 @@ Result<void> predict_hands(Report& report) {
     const auto trace = tracking::read_hand_trace(TELEPALP_SOURCE_DIR "/tests/data/hand_tracking/" + name + ".csv");
     if (!trace) return trace.error();
     const PredictionError error = predict_held_out(*trace);
-    report.rows.push_back(measured(name + ": hold last", error.hold_m * 1e3, "mm"));
-    report.rows.push_back(measured(name + ": straight line", error.line_m * 1e3, "mm"));
-    report.rows.push_back(measured(name + ": fixed noise, damped velocity", error.fixed_m * 1e3, "mm"));
-    report.rows.push_back(at_most(name + ": adaptive (default)", error.estimate_m * 1e3, "mm",
-                                  std::min(error.hold_m, error.line_m) * 1e3));
+    report.rows.push_back(
+        measured("hand prediction, recording " + name + ": last position held, RMSE", error.hold_m * 1e3, "mm"));
+    report.rows.push_back(measured("hand prediction, recording " + name + ": straight line through two positions, RMSE",
+                                   error.line_m * 1e3, "mm"));
+    report.rows.push_back(
+        measured("hand prediction, recording " + name + ": Kalman filter, fixed noise, damped velocity, RMSE",
+                 error.fixed_m * 1e3, "mm"));
+    report.rows.push_back(at_most("hand prediction, recording " + name + ": adaptive filter (default), RMSE",
+                                  error.estimate_m * 1e3, "mm", std::min(error.hold_m, error.line_m) * 1e3));
   }
   return {};
 }
@@ -241,9 +257,10 @@ void batter_limiter(Report& report) {
     most_step_N = std::max(most_step_N, (given - before).norm());
     before = given;
   }
-  report.rows.push_back(at_most("limiter, 1e6 arbitrary inputs, largest force", most_N, "N", limits.peak_N));
   report.rows.push_back(
-      at_most("limiter, largest step over the slew's", most_step_N / (limits.slew_N_per_s * kTick_s), "", 1.0 + 1e-9));
+      at_most("force limiter, a million arbitrary inputs: largest force", most_N, "N", limits.peak_N));
+  report.rows.push_back(at_most("force limiter: largest force step in one tick, divided by the slew limit's",
+                                most_step_N / (limits.slew_N_per_s * kTick_s), "", 1.0 + 1e-9));
 }
 
 /// Longest time from an input's age limit to no force, over inputs and depths.
@@ -273,7 +290,7 @@ void time_watchdog(Report& report) {
       while (controller.step(in, kTick_s).force.N.norm() > 0.0 && ticks < 10'000) ++ticks;
       worst_ms = std::max(worst_ms, ticks * kTick_s * 1e3);
     }
-  report.rows.push_back(at_most("watchdog, from age limit to zero force", worst_ms, "ms", 50.0));
+  report.rows.push_back(at_most("watchdog: time from an input's age limit to zero force, worst", worst_ms, "ms", 50.0));
 }
 
 }  // namespace
@@ -291,8 +308,9 @@ Result<Report> run_control(const program::Arguments& arguments) {
   if (const Result<void> done = predict_hands(report); !done) return done.error();
   batter_limiter(report);
   time_watchdog(report);
-  report.notes = {"trials and searches: virtual time, 2 kHz, skin still and breathing 5 mm (searches 3 mm) at 0.25 Hz",
-                  "hand prediction: every other sample of a real Leap trace held out, about 9 ms ahead; RMSE"};
+  report.notes = {
+      "trials and searches: virtual time, 2 kHz; skin still, or breathing 5 mm (searches: 3 mm) at 0.25 Hz",
+      "hand prediction: every other position of a Leap Motion recording, predicted about 9 ms ahead from those before"};
   return report;
 }
 

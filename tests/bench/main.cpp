@@ -23,20 +23,20 @@ using namespace telepalp;
 
 /// All benchmarks. A new one needs a file <name>_bench.cpp, a declaration and a row here.
 constexpr std::array kBenches{
-    bench::Bench{"accuracy", "error against ground truth, and time, for each setting", bench::run_accuracy},
-    bench::Bench{"control", "the controller: tick, trials, force law, prediction, safety", bench::run_control},
-    bench::Bench{"passivity", "energy and force error over bad networks, 1000 seeded runs", bench::run_passivity},
-    bench::Bench{"depth", "ratio and time of each depth mode and of other codecs", bench::run_depth},
-    bench::Bench{"effects", "solids under the skin: cost, gradient, ribs, masses, image", bench::run_effects},
+    bench::Bench{"accuracy", "error against ground truth and computing time of each setting", bench::run_accuracy},
+    bench::Bench{"control", "the haptic controller: time of a tick, trials, force law, safety", bench::run_control},
+    bench::Bench{"passivity", "energy balance and force error over bad networks, 1000 runs", bench::run_passivity},
+    bench::Bench{"depth", "compression ratio and time of each depth mode and other codecs", bench::run_depth},
+    bench::Bench{"effects", "solids under the skin: time, gradient, search, ultrasound image", bench::run_effects},
     bench::Bench{"hand", "error of the force at the hand, on moving patients", bench::run_hand},
-    bench::Bench{"link", "frames over bad networks, beside UDP, TCP and SRT", bench::run_link},
-    bench::Bench{"subscribers", "cost of one more subscriber, fairness among 200, stalls", bench::run_subscribers},
+    bench::Bench{"link", "frames in time over bad networks, compared with UDP, TCP, SRT", bench::run_link},
+    bench::Bench{"subscribers", "the server: cost of a subscriber, fairness among 200, stalls", bench::run_subscribers},
     bench::Bench{"pipeline", "latency from camera to hand, timing of the 2 kHz loop", bench::run_pipeline},
-    bench::Bench{"replay", "a session over a bad network in virtual time: speed", bench::run_replay},
-    bench::Bench{"session", "seeking in a session of 2 GB, the cost of recording", bench::run_session},
+    bench::Bench{"replay", "speed of telepalp-replay, and agreement with real sockets", bench::run_replay},
+    bench::Bench{"session", "time to seek in a session of 2 GB, and the cost of recording", bench::run_session},
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
-    bench::Bench{"surface", "touching a noisy, moving cloud: cost, error and steadiness", bench::run_surface},
+    bench::Bench{"surface", "touch of a noisy, moving surface: time, error and steadiness", bench::run_surface},
 };
 
 program::Usage usage() {
@@ -46,15 +46,16 @@ program::Usage usage() {
       .positional = {},
       .options = {{"json", "", "print JSON instead of a table"},
                   {"list", "", "print the benchmarks' names and exit"},
-                  {"input", "FILE|DIR", "depth: images or a recording; link, pipeline: a source"},
-                  {"held-out", "SET,SET…", "depth: sets not used for training, for the mean ratio"},
+                  {"input", "FILE|DIR",
+                   "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
+                  {"held-out", "SET,SET…", "depth: mean ratio of inputs not used for training"},
                   {"part", "NAME",
                    "accuracy: one of surface, patients, prediction, organ, solids, price, z-width, depth"},
                   {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
                   {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                   {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
-                  {"reached", "FILE", "hand: accept a missed budget near its value in FILE"},
-                  {"seeds", "N", "hand: number of runs of a random study", "200"},
+                  {"reached", "FILE", "hand: accept a miss of at most 10 % beyond FILE's value"},
+                  {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
                   {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
       .example = "telepalp-bench pipeline --json",
       .commands = {},
@@ -90,6 +91,6 @@ int main(int argc, char** argv) {
     if (bench.name == wanted) return run(bench, arguments);
   return program::fail({.what = "'" + wanted + "' is not a benchmark",
                         .where = "telepalp-bench",
-                        .fix = "telepalp-bench --list prints the names"},
+                        .fix = "to list the names: telepalp-bench --list"},
                        program::kAskedWrongly);
 }

@@ -145,14 +145,14 @@ Report report_of(const Heard& heard, bool of_a_recording) {
   report.rows.push_back(measured("deadlines_missed", static_cast<double>(heard.stats.deadlines_missed()), "ticks"));
   report.notes.push_back(heard.stats.realtime() ? "the station had real-time priority and locked memory"
                                                 : "the station had no real-time priority or no locked memory");
-  report.notes.push_back("budgets: 33.3 ms a frame at 30 Hz, 500 us a tick at 2 kHz");
+  report.notes.push_back("time available: 33.3 ms for each frame at 30 Hz, 500 us for each tick at 2 kHz");
   return report;
 }
 
 Error not_started(const char* program) {
-  return {.what = std::string(program) + " did not start",
+  return {.what = std::string(program) + " did not start, or ended with an error",
           .where = "telepalp-bench pipeline",
-          .fix = "build all programs: ninja telepalp_programs"};
+          .fix = "see the program's message above; to build all programs: ninja telepalp_programs"};
 }
 
 }  // namespace

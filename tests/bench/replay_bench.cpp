@@ -114,9 +114,9 @@ void add_parts(const std::string& whose, const Measured& one, Report& report) {
   for (const replay::RunResult& run : one.results.runs) total.add(run.costs);
   for (std::size_t i = 0; i < replay::kPartCount; ++i)
     report.rows.push_back(
-        measured(whose + ": " + replay::kPartNames[i],
+        measured(whose + ": processor time, part " + replay::kPartNames[i],
                  1e-6 * static_cast<double>(total.cost_ns(static_cast<replay::Part>(i))) / one.results.seconds,
-                 "ms of processor a second"));
+                 "ms per s of the run"));
 }
 
 /// The speed of one run of each kind of source.
@@ -125,7 +125,7 @@ Result<void> add_sources(const Scenario& scenario, double seconds, Report& repor
   if (!oni)
     return Error{.what = "the recording deploy/demo_data/oni/3dj_test.oni is missing",
                  .where = "telepalp-bench replay",
-                 .fix = "run it in a checkout or an installation"};
+                 .fix = "run telepalp-bench in a checkout or an installation"};
   const std::string kinect = "oni:" + oni->string();
   const support::TemporaryFolder folder;
   const std::string patients = (folder.path() / "patient.mcap").string();
@@ -139,11 +139,11 @@ Result<void> add_sources(const Scenario& scenario, double seconds, Report& repor
   };
   for (const Source& row :
        {Source{"session of a Kinect", kinects, true}, Source{"session of the simulated patient", patients, true},
-        Source{".oni, encoded meanwhile", kinect, false},
-        Source{"simulated patient, rendered and encoded meanwhile", kSource, false}}) {
+        Source{".oni recording, encoded during the run", kinect, false},
+        Source{"simulated patient, rendered and encoded during the run", kSource, false}}) {
     const Result<Measured> one = measure(row.source, {scenario}, false, seconds, 1);
     if (!one) return one.error();
-    const std::string name = "one run, one core, decoding included: " + std::string(row.name);
+    const std::string name = "speed of one run on one core, decoding included: " + std::string(row.name);
     const double speed = one->results.seconds / one->processor_s;
     report.rows.push_back(row.is_session ? at_least(name, speed, "times real time", 5.0)
                                          : measured(name, speed, "times real time"));
@@ -161,15 +161,17 @@ Result<void> add_live(const Scenario& scenario, double seconds, Report& report) 
   if (!both) return both.error();
   const replay::Figures& there = both->in_virtual_time;
   const replay::Figures& live = both->live;
-  report.rows.push_back(at_most("between real sockets: frames by deadline, difference to virtual time",
+  report.rows.push_back(at_most("real sockets: share of frames in time, difference from virtual time",
                                 std::abs(live.frames_in_time_pct - there.frames_in_time_pct), "points", 1.0));
-  report.rows.push_back(at_most("between real sockets: force RMSE, difference to virtual time",
+  report.rows.push_back(at_most("real sockets: force RMSE, difference from virtual time",
                                 100.0 * std::abs(live.force_rmse_N / there.force_rmse_N - 1.0), "%", 10.0));
-  report.rows.push_back(measured("frames by deadline in virtual time", there.frames_in_time_pct, "%"));
-  report.rows.push_back(measured("force RMSE in virtual time", 1e3 * there.force_rmse_N, "mN"));
+  report.rows.push_back(measured("virtual time: share of frames in time", there.frames_in_time_pct, "%"));
+  report.rows.push_back(measured("virtual time: force RMSE", 1e3 * there.force_rmse_N, "mN"));
   report.rows.push_back(
-      measured("latest tick of the live run (late: the machine is too slow to compare)", 1e3 * both->latest_s, "ms"));
-  report.rows.push_back(measured("real-time priority of the live run", both->realtime ? 1.0 : 0.0, ""));
+      measured("real sockets: greatest lateness of a tick (large: the machine is too slow to compare)",
+               1e3 * both->latest_s, "ms"));
+  report.rows.push_back(
+      measured("real sockets: run with real-time priority (1: yes, 0: no)", both->realtime ? 1.0 : 0.0, ""));
   return {};
 }
 
@@ -187,13 +189,13 @@ Result<Report> run_replay(const program::Arguments& arguments) {
   if (!threads) return threads.error();
   const Result<Measured> sweep = measure(kSource, grid(), true, *seconds, program::processors());
   if (!sweep) return sweep.error();
-  report.rows.push_back(measured("the simulated patient with the unimpaired run to compare with, one core",
+  report.rows.push_back(measured("speed of a run and its unimpaired run together, simulated patient, one core",
                                  pair->results.seconds / pair->processor_s, "times real time"));
-  report.rows.push_back(
-      at_most("a sweep of 28 cells, all cores, to one replay on one core", sweep->wall_s / pair->wall_s, "", 8.0));
-  report.rows.push_back(
-      measured("processor time of the sweep to that of one replay", sweep->processor_s / pair->processor_s, ""));
-  report.rows.push_back(at_most("runs whose bytes differ on one and on four threads",
+  report.rows.push_back(at_most("wall time of a sweep of 28 runs on all cores, divided by that of one run on one core",
+                                sweep->wall_s / pair->wall_s, "", 8.0));
+  report.rows.push_back(measured("processor time of a sweep of 28 runs, divided by that of one run",
+                                 sweep->processor_s / pair->processor_s, ""));
+  report.rows.push_back(at_most("messages differ between one and four threads (1: yes, 0: no)",
                                 pair->digest == threads->digest ? 0.0 : 1.0, "", 0.0));
   if (const Result<void> added = add_live(bad, *seconds, report); !added) return added.error();
   report.notes.push_back(std::string(kSource) + ", scene palpation, 80 ms one way, 5 % lost in bursts of four");

@@ -92,12 +92,13 @@ class Station {
 };
 
 void add_rows(const std::string& name, const Jitter& jitter, Report& report) {
-  report.rows.push_back(measured(name + ", woken late, p50", jitter.late_us.p50(), "us"));
-  report.rows.push_back(measured(name + ", woken late, p99", jitter.late_us.p99(), "us"));
-  report.rows.push_back(measured(name + ", woken late, p99.9", jitter.late_us.p999(), "us"));
-  report.rows.push_back(measured(name + ", woken late, max", jitter.late_us.max(), "us"));
+  report.rows.push_back(measured(name + ": lateness of a wake-up, p50", jitter.late_us.p50(), "us"));
+  report.rows.push_back(measured(name + ": lateness of a wake-up, p99", jitter.late_us.p99(), "us"));
+  report.rows.push_back(measured(name + ": lateness of a wake-up, p99.9", jitter.late_us.p999(), "us"));
+  report.rows.push_back(measured(name + ": lateness of a wake-up, max", jitter.late_us.max(), "us"));
   const double ticks = static_cast<double>(jitter.late_us.count() + jitter.missed);
-  report.rows.push_back(measured(name + ", deadlines missed", 100.0 * static_cast<double>(jitter.missed) / ticks, "%"));
+  report.rows.push_back(
+      measured(name + ": share of deadlines missed", 100.0 * static_cast<double>(jitter.missed) / ticks, "%"));
 }
 
 Result<void> measure_jitter(double seconds, Report& report) {
@@ -108,11 +109,11 @@ Result<void> measure_jitter(double seconds, Report& report) {
     idle_turn(idle);
     if (const Result<void> done = station.turn(busy); !done) return done.error();
   }
-  add_rows("a thread that only waits", idle, report);
-  add_rows("the haptic thread", busy, report);
-  report.rows.push_back(measured("the haptic thread, work in a tick, p99.9", busy.work_us.p999(), "us"));
-  report.notes.push_back(std::string("both threads ") + (busy.realtime ? "with" : "without") +
-                         " real-time priority and locked memory, in turns of half a second");
+  add_rows("2 kHz thread that only waits", idle, report);
+  add_rows("2 kHz haptic thread", busy, report);
+  report.rows.push_back(measured("2 kHz haptic thread: computing time of one tick, p99.9", busy.work_us.p999(), "us"));
+  report.notes.push_back(std::string("both threads run ") + (busy.realtime ? "with" : "without") +
+                         " real-time priority and locked memory, in turns of 0.5 s");
   return {};
 }
 
@@ -121,16 +122,17 @@ void measure_calibration(Report& report) {
   constexpr int kRuns = 2000;
   const auto by_covariance = registration_errors({}, RotationBy::Covariance, kRuns, 1);
   const auto as_printed = registration_errors({}, RotationBy::AffinePolar, kRuns, 1);
-  report.rows.push_back(measured("calibration: a click's own error, mean", by_covariance.noise.mean_m() * 1e3, "mm"));
+  report.rows.push_back(measured("calibration: error of one click, mean", by_covariance.noise.mean_m() * 1e3, "mm"));
   report.rows.push_back(
-      measured("calibration: a click's own error, deviation", by_covariance.noise.deviation_m() * 1e3, "mm"));
-  report.rows.push_back(
-      at_most("calibration: error at other places, mean", by_covariance.at_targets.mean_m() * 1e3, "mm", 1.35));
-  report.rows.push_back(at_most("calibration: error at other places, deviation",
+      measured("calibration: error of one click, standard deviation", by_covariance.noise.deviation_m() * 1e3, "mm"));
+  report.rows.push_back(at_most("calibration: error at places without a click, mean",
+                                by_covariance.at_targets.mean_m() * 1e3, "mm", 1.35));
+  report.rows.push_back(at_most("calibration: error at places without a click, standard deviation",
                                 by_covariance.at_targets.deviation_m() * 1e3, "mm", 0.58));
-  report.rows.push_back(
-      measured("the same by S3's affine fit and polar part, mean", as_printed.at_targets.mean_m() * 1e3, "mm"));
-  report.notes.push_back("calibration: 8 places, 3 clicks each, 2000 seeded runs; S3 4.2 reports 1.35 +- 0.58 mm");
+  report.rows.push_back(measured("calibration by the affine fit of paper S3: error at places without a click, mean",
+                                 as_printed.at_targets.mean_m() * 1e3, "mm"));
+  report.notes.push_back(
+      "calibration: 8 places, 3 clicks each, 2000 random runs; paper S3 (section 4.2) reports 1.35 +- 0.58 mm");
 }
 
 }  // namespace

@@ -82,10 +82,11 @@ void add_costs(Report& report, const capture::SyntheticPatient& patient, const t
   for (int n = 0; n < 15; ++n) frames.push_back(patient.frame_at(scene_time(n * kFrame_s), 0));
   const Distribution still = build_times_ms(frames, spot, 0.0);
   const Distribution moving = build_times_ms(frames, spot, 1.0);
-  report.rows.push_back(measured("depth to touchable, hand still, p50", still.p50(), "ms"));
-  report.rows.push_back(at_most("depth to touchable, hand still, p99", still.p99(), "ms", 8.0));
-  report.rows.push_back(at_most("depth to touchable, hand at 1 m/s, p99", moving.p99(), "ms", 8.0));
-  report.rows.push_back(at_most("hand at 1 m/s over still, p50", moving.p50() / still.p50(), "x", 1.10));
+  report.rows.push_back(measured("depth image to touchable surface, hand still: time, p50", still.p50(), "ms"));
+  report.rows.push_back(at_most("depth image to touchable surface, hand still: time, p99", still.p99(), "ms", 8.0));
+  report.rows.push_back(at_most("depth image to touchable surface, hand at 1 m/s: time, p99", moving.p99(), "ms", 8.0));
+  report.rows.push_back(at_most("depth image to touchable surface, p50: hand at 1 m/s, divided by hand still",
+                                moving.p50() / still.p50(), "x", 1.10));
 
   const Reach reach{{spot.at}, kReach_m};
   const std::vector<Captured> fast = testing::watch(patient, SurfaceSettings{}, reach, 1.0, 0.5);
@@ -93,14 +94,16 @@ void add_costs(Report& report, const capture::SyntheticPatient& patient, const t
   const Distribution swapping = step_times_us(fast, spot, 40000, true);
   const Distribution steady = step_times_us(fast, spot, 40000, false);
   const Distribution reference = step_times_us(paper, spot, 8000, true);
-  report.rows.push_back(at_most("proxy step in contact, p50", swapping.p50(), "us", 3.0));
-  report.rows.push_back(measured("proxy step in contact, p99", swapping.p99(), "us"));
-  report.rows.push_back(at_most("proxy step in contact, p99.9", swapping.p999(), "us", 25.0));
-  report.rows.push_back(measured("proxy step, paper's reference, p50", reference.p50(), "us"));
-  report.rows.push_back(at_least("paper's reference over default, p50", reference.p50() / swapping.p50(), "x", 5.0));
-  report.rows.push_back(measured("step without swaps, p50", steady.p50(), "us"));
-  report.rows.push_back(measured("step without swaps, p99", steady.p99(), "us"));
-  report.rows.push_back(at_most("step p99 with swaps over without", swapping.p99() / steady.p99(), "x", 1.10));
+  report.rows.push_back(at_most("proxy step in contact: time, p50", swapping.p50(), "us", 3.0));
+  report.rows.push_back(measured("proxy step in contact: time, p99", swapping.p99(), "us"));
+  report.rows.push_back(at_most("proxy step in contact: time, p99.9", swapping.p999(), "us", 25.0));
+  report.rows.push_back(measured("proxy step in contact, surface setting paper: time, p50", reference.p50(), "us"));
+  report.rows.push_back(at_least("proxy step in contact, p50: surface setting paper, divided by the default",
+                                 reference.p50() / swapping.p50(), "x", 5.0));
+  report.rows.push_back(measured("proxy step, snapshot never swapped: time, p50", steady.p50(), "us"));
+  report.rows.push_back(measured("proxy step, snapshot never swapped: time, p99", steady.p99(), "us"));
+  report.rows.push_back(at_most("proxy step, p99: snapshot swapped at 30 Hz, divided by never swapped",
+                                swapping.p99() / steady.p99(), "x", 1.10));
 }
 
 void add_shapes(Report& report) {
@@ -111,8 +114,9 @@ void add_shapes(Report& report) {
     worst_um = std::max(worst_um, 1e6 * error.position_rms_m);
     worst_deg = std::max(worst_deg, error.normal_rms_deg);
   }
-  report.rows.push_back(at_most("noise-free shapes, worst position RMS", worst_um, "um", 10.0));
-  report.rows.push_back(at_most("noise-free shapes, worst normal RMS", worst_deg, "deg", 0.2));
+  report.rows.push_back(at_most("shapes without noise: RMS position error, worst shape", worst_um, "um", 10.0));
+  report.rows.push_back(
+      at_most("shapes without noise: RMS error of the surface normal, worst shape", worst_deg, "deg", 0.2));
 }
 
 /// Greatest change of f over 1 um of travel on noisy lines along and across the surface.
@@ -138,20 +142,25 @@ void add_still(Report& report, const capture::SyntheticPatient& patient, const t
   const Reach reach{{spot.at}, kReach_m};
   const std::vector<Captured> second = testing::watch(patient, SurfaceSettings{}, reach, 4.0, 0.95);
   const testing::ShapeError error = testing::torso_error(patient, *second.front().snapshot, spot);
-  report.rows.push_back(at_most("torso, 1 mm noise, 1 s, position RMS", 1e3 * error.position_rms_m, "mm", 0.25));
-  report.rows.push_back(at_most("torso, 1 mm noise, 1 s, normal RMS", error.normal_rms_deg, "deg", 1.5));
   report.rows.push_back(
-      at_most("change of f over 1 um of travel, max", worst_jump_um(*second.front().snapshot, spot), "um", 2.0));
+      at_most("torso with 1 mm noise, after 1 s: RMS position error", 1e3 * error.position_rms_m, "mm", 0.25));
+  report.rows.push_back(
+      at_most("torso with 1 mm noise, after 1 s: RMS error of the surface normal", error.normal_rms_deg, "deg", 1.5));
+  report.rows.push_back(at_most("largest change of the implicit function f over 1 um of travel",
+                                worst_jump_um(*second.front().snapshot, spot), "um", 2.0));
   const auto paper = surface::build_snapshot(patient.frame_at(scene_time(0.0), 0).depth, patient.settings().camera,
                                              scene_time(0.0), reach, *surface::surface_settings("paper-nanoflann"));
-  report.rows.push_back(measured("the same of the paper's reference", worst_jump_um(*paper, spot), "um"));
+  report.rows.push_back(
+      measured("largest change of the implicit function f over 1 um of travel, surface setting paper-nanoflann",
+               worst_jump_um(*paper, spot), "um"));
   const Vector3d inside = spot.at - 0.01 * spot.normal;
   const auto held = testing::run_touch(
       patient, second, [&](double) { return inside; }, 1.0, 4.0, 0.0, kStiffness_N_per_m);
+  report.rows.push_back(at_most("device held still in the skin: force change in one tick, p99.9",
+                                distribution(held.force_change_N).p999(), "N", 0.02));
   report.rows.push_back(
-      at_most("probe held still, |dF| a tick, p99.9", distribution(held.force_change_N).p999(), "N", 0.02));
-  report.rows.push_back(at_most("probe held still, contact lost", 100.0 * held.lost_share, "%", 0.0));
-  report.rows.push_back(measured("probe held still, force RMSE", held.force_rmse_N, "N"));
+      at_most("device held still in the skin: share of ticks without contact", 100.0 * held.lost_share, "%", 0.0));
+  report.rows.push_back(measured("device held still in the skin: force RMSE", held.force_rmse_N, "N"));
 }
 
 /// Places on the belly within 30 mm of `spot`, each 10 mm under the skin at exhale.
@@ -187,27 +196,28 @@ Result<void> add_breathing(Report& report) {
   const std::vector<Captured> all = testing::watch(*patient, SurfaceSettings{}, reach, 20.0, 2.0);
   const std::pair<double, double> asked[] = {{0.05, 0.02}, {0.10, 0.04}, {0.20, 0.08}};
   for (const auto& [delay_s, reach_N] : asked) {
-    report.rows.push_back(at_most("breathing, force RMSE at " + std::to_string(static_cast<int>(1e3 * delay_s)) + " ms",
-                                  force_rmse_N(*patient, all, places, 12.0, 20.0, delay_s), "N", reach_N));
+    report.rows.push_back(
+        at_most("breathing: force RMSE at a delay of " + std::to_string(static_cast<int>(1e3 * delay_s)) + " ms",
+                force_rmse_N(*patient, all, places, 12.0, 20.0, delay_s), "N", reach_N));
   }
   for (const auto& [delay_s, reach_N] : asked) {
-    report.rows.push_back(
-        measured("same before the model locks on, " + std::to_string(static_cast<int>(1e3 * delay_s)) + " ms",
-                 force_rmse_N(*patient, all, places, 2.5, 6.0, delay_s), "N"));
+    report.rows.push_back(measured(
+        "breathing, first 6 s: force RMSE at a delay of " + std::to_string(static_cast<int>(1e3 * delay_s)) + " ms",
+        force_rmse_N(*patient, all, places, 2.5, 6.0, delay_s), "N"));
   }
   std::mt19937_64 random(9);
   std::bernoulli_distribution lost(0.1);
   const std::vector<Captured> lossy =
       testing::watch(*patient, SurfaceSettings{}, reach, 20.0, 11.0, [&](int) { return lost(random); });
-  report.rows.push_back(at_most("breathing, 10 % lost, force RMSE at 50 ms",
+  report.rows.push_back(at_most("breathing, 10 % of frames lost: force RMSE at a delay of 50 ms",
                                 force_rmse_N(*patient, lossy, places, 12.0, 20.0, 0.05), "N", 0.025));
   const std::vector<Captured> gap = testing::watch(*patient, SurfaceSettings{}, reach, 18.0, 11.0,
                                                    [](int n) { return n * kFrame_s > 14.0 && n * kFrame_s < 14.5; });
   const auto outage = testing::run_touch(*patient, gap, held, 12.0, 18.0, 0.05, kStiffness_N_per_m,
                                          [](double t) { return t > 14.0 && t < 14.5; });
-  report.rows.push_back(
-      at_most("500 ms outage, then a burst, max |dF| a tick", distribution(outage.force_change_N).max(), "N", 0.02));
-  report.rows.push_back(measured("500 ms outage, force RMSE", outage.force_rmse_N, "N"));
+  report.rows.push_back(at_most("outage of 500 ms, then a burst of frames: largest force change in one tick",
+                                distribution(outage.force_change_N).max(), "N", 0.02));
+  report.rows.push_back(measured("outage of 500 ms, then a burst of frames: force RMSE", outage.force_rmse_N, "N"));
   return {};
 }
 
@@ -222,10 +232,11 @@ Result<Report> run_surface(const program::Arguments& /*arguments*/) {
   add_shapes(report);
   add_still(report, *patient, spot);
   if (const Result<void> done = add_breathing(report); !done) return done.error();
-  report.notes = {"synthetic torso, 640x480, Gaussian noise 1 mm, holes on, no disparity steps; reach 0.16 m",
-                  "step: device circles at 60 mm/s 10 mm under the skin, snapshots at 30 Hz",
-                  "breathing 5 mm at 0.25 Hz, pressed 10 mm deep at five places, force as a vector",
-                  "shapes: 1.5 mm sampling, radius >= 50 mm, seen within 40 degrees"};
+  report.notes = {
+      "synthetic torso, 640x480, Gaussian noise of 1 mm, with holes; surface built within 0.16 m of the device",
+      "proxy step: device circles at 60 mm/s, 10 mm deep in the skin; snapshots at 30 Hz",
+      "breathing: 5 mm at 0.25 Hz, device 10 mm deep at five places; RMSE of the force vector",
+      "shapes: points 1.5 mm apart, radius >= 50 mm, camera at most 40 degrees from the normal"};
   return report;
 }
 

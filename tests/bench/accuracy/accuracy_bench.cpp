@@ -31,8 +31,9 @@ Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {
     if (part.name == arguments.text("part")) return std::vector<Part>{part};
     names += (names.empty() ? "" : ", ") + std::string(part.name);
   }
-  return Error{
-      .what = "'" + arguments.text("part") + "' is not a part", .where = "--part", .fix = "give one of: " + names};
+  return Error{.what = "'" + arguments.text("part") + "' is not a part of telepalp-bench accuracy",
+               .where = "--part",
+               .fix = "give one of: " + names};
 }
 
 }  // namespace
@@ -49,9 +50,10 @@ Result<Report> run_accuracy(const program::Arguments& arguments) {
     append(all.pictures, std::move(section->pictures));
   }
   Report report{.bench = "accuracy", .rows = std::move(all.rows), .notes = {}};
-  report.notes = {"shapes: six known by formula, radii >= 50 mm, 1.5 mm sampling at 0.8 m, no noise; the worst of them",
-                  "torso: 640x480, Gaussian noise of 1 mm, still, after one second of frames; reach 0.10 m",
-                  "load: share of one core for 30 snapshots and 2000 steps a second, computed from the medians"};
+  report.notes = {
+      "shapes: the worst of six that a formula defines, radii >= 50 mm, points 1.5 mm apart at 0.8 m, no noise",
+      "torso: 640x480, Gaussian noise of 1 mm, still, after one second of frames; surface built within 0.10 m",
+      "load: share of one core for 30 snapshots and 2000 steps a second, computed from the medians"};
   if (parts->size() == std::size(kParts))
     all.parts.push_back({"conditions", "Machine: " + machine_name() + "; commit " + TELEPALP_COMMIT + ".\n"});
   if (arguments.has("write")) {

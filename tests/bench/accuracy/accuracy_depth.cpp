@@ -31,7 +31,10 @@ double cpu_ms() {
 Result<DepthSequence> recorded_room() {
   constexpr std::size_t kFrames = 12;
   const auto file = program::shipped_file("deploy/demo_data/oni/3dj_test.oni");
-  if (!file) return Error{.what = "the recording is not shipped", .where = "oni", .fix = "run from the repository"};
+  if (!file)
+    return Error{.what = "the recording is missing",
+                 .where = "deploy/demo_data/oni/3dj_test.oni",
+                 .fix = "run telepalp-bench from the repository"};
   auto source = capture::open_source("oni:" + file->string(),
                                      {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
   if (!source) return source.error();
@@ -43,7 +46,9 @@ Result<DepthSequence> recorded_room() {
     room.frames.push_back(std::move(frame->depth));
   }
   if (room.frames.empty())
-    return Error{.what = "gave no frame", .where = file->string(), .fix = "check the file: git status"};
+    return Error{.what = "the recording gave no frame",
+                 .where = file->string(),
+                 .fix = "compare the file with the repository: git status"};
   return room;
 }
 

@@ -77,15 +77,15 @@ PageTable mode_table(const std::vector<std::vector<Priced>>& by_sequence, const 
 
 void add_rows(const std::string& name, const DepthPrice& price, bool lossless, std::vector<Row>& rows) {
   rows.push_back(measured(name + ": bits per pixel", price.bits_per_pixel, ""));
-  rows.push_back(measured(name + ": ratio", price.ratio, ""));
-  rows.push_back(measured(name + ": encode p50", price.encode_p50_ms, "ms"));
-  rows.push_back(measured(name + ": decode p50", price.decode_p50_ms, "ms"));
+  rows.push_back(measured(name + ": compression ratio", price.ratio, ""));
+  rows.push_back(measured(name + ": time to encode a frame, p50", price.encode_p50_ms, "ms"));
+  rows.push_back(measured(name + ": time to decode a frame, p50", price.decode_p50_ms, "ms"));
   rows.push_back(lossless ? at_most(name + ": largest depth error", price.worst_mm, "mm", 0.0)
                           : measured(name + ": largest depth error", price.worst_mm, "mm"));
-  rows.push_back(measured(name + ": depth RMS", price.rms_mm, "mm"));
+  rows.push_back(measured(name + ": depth error, RMS", price.rms_mm, "mm"));
   rows.push_back(lossless ? at_most(name + ": force error, max", price.force_max_N, "N", 0.0)
                           : measured(name + ": force error, RMS", price.force_rms_N, "N"));
-  rows.push_back(measured(name + ": places pressed", price.places, ""));
+  rows.push_back(measured(name + ": number of places pressed", price.places, ""));
 }
 
 Result<std::vector<Priced>> bounds_of(const DepthSequence& sequence, std::vector<Row>& rows) {

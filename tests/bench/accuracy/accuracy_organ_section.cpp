@@ -113,11 +113,11 @@ Result<Section> organ_section() {
     const Result<OrganPrice> price = price_of(cell_m, places);
     if (!price) return price.error();
     const std::string name = "organ, cells of " + cell(1e3 * cell_m) + " mm: ";
-    section.rows.push_back(measured(name + "depth RMS", 1e3 * price->rms_m, "mm"));
-    section.rows.push_back(measured(name + "depth p99", 1e3 * price->p99_m, "mm"));
-    section.rows.push_back(measured(name + "normal RMS", price->normal_deg, "deg"));
-    section.rows.push_back(measured(name + "load", price->load_ms, "ms"));
-    section.rows.push_back(measured(name + "step", price->step_us, "us"));
+    section.rows.push_back(measured(name + "depth error, RMS", 1e3 * price->rms_m, "mm"));
+    section.rows.push_back(measured(name + "depth error, p99", 1e3 * price->p99_m, "mm"));
+    section.rows.push_back(measured(name + "error of the normal, RMS", price->normal_deg, "deg"));
+    section.rows.push_back(measured(name + "time to read the mesh", price->load_ms, "ms"));
+    section.rows.push_back(measured(name + "time of a step", price->step_us, "us"));
     const std::string size = cell(1e3 * cell_m);
     table.rows.push_back({cell_m == kUsualCell_m ? "**" + size + "**" : size, cell(1e3 * price->rms_m),
                           cell(1e3 * price->p99_m), cell(price->normal_deg), cell(price->load_ms),

@@ -48,7 +48,7 @@ Result<std::string> with_parts(const std::string& page, const std::vector<PagePa
     if (to == std::string::npos)
       return Error{.what = "has no lines '" + begin.substr(0, begin.size() - 1) + "' and '" + end + "'",
                    .where = name,
-                   .fix = "put them where that part of the page belongs"};
+                   .fix = "put these two lines where this part of the page belongs"};
     out.replace(from + begin.size(), to - from - begin.size(), part.text);
   }
   return out;

@@ -97,7 +97,7 @@ Result<Section> patients_section() {
     for (std::size_t c = 0; c < all.size(); ++c) {
       const double off_mm = error_mm[v * all.size() + c];
       table.rows.back().push_back(cell(off_mm));
-      section.rows.push_back(measured(variants[v].name + ": patient, " + all[c].head, off_mm, "mm"));
+      section.rows.push_back(measured(variants[v].name + ": RMS position error, patient " + all[c].head, off_mm, "mm"));
     }
   }
   section.parts = {{"patients", to_markdown(table)}};

@@ -87,19 +87,22 @@ Result<Section> prediction_section() {
   Section section;
   for (const HandPredictionError& error : *hands)
     for (std::size_t model = 0; model < kHandModels.size(); ++model) {
-      const std::string name =
-          "hand " + error.trace + ", " + cell(error.ahead_ms) + " ms ahead: " + std::string(kHandModels[model]);
-      section.rows.push_back(measured(name, 1e3 * error.all_m[model], "mm"));
-      section.rows.push_back(measured(name + ", height", 1e3 * error.height_m[model], "mm"));
+      const std::string name = "hand prediction, recording " + error.trace + ", " + cell(error.ahead_ms) +
+                               " ms ahead: " + std::string(kHandModels[model]);
+      section.rows.push_back(measured(name + ", RMS error", 1e3 * error.all_m[model], "mm"));
+      section.rows.push_back(measured(name + ", RMS error of the height", 1e3 * error.height_m[model], "mm"));
     }
   for (const SurfacePredictionError& error : *surfaces) {
-    section.rows.push_back(measured("surface " + error.model + ": still, 1 s", 1e3 * error.still_1s_m, "mm"));
-    section.rows.push_back(measured("surface " + error.model + ": still, 3 s", 1e3 * error.still_3s_m, "mm"));
-    section.rows.push_back(measured("surface " + error.model + ": 3 mm step followed", error.step_frames, "frames"));
+    section.rows.push_back(measured("surface, prediction " + error.model + ": RMS error, patient still, after 1 s",
+                                    1e3 * error.still_1s_m, "mm"));
+    section.rows.push_back(measured("surface, prediction " + error.model + ": RMS error, patient still, after 3 s",
+                                    1e3 * error.still_3s_m, "mm"));
+    section.rows.push_back(measured("surface, prediction " + error.model + ": frames to follow a step of 3 mm",
+                                    error.step_frames, "frames"));
     for (std::size_t age = 0; age < kSurfaceAges_s.size(); ++age)
-      section.rows.push_back(
-          measured("surface " + error.model + ": breathing, " + cell(1e3 * kSurfaceAges_s[age]) + " ms old",
-                   1e3 * error.breathing_m[age], "mm"));
+      section.rows.push_back(measured("surface, prediction " + error.model + ": RMS error, breathing, " +
+                                          cell(1e3 * kSurfaceAges_s[age]) + " ms old",
+                                      1e3 * error.breathing_m[age], "mm"));
   }
   section.parts = {{"hand", to_markdown(hand_table(*hands)) + "\n" + hand_text(*hands)},
                    {"time", to_markdown(time_table(*surfaces)) + "\n" + time_text(*surfaces)}};

@@ -49,7 +49,7 @@ Result<Section> price_section() {
     const double read_ms = ms_since(start);
     for (const station::EffectPrice& price : station::price_of(*scene)) {
       if (price.name != priced.effect) continue;
-      section.rows.push_back(measured(std::string("price of ") + priced.name, price.mean_us, "us"));
+      section.rows.push_back(measured(std::string("time in a tick: ") + priced.name, price.mean_us, "us"));
       table.rows.push_back({priced.name, cell(price.mean_us), cell(1e-3 * static_cast<double>(price.bytes)),
                             cell(read_ms), price.depth_error});
     }

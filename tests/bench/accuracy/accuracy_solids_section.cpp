@@ -137,8 +137,8 @@ PageTable trees_table(const SolidTree& ribs, std::vector<Row>& rows) {
   const auto add = [&](const std::string& name, const SolidTree& tree, const Path& path) {
     const ProxyPrice usual = price_of(tree, path, {});
     const ProxyPrice whole = price_of(tree, path, {.remembers = false});
-    rows.push_back(measured("proxy, " + name + ": error p99", 1e6 * usual.p99_m, "um"));
-    rows.push_back(measured("proxy, " + name + ": step", usual.step_us.p50(), "us"));
+    rows.push_back(measured("proxy on " + name + ": proxy error, p99", 1e6 * usual.p99_m, "um"));
+    rows.push_back(measured("proxy on " + name + ": time of a step, p50", usual.step_us.p50(), "us"));
     table.rows.push_back({name, cell(1e6 * usual.p50_m) + " / " + cell(1e6 * usual.p99_m),
                           cell(usual.step_us.p50()) + " / " + cell(usual.step_us.p99()),
                           cell(whole.step_us.p50()) + " / " + cell(whole.step_us.p99())});
@@ -164,8 +164,10 @@ Result<Section> solids_section() {
   const std::vector<Tried> all = settings_tried(ribs);
   Section section;
   for (const Tried& one : all) {
-    section.rows.push_back(measured("proxy on 24 ribs, " + one.name + ": error p99", 1e6 * one.price.p99_m, "um"));
-    section.rows.push_back(measured("proxy on 24 ribs, " + one.name + ": step", one.price.step_us.p50(), "us"));
+    section.rows.push_back(
+        measured("proxy on 24 ribs, " + one.name + ": proxy error, p99", 1e6 * one.price.p99_m, "um"));
+    section.rows.push_back(
+        measured("proxy on 24 ribs, " + one.name + ": time of a step, p50", one.price.step_us.p50(), "us"));
   }
   section.parts = {{"proxy", to_markdown(settings_table(all))},
                    {"trees", to_markdown(trees_table(ribs, section.rows))}};

@@ -204,7 +204,10 @@ Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.
 
 Result<FilmedTorso> kinect_torso(double above_m) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
-  if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
+  if (!file)
+    return Error{.what = "the mesh is missing",
+                 .where = "deploy/demo_data/torso/visible_human_torso.ply",
+                 .fix = "run telepalp-bench from the repository"};
   const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
   if (!mesh) return mesh.error();
   return film(capture::SyntheticPatient::make(*mesh, {.camera_above_body_m = above_m, .amplitude_m = 0.0}));

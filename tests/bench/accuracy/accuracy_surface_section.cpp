@@ -153,16 +153,16 @@ void add_rows(const Tried& tried, bool is_default, std::vector<Row>& rows) {
   const auto row = [&](const std::string& what, double value, const char* unit, double reach) {
     rows.push_back(is_default ? at_most(name + what, value, unit, reach) : measured(name + what, value, unit));
   };
-  row("shapes, position RMS", 1e6 * f.shapes.position_m, "um", kShapeReach_um);
-  row("shapes, normal RMS", f.shapes.normal_deg, "deg", kShapeReach_deg);
-  row("torso, position RMS", 1e3 * f.torso.position_m, "mm", kTorsoReach_mm);
-  row("torso, normal RMS", f.torso.normal_deg, "deg", kTorsoReach_deg);
-  row("change of f over 1 um", f.jump_um, "um", kJumpReach_um);
-  rows.push_back(measured(name + "build p50", f.build_p50_ms, "ms"));
-  rows.push_back(measured(name + "build p99", f.build_p99_ms, "ms"));
-  row("step p50", f.step_p50_us, "us", kStepReach_us);
-  rows.push_back(measured(name + "step p99", f.step_p99_us, "us"));
-  rows.push_back(measured(name + "load", 100.0 * f.load(), "%"));
+  row("shapes, RMS position error", 1e6 * f.shapes.position_m, "um", kShapeReach_um);
+  row("shapes, RMS error of the normal", f.shapes.normal_deg, "deg", kShapeReach_deg);
+  row("torso, RMS position error", 1e3 * f.torso.position_m, "mm", kTorsoReach_mm);
+  row("torso, RMS error of the normal", f.torso.normal_deg, "deg", kTorsoReach_deg);
+  row("largest change of f over 1 um of travel", f.jump_um, "um", kJumpReach_um);
+  rows.push_back(measured(name + "time to build a snapshot, p50", f.build_p50_ms, "ms"));
+  rows.push_back(measured(name + "time to build a snapshot, p99", f.build_p99_ms, "ms"));
+  row("time of a proxy step, p50", f.step_p50_us, "us", kStepReach_us);
+  rows.push_back(measured(name + "time of a proxy step, p99", f.step_p99_us, "us"));
+  rows.push_back(measured(name + "load of one core", 100.0 * f.load(), "%"));
 }
 
 /// A cell "position / normal".
@@ -190,7 +190,8 @@ Result<PageTable> noise_table(std::vector<Row>& rows) {
     for (const Sight& sight : sights) {
       const TouchError error = torso_touch_error(*sight.torso, variant);
       table.rows.back().push_back(both(error, 1e3));
-      rows.push_back(measured(variant.name + ": torso, " + sight.name, 1e3 * error.position_m, "mm"));
+      rows.push_back(
+          measured(variant.name + ": RMS position error, torso, " + sight.name, 1e3 * error.position_m, "mm"));
     }
   }
   return table;
@@ -206,8 +207,9 @@ PageTable density_table(std::vector<Row>& rows) {
     for (std::size_t k = 0; k < few.size(); ++k) {
       const TouchError error = shape_touch_error(shapes[2], few[k]);
       table.rows[k].push_back(both(error, 1e6));
-      rows.push_back(measured(few[k].name + ": sphere of 50 mm, " + cell(1e3 * spacing_m) + " mm sampling",
-                              1e6 * error.position_m, "um"));
+      rows.push_back(
+          measured(few[k].name + ": RMS position error, sphere of 50 mm, points " + cell(1e3 * spacing_m) + " mm apart",
+                   1e6 * error.position_m, "um"));
     }
   }
   return table;
@@ -234,7 +236,7 @@ Result<Section> surface_section() {
   if (knee < all.size()) {
     const Tried& usual = named(all, surface::SurfaceSettings{}.name);
     section.rows.push_back(measured(
-        "default over knee (" + all[knee].variant.name + "), error x load",
+        "product of error and load: default, divided by the knee (" + all[knee].variant.name + ")",
         usual.figures.torso.position_m * usual.figures.load() / (tradeoffs[knee].error * tradeoffs[knee].cost), "x"));
   }
   const Result<PageTable> noise = noise_table(section.rows);

@@ -41,7 +41,8 @@ Result<Section> z_width_section() {
       theory.x.push_back(rate_hz);
       theory.y.push_back(limit);
       table.rows.back().push_back(cell(shown));
-      section.rows.push_back(measured("Z-width at " + cell(rate_hz) + " Hz, " + damping_name(damping) + ": of 2 b / T",
+      section.rows.push_back(measured("Z-width at " + cell(rate_hz) + " Hz, " + damping_name(damping) +
+                                          ": stiffest wall at rest, divided by 2 b / T",
                                       shown / limit, ""));
     }
     chart.series.push_back(std::move(theory));
@@ -50,7 +51,8 @@ Result<Section> z_width_section() {
   const double coupled = control::stiffest_shown_N_per_m({.device_damping_N_s_per_m = kUsualDamping});
   chart.rules.push_back(
       {coupled, "stiffer scenes are coupled, " + damping_name(kUsualDamping) + " at 2 kHz", std::string(plot::kGrey)});
-  section.rows.push_back(measured("stiffest without coupling, " + damping_name(kUsualDamping), coupled, "N/m"));
+  section.rows.push_back(
+      measured("stiffest scene without virtual coupling, " + damping_name(kUsualDamping), coupled, "N/m"));
   section.parts = {{"z-width", to_markdown(table)}};
   section.pictures = {{"accuracy/z_width.svg", plot::to_svg(chart)}};
   return section;

@@ -58,7 +58,7 @@ Result<Frames> frames_of(const std::string& input) {
       if (auto frame = (*source)->next(std::chrono::milliseconds{100}))
         frames.images.push_back(std::move(frame->depth));
   }
-  if (frames.images.empty()) return Error{.what = "holds no depth", .where = input, .fix = "give depth images"};
+  if (frames.images.empty()) return Error{.what = "holds no depth image", .where = input, .fix = "give depth images"};
   return frames;
 }
 
@@ -153,16 +153,16 @@ double raw_bytes(const std::vector<DepthImage>& frames) {
 }
 
 void add_rows(const std::string& name, const Measured& measured, double raw, double ratio_asked, Report& report) {
-  const std::string ratio = name + ": ratio";
+  const std::string ratio = name + ": compression ratio";
   report.rows.push_back(ratio_asked > 0.0 ? at_least(ratio, raw / measured.bytes, "", ratio_asked)
                                           : bench::measured(ratio, raw / measured.bytes, ""));
   report.rows.push_back(bench::measured(name + ": bits per pixel", 16.0 * measured.bytes / raw, ""));
-  report.rows.push_back(bench::measured(name + ": encode p50", measured.encode_ms.p50(), "ms"));
-  report.rows.push_back(bench::measured(name + ": encode p99", measured.encode_ms.p99(), "ms"));
-  report.rows.push_back(bench::measured(name + ": decode p50", measured.decode_ms.p50(), "ms"));
-  report.rows.push_back(bench::measured(name + ": decode p99", measured.decode_ms.p99(), "ms"));
-  if (measured.failed || measured.flips != 0) report.notes.push_back(name + ": FAILED to give the frames back");
-  report.rows.push_back(at_most(name + ": frames given back wrong, holes lost",
+  report.rows.push_back(bench::measured(name + ": time to encode a frame, p50", measured.encode_ms.p50(), "ms"));
+  report.rows.push_back(bench::measured(name + ": time to encode a frame, p99", measured.encode_ms.p99(), "ms"));
+  report.rows.push_back(bench::measured(name + ": time to decode a frame, p50", measured.decode_ms.p50(), "ms"));
+  report.rows.push_back(bench::measured(name + ": time to decode a frame, p99", measured.decode_ms.p99(), "ms"));
+  if (measured.failed || measured.flips != 0) report.notes.push_back(name + ": FAILED to restore the frames");
+  report.rows.push_back(at_most(name + ": holes lost or added, in pixels (1 if decoding failed)",
                                 measured.failed ? 1.0 : static_cast<double>(measured.flips), "", 0.0));
 }
 
@@ -223,8 +223,9 @@ Result<void> add_held_out(const std::string& sets, Report& report) {
   }
   constexpr std::array kAsked{14.0, 19.0, 22.0, 45.0};
   for (std::size_t i = 0; i < kModes.size(); ++i)
-    report.rows.push_back(at_least(std::string(codec::name(kModes[i])) + ": ratio, mean of held-out sets",
-                                   std::exp(log_ratio[i] / count), "", kAsked[i]));
+    report.rows.push_back(at_least(
+        std::string(codec::name(kModes[i])) + ": compression ratio, geometric mean of the --held-out recordings",
+        std::exp(log_ratio[i] / count), "", kAsked[i]));
   return {};
 }
 
@@ -255,31 +256,31 @@ Result<Report> run_depth(const program::Arguments& arguments) {
     const double decode = measured.decode_ms.p50() / measured.yard_decode_ms.p50();
     const TimesAsked asked = times_asked(mode);
     const auto times = [&](const std::string& what, double value, double most) {
-      const std::string row = name + ": " + what + ", times zstd-3";
+      const std::string row = name + ": time to " + what + ", divided by that of zstd-3";
       report.rows.push_back(kinects ? at_most(row, value, "", most) : bench::measured(row, value, ""));
     };
     times("encode", encode, asked.encode);
     times("decode", decode, asked.decode);
-    report.rows.push_back(bench::measured(name + ": largest error", measured.worst_mm, "mm"));
-    report.rows.push_back(bench::measured(name + ": RMS error", measured.rms_mm(), "mm"));
+    report.rows.push_back(bench::measured(name + ": largest depth error", measured.worst_mm, "mm"));
+    report.rows.push_back(bench::measured(name + ": depth error RMS", measured.rms_mm(), "mm"));
   }
   if (arguments.has("held-out"))
     if (const Result<void> added = add_held_out(arguments.text("held-out"), report); !added) return added.error();
-  if (!kinects) report.notes.push_back("no budget for the times: the frames are not a Kinect's");
+  if (!kinects) report.notes.push_back("the times have no budget, because the frames are not a Kinect's");
   report.notes.push_back(
       asked_ratios == nullptr
-          ? "no budget for the ratio: it was not measured before on the frames that begin with CRC-32C " +
+          ? "the ratios have no budget, because these frames are unknown; CRC-32C of the first frame: " +
                 std::to_string(set_mark(frames.front()))
-          : "budgets of the ratios: those of " + std::string(asked_ratios->set));
+          : "the budgets of the ratios are those for " + std::string(asked_ratios->set));
   if (read->left_out > 0)
     report.notes.push_back(std::to_string(read->left_out) +
-                           " more frames are left out: samples fill the limit of 1 GiB");
+                           " more frames are left out: the other frames fill the limit of 1 GiB");
   report.notes.push_back(
       std::to_string(frames.size()) + " frames of " + std::to_string(frames[0].width) + " x " +
-      std::to_string(frames[0].height) + ", one core, CPU time; kernel " +
+      std::to_string(frames[0].height) + "; processor time on one core; code path " +
       (codec::v3_context_kernel() != nullptr ? codec::v3_context_kernel() : &codec::portable_context_kernel())->name);
   if (const std::string missing = missing_depth_peers(); !missing.empty())
-    report.notes.push_back("left out, as the build did not find them:" + missing);
+    report.notes.push_back("codecs left out, because the build did not find them:" + missing);
   return report;
 }
 

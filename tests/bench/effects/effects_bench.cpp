@@ -45,14 +45,14 @@ Distribution proxy_steps_us(const SolidTree& ribs, double tip_m, double high_m, 
 void measure_proxy(const SolidTree& ribs, Report& report) {
   double contact = 0.0;
   const Distribution point = proxy_steps_us(ribs, 0.0, 0.0, contact);
-  report.rows.push_back(at_least("ribs in the tree", static_cast<double>(ribs.shapes), "", 24.0));
-  report.rows.push_back(at_most("24 ribs, proxy step, p50", point.p50(), "us", 2.0));
-  report.rows.push_back(at_most("24 ribs, proxy step, p99.9", point.p999(), "us", 20.0));
-  report.rows.push_back(measured("share of ticks in contact", contact, ""));
+  report.rows.push_back(at_least("number of shapes in the scene's ribs", static_cast<double>(ribs.shapes), "", 24.0));
+  report.rows.push_back(at_most("proxy step on 24 ribs: time, p50", point.p50(), "us", 2.0));
+  report.rows.push_back(at_most("proxy step on 24 ribs: time, p99.9", point.p999(), "us", 20.0));
+  report.rows.push_back(measured("proxy step on 24 ribs: share of ticks in contact", contact, ""));
   const Distribution tip = proxy_steps_us(ribs, 0.006, 0.004, contact);
-  report.rows.push_back(at_most("the same with a fingertip of 6 mm, p50", tip.p50(), "us", 2.0));
-  report.rows.push_back(at_most("the same with a fingertip of 6 mm, p99.9", tip.p999(), "us", 20.0));
-  report.rows.push_back(measured("share of ticks in contact with a fingertip", contact, ""));
+  report.rows.push_back(at_most("proxy step on 24 ribs, fingertip of 6 mm: time, p50", tip.p50(), "us", 2.0));
+  report.rows.push_back(at_most("proxy step on 24 ribs, fingertip of 6 mm: time, p99.9", tip.p999(), "us", 20.0));
+  report.rows.push_back(measured("proxy step on 24 ribs, fingertip of 6 mm: share of ticks in contact", contact, ""));
 }
 
 /// Difference between the gradient and central differences, the smallest over four step sizes. A wrong gradient is
@@ -90,8 +90,9 @@ void measure_gradient(const SolidTree& tree, Report& report) {
     ++compared;
     worst = std::max(worst, error);
   }
-  report.rows.push_back(at_least("gradient: places away from ties", compared, "", 10'000.0));
-  report.rows.push_back(at_most("gradient against differences, worst", worst, "", 1e-6));
+  report.rows.push_back(at_least("gradient of the ribs' distance: number of places compared", compared, "", 10'000.0));
+  report.rows.push_back(
+      at_most("gradient of the ribs' distance: difference from finite differences, worst", worst, "", 1e-6));
 }
 
 void measure_ribs(const scenes::Scene& scene, Report& report) {
@@ -103,8 +104,9 @@ void measure_ribs(const scenes::Scene& scene, Report& report) {
     if (count.counted == count.crossed) ++right;
     worst_N = std::max(worst_N, count.worst_step_N);
   }
-  report.rows.push_back(at_least("ribs counted from the force, of 100 seeds", right, "", kSeeds));
-  report.rows.push_back(at_most("finger along the ribs, force change a tick", worst_N, "N", 0.05));
+  report.rows.push_back(
+      at_least("number of 100 runs in which the ribs are counted rightly from the force", right, "", kSeeds));
+  report.rows.push_back(at_most("finger across the ribs: largest force change in one tick", worst_N, "N", 0.05));
 }
 
 double found_percent(const std::optional<Mass>& mass, int seeds, double& hand_s) {
@@ -125,12 +127,14 @@ void measure_masses(Report& report) {
         const bool asked = size_mm == 20.0 && depth_mm == 20.0 && stiffness == 900.0;
         const double share = found_percent(Mass{1e-3 * size_mm, 1e-3 * depth_mm, stiffness}, asked ? 40 : 10, hand_s);
         char name[96];
-        std::snprintf(name, sizeof name, "mass of %.0f mm, %.0f mm deep, %.0f N/m: found", size_mm, depth_mm,
-                      stiffness);
+        std::snprintf(name, sizeof name,
+                      "mass of %.0f mm, %.0f mm deep, %.0f N/m: share of searches that find the mass", size_mm,
+                      depth_mm, stiffness);
         report.rows.push_back(asked ? at_least(name, share, "%", 95.0) : measured(name, share, "%"));
-        if (asked) report.rows.push_back(measured("search for it, time of the hand", hand_s, "s"));
+        if (asked)
+          report.rows.push_back(measured("mass of 20 mm, 20 mm deep, 900 N/m: time of one search", hand_s, "s"));
       }
-  report.rows.push_back(at_most("no mass: a place named nevertheless", found_percent({}, 40, hand_s), "%", 0.0));
+  report.rows.push_back(at_most("no mass: share of searches that report one", found_percent({}, 40, hand_s), "%", 0.0));
 }
 
 /// A scene is billed for the effects that it names.
@@ -140,8 +144,9 @@ Result<void> measure_absent(Report& report) {
   double others = 0.0;
   for (const effects::EffectBill& line : plain->effects.bill())
     if (std::string_view(line.name) != "skin") ++others;
-  report.rows.push_back(at_most("effects billed to a scene of skin alone, beside it", others, "", 0.0));
-  report.rows.push_back(at_most("solids held by that scene", static_cast<double>(plain->layers.size()), "", 0.0));
+  report.rows.push_back(at_most("scene with skin alone: number of other effects in its bill", others, "", 0.0));
+  report.rows.push_back(
+      at_most("scene with skin alone: number of solids", static_cast<double>(plain->layers.size()), "", 0.0));
   return {};
 }
 
@@ -159,7 +164,7 @@ void measure_image(const scenes::Scene& scene, Report& report) {
 
 void measure_mesh(const SolidTree& ribs, Report& report) {
   const auto mesh = solids::mesh_of(ribs, 0.003);
-  report.rows.push_back(at_most("open edges of the ribs' mesh",
+  report.rows.push_back(at_most("number of open edges of the ribs' mesh",
                                 mesh ? static_cast<double>(solids::open_edges(*mesh)) : HUGE_VAL, "", 0.0));
 }
 
@@ -179,7 +184,7 @@ Result<Report> run_effects(const program::Arguments&) {
   measure_image(*scene, report);
   measure_mesh(ribs, report);
   report.notes.push_back(
-      "ribs and masses: a finger under a level skin, with a tremor of 0.3 mm and a sensor's noise of 0.02 N");
+      "ribs and masses: under level skin; finger with a tremor of 0.3 mm and a force sensor with noise of 0.02 N");
   return report;
 }
 

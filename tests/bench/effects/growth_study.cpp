@@ -105,19 +105,19 @@ void measure_growth(Report& report) {
     Growth growth;
   };
   Kind kinds[] = {
-      {"proxy step of a finger",
+      {"proxy step, finger that slides past balls",
        true,
        [](const SolidTree& t, int, int side) { return proxy_us(t, finger_path(side, 0.15)); },
        {}},
-      {"evaluation by a finger",
+      {"distance to the balls, finger that slides past them",
        true,
        [](const SolidTree& t, int, int side) { return evaluation_us(t, finger_path(side, 0.1)); },
        {}},
-      {"evaluation at 30 scattered places, in the cache",
+      {"distance to the balls, 30 scattered places, repeated",
        false,
        [](const SolidTree& t, int count, int side) { return evaluation_us(t, scattered(count, side, 30)); },
        {}},
-      {"evaluation at 1000 scattered places",
+      {"distance to the balls, 1000 scattered places",
        false,
        [](const SolidTree& t, int count, int side) { return evaluation_us(t, scattered(count, side, 1000)); },
        {}}};
@@ -128,12 +128,12 @@ void measure_growth(Report& report) {
       const double us = kind.us(*tree, count, side);
       kind.growth.add(us);
       report.rows.push_back(
-          measured(std::string(kind.name) + ", " + std::to_string(count) + " solids", 1e3 * us, "ns"));
+          measured(std::string(kind.name) + ": time, " + std::to_string(count) + " balls", 1e3 * us, "ns"));
     }
   }
   constexpr double kLogGrows = 4.0;  // log 10 000 / log 10
   for (const Kind& kind : kinds) {
-    const std::string name = std::string(kind.name) + ", growth from 10 to 10 000 solids";
+    const std::string name = std::string(kind.name) + ": longest over shortest time, 10 to 10 000 balls";
     report.rows.push_back(kind.of_a_hand ? at_most(name, kind.growth.factor(), "", kLogGrows)
                                          : measured(name, kind.growth.factor(), ""));
   }

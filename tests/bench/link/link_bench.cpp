@@ -40,8 +40,8 @@ constexpr std::array kPaths{
 
 std::string name_of(const PathRow& path) {
   char text[80];
-  std::snprintf(text, sizeof text, "RTT %.0f ms, loss %.0f %%%s", to_milliseconds(path.round_trip), path.loss_percent,
-                path.burst_packets > 1.0 ? " in bursts of 4" : "");
+  std::snprintf(text, sizeof text, "round-trip time %.0f ms, loss %.0f %%%s", to_milliseconds(path.round_trip),
+                path.loss_percent, path.burst_packets > 1.0 ? " in bursts of 4" : "");
   return text;
 }
 
@@ -49,11 +49,11 @@ std::string name_of(const PathRow& path) {
 double add_real_peers(Report& report, const std::string& name, Scenario scenario, double seconds) {
   scenario.seconds = seconds;
   if (const std::optional<Outcome> tcp = link::run_kernel_tcp(scenario))
-    report.rows.push_back(measured(name + ": the kernel's TCP", tcp->in_time_percent(), "%"));
+    report.rows.push_back(measured(name + ": frames in time, the kernel's TCP", tcp->in_time_percent(), "%"));
 #ifdef TELEPALP_HAVE_SRT
   const Outcome srt = link::run_srt(scenario);
-  report.rows.push_back(measured(name + ": SRT", srt.in_time_percent(), "%"));
-  report.rows.push_back(measured(name + ": SRT's overhead", srt.overhead_percent(), "%"));
+  report.rows.push_back(measured(name + ": frames in time, SRT", srt.in_time_percent(), "%"));
+  report.rows.push_back(measured(name + ": overhead, SRT", srt.overhead_percent(), "%"));
   return srt.in_time_percent();
 #else
   return 0.0;
@@ -67,12 +67,14 @@ void add_path(Report& report, const PathRow& path, double real_seconds) {
   const Outcome ours = run_telepalp(scenario);
   const double udp = run_plain_udp(scenario).in_time_percent();
   const double tcp = run_plain_tcp(scenario).in_time_percent();  // a model, kinder than any real TCP
-  report.rows.push_back(measured(name + ": plain UDP", udp, "%"));
-  report.rows.push_back(measured(name + ": TCP without congestion control", tcp, "%"));
+  report.rows.push_back(measured(name + ": frames in time, plain UDP", udp, "%"));
+  report.rows.push_back(measured(name + ": frames in time, TCP without congestion control", tcp, "%"));
   const double srt = add_real_peers(report, name, scenario, real_seconds);
-  report.rows.push_back(at_least(name + ": telepalp", ours.in_time_percent(), "%", std::max(path.reach_percent, srt)));
-  report.rows.push_back(at_most(name + ": telepalp's overhead", ours.overhead_percent(), "%", 45.0));
-  report.rows.push_back(at_most(name + ": wrong frames", static_cast<double>(ours.wrong), "frames", 0.0));
+  report.rows.push_back(
+      at_least(name + ": frames in time, telepalp", ours.in_time_percent(), "%", std::max(path.reach_percent, srt)));
+  report.rows.push_back(at_most(name + ": overhead, telepalp", ours.overhead_percent(), "%", 45.0));
+  report.rows.push_back(
+      at_most(name + ": frames with wrong bytes, telepalp", static_cast<double>(ours.wrong), "frames", 0.0));
 }
 
 /// Processor time of this thread.
@@ -105,10 +107,11 @@ Distribution processing_ms() {
 void add_no_loss(Report& report) {
   const Outcome ours = run_telepalp(link::over(20ms, 0.0, 1.0));
   const Distribution took_ms = processing_ms();
-  report.rows.push_back(at_most("no loss: overhead", ours.overhead_percent(), "%", 5.0));
-  report.rows.push_back(at_least("no loss: frames in time", ours.in_time_percent(), "%", 100.0));
-  report.rows.push_back(measured("no loss: sealing, cutting, opening, joining of 91 kB, p50", took_ms.p50(), "ms"));
-  report.rows.push_back(at_most("no loss: sealing, cutting, opening, joining of 91 kB, p99", took_ms.p99(), "ms", 1.0));
+  report.rows.push_back(at_most("no loss: overhead, telepalp", ours.overhead_percent(), "%", 5.0));
+  report.rows.push_back(at_least("no loss: frames in time, telepalp", ours.in_time_percent(), "%", 100.0));
+  report.rows.push_back(measured("no loss: time to encrypt, split, decrypt and join 91 kB, p50", took_ms.p50(), "ms"));
+  report.rows.push_back(
+      at_most("no loss: time to encrypt, split, decrypt and join 91 kB, p99", took_ms.p99(), "ms", 1.0));
 }
 
 void add_thin_pipe(Report& report, double real_seconds) {
@@ -118,24 +121,28 @@ void add_thin_pipe(Report& report, double real_seconds) {
   const Outcome ours = run_telepalp(scenario);
   const Outcome tcp = run_plain_tcp(scenario);
   report.rows.push_back(
-      measured("2 MB/s, RTT 50 ms, 2 MiB: TCP without congestion control, age of the newest depth, p50",
+      measured("2 MB/s, round-trip time 50 ms, queue of 2 MiB: age of the newest depth image, TCP without congestion "
+               "control, p50",
                tcp.depth_age_ms.p50(), "ms"));
   scenario.seconds = real_seconds;
   if (const std::optional<Outcome> kernel = link::run_kernel_tcp(scenario))
-    report.rows.push_back(measured("2 MB/s, RTT 50 ms, 2 MiB: the kernel's TCP, age of the newest depth, p50",
-                                   kernel->depth_age_ms.p50(), "ms"));
+    report.rows.push_back(
+        measured("2 MB/s, round-trip time 50 ms, queue of 2 MiB: age of the newest depth image, the kernel's TCP, p50",
+                 kernel->depth_age_ms.p50(), "ms"));
   report.rows.push_back(
-      measured("2 MB/s, RTT 50 ms, 2 MiB: age of the newest depth, p50", ours.depth_age_ms.p50(), "ms"));
+      measured("2 MB/s, round-trip time 50 ms, queue of 2 MiB: age of the newest depth image, telepalp, p50",
+               ours.depth_age_ms.p50(), "ms"));
   report.rows.push_back(
-      at_most("2 MB/s, RTT 50 ms, 2 MiB: age of the newest depth, p95", ours.depth_age_ms.quantile(0.95), "ms", 200.0));
+      at_most("2 MB/s, round-trip time 50 ms, queue of 2 MiB: age of the newest depth image, telepalp, p95",
+              ours.depth_age_ms.quantile(0.95), "ms", 200.0));
 }
 
 void add_clock(Report& report) {
   const link::ClockOutcome clock = link::run_clock(50ms, 20ms, 100);
-  report.rows.push_back(at_most("session clock, jitter of 20 ms: largest error after 10 s, of 100 runs",
+  report.rows.push_back(at_most("session clock, jitter of 20 ms: largest error after 10 s, worst of 100 runs",
                                 to_milliseconds(clock.worst_error), "ms", 1.0));
-  report.rows.push_back(
-      at_most("session clock, jitter of 20 ms: runs backwards", static_cast<double>(clock.backwards), "times", 0.0));
+  report.rows.push_back(at_most("session clock, jitter of 20 ms: number of steps backwards",
+                                static_cast<double>(clock.backwards), "times", 0.0));
 }
 
 /// From the capture of a recording's frame until it can be touched, between the real programs.
@@ -145,10 +152,11 @@ void add_camera_to_hand(Report& report, const program::Arguments& arguments, dou
                              : recording            ? "oni:" + recording->string()
                                                     : "synthetic";
   const Result<Report> pipeline = measure_pipeline({.source = source, .seconds = seconds});
-  if (!pipeline) return report.notes.push_back("camera to hand is not measured: " + to_string(pipeline.error()));
+  if (!pipeline)
+    return report.notes.push_back("the latency from camera to hand is not measured: " + to_string(pipeline.error()));
   for (Row row : pipeline->rows) {
     if (!row.name.ends_with("_ms.p50") && !row.name.ends_with("_ms.p99")) continue;
-    row.name = "camera to hand, sealed: " + row.name;
+    row.name = "camera to hand over sealed datagrams: " + row.name;
     report.rows.push_back(std::move(row));
   }
 }
@@ -168,17 +176,19 @@ Result<Report> run_link(const program::Arguments& arguments) {
   report.notes.push_back(
       "frames in time: depth (91 kB) and colour (32 kB) complete within 100 ms of their capture, at 30 Hz");
   report.notes.push_back("telepalp, plain UDP and TCP without congestion control: 120 s of virtual time");
-  report.notes.push_back("the kernel's TCP (" + link::kernel_congestion_control() +
-                         "): --seconds of real time between two network namespaces, its packets through the same path");
+  report.notes.push_back(
+      "the kernel's TCP (" + link::kernel_congestion_control() +
+      "): --seconds of real time between two network namespaces, its packets over the same simulated path");
 #ifdef TELEPALP_HAVE_SRT
   report.notes.push_back(
-      "SRT: --seconds of real time through telepalp-link, encrypted, latency = what remains of the 100 ms");
+      "SRT: --seconds of real time through telepalp-link, encrypted; its latency is set to the rest of the 100 ms");
 #else
   report.notes.push_back("SRT is not measured: Debian's libsrt-openssl-dev was not installed at build time");
 #endif
-  report.notes.push_back(link::RealTimePriority().granted() ? "the peers in real time had real-time priority"
-                                                            : "the peers in real time had no real-time priority");
-  report.notes.push_back("overhead: bytes of all datagrams over bytes of the images, without IP and UDP headers");
+  report.notes.push_back(link::RealTimePriority().granted()
+                             ? "SRT and the kernel's TCP ran with real-time priority"
+                             : "SRT and the kernel's TCP ran without real-time priority");
+  report.notes.push_back("overhead: bytes sent beyond the bytes of the images, without IP and UDP headers");
   return report;
 }
 

@@ -178,21 +178,24 @@ void add_cost(Report& report, int rounds) {
     ours_ms.add(per_subscriber_ms(served(1), served(kSome), kSome - 1));
     bare_ms.add(per_subscriber_ms(sent_bare(1), sent_bare(kSome), kSome - 1));
   }
-  report.rows.push_back(measured("a further subscriber: processor time a second of stream", ours_ms.p50(), "ms"));
-  report.rows.push_back(measured("a further bare socket: processor time a second of stream", bare_ms.p50(), "ms"));
-  report.rows.push_back(at_most("a further subscriber over a bare send", ours_ms.p50() / bare_ms.p50(), "x", 1.3));
+  report.rows.push_back(measured("one more subscriber: processor time per second of stream", ours_ms.p50(), "ms"));
+  report.rows.push_back(measured("one more bare socket: processor time per second of stream", bare_ms.p50(), "ms"));
+  report.rows.push_back(at_most("processor time of one more subscriber, divided by that of one more bare socket",
+                                ours_ms.p50() / bare_ms.p50(), "x", 1.3));
 }
 
 void add_many(Report& report) {
   const double full_B = static_cast<double>(kMany) * kImages * (kDepthBytes + kColorBytes);
   const Run bare = sent_bare(kMany);
   const Run ours = served(kMany);
-  report.rows.push_back(measured("200 bare sockets: delivered of the full rate", 100.0 * bare.total_B() / full_B, "%"));
   report.rows.push_back(
-      measured("200 subscribers: delivered of the full rate", 100.0 * std::min(1.0, ours.total_B() / full_B), "%"));
-  report.rows.push_back(at_least("200 subscribers: delivered, beside bare sockets or the full rate",
+      measured("200 bare sockets: share of the bytes that is delivered", 100.0 * bare.total_B() / full_B, "%"));
+  report.rows.push_back(measured("200 subscribers: share of the bytes that is delivered",
+                                 100.0 * std::min(1.0, ours.total_B() / full_B), "%"));
+  report.rows.push_back(at_least("bytes delivered to 200 subscribers, divided by those to 200 bare sockets",
                                  ours.total_B() / std::min(full_B, bare.total_B()), "x", 1.0 / 1.3));
-  report.rows.push_back(at_least("200 subscribers: least share over largest", ours.least_over_most(), "", 0.9));
+  report.rows.push_back(
+      at_least("200 subscribers: least bytes to a subscriber, divided by most", ours.least_over_most(), "", 0.9));
 }
 
 /// Time from publishing to the handler of a subscriber.
@@ -234,11 +237,14 @@ void add_stalled(Report& report, int rounds) {
     listen_beside(Others::Read, reading);
     listen_beside(Others::Stall, stalled);
   }
-  report.rows.push_back(measured("beside four that read: publishing to handling, p99", reading.ms.p99(), "ms"));
-  report.rows.push_back(measured("beside four that stall: publishing to handling, p99", stalled.ms.p99(), "ms"));
   report.rows.push_back(
-      at_most("p99 beside four that stall, over four that read", stalled.ms.p99() / reading.ms.p99(), "x", 1.1));
-  report.rows.push_back(at_most("beside four that stall: memory grows by", stalled.grown_MiB, "MiB", 16.0));
+      measured("subscriber beside four that read: time from publishing to handling, p99", reading.ms.p99(), "ms"));
+  report.rows.push_back(
+      measured("subscriber beside four that stall: time from publishing to handling, p99", stalled.ms.p99(), "ms"));
+  report.rows.push_back(at_most("subscriber's p99 beside four that stall, divided by that beside four that read",
+                                stalled.ms.p99() / reading.ms.p99(), "x", 1.1));
+  report.rows.push_back(
+      at_most("four subscribers that stall: growth of the server's memory", stalled.grown_MiB, "MiB", 16.0));
 }
 
 }  // namespace
@@ -250,7 +256,7 @@ void add_subscribers(Report& report, double seconds) {
   add_stalled(report, rounds);
   report.notes.push_back(
       "subscribers: depth of 91 kB and colour of 32 kB at 30 Hz, encoded once, plain TCP on loopback, runs of 3 s");
-  report.notes.push_back("a bare send: the same bytes by write() on non-blocking sockets, without framing or queues");
+  report.notes.push_back("bare sockets: the same bytes by write() on non-blocking sockets, without framing or queues");
 }
 
 Result<Report> run_subscribers(const program::Arguments& arguments) {

@@ -37,7 +37,7 @@ double cpu_s(pid_t process) {
 Error not_started(const char* program) {
   return {.what = std::string(program) + " did not start",
           .where = "telepalp-bench session",
-          .fix = "build all programs: ninja telepalp_programs"};
+          .fix = "see the program's message above; to build all programs: ninja telepalp_programs"};
 }
 
 /// Hears the ticks of the station, as any subscriber does.

@@ -145,28 +145,31 @@ Result<Report> run_session(const program::Arguments& arguments) {
     const Opening cold = open_in_child(file, middle_s + number);
     const Opening warm = open_in_child(file, middle_s + number);
     if (cold.ms < 0.0 || warm.ms < 0.0)
-      return Error{.what = "no image within 10 s", .where = file.string(), .fix = "see telepalp-record verify"};
+      return Error{.what = "no image came from the session within 10 s",
+                   .where = file.string(),
+                   .fix = "free the disk and the processor, then run the benchmark again"};
     cold_ms.add(cold.ms);
     warm_ms.add(warm.ms);
     peak_MB.add(std::max(cold.peak_MB, warm.peak_MB));
   }
   const Result<RecordingCost> cost = recording_cost(folder.path(), *seconds);
   if (!cost) return cost.error();
-  return Report{.bench = "session",
-                .rows = {measured("size", static_cast<double>(fs::file_size(file)) / 1e9, "GB"),
-                         at_most("open and seek to the middle, first image, cold, max", cold_ms.max(), "ms", 100.0),
-                         measured("open and seek to the middle, first image, cold, p50", cold_ms.p50(), "ms"),
-                         at_most("open and seek to the middle, first image, cached, max", warm_ms.max(), "ms", 100.0),
-                         at_most("memory of the process, max", peak_MB.max(), "MB", 100.0),
-                         at_most("recorder at 30 Hz, share of a core", cost->recorder_share, "", 0.05),
-                         at_most("server for its recorder, share of a core", cost->server_share, "", 0.05),
-                         measured("tick work without a recorder, p99.9", cost->alone_us, "us"),
-                         at_most("tick work with a recorder, p99.9 by that without", cost->recorded_us / cost->alone_us,
-                                 "", 1.1)},
-                .notes = {std::to_string(kOpenings) + " openings, each in a process of its own",
-                          "cold: the file was removed from the system's cache before each opening",
-                          "ticks: medians of " + std::to_string(kRecordingTurns) +
-                              " turns with a recorder and as many without, one after the other"}};
+  return Report{
+      .bench = "session",
+      .rows = {measured("size of the session file", static_cast<double>(fs::file_size(file)) / 1e9, "GB"),
+               at_most("time to open, seek to the middle and get an image, cold, max", cold_ms.max(), "ms", 100.0),
+               measured("time to open, seek to the middle and get an image, cold, p50", cold_ms.p50(), "ms"),
+               at_most("time to open, seek to the middle and get an image, cached, max", warm_ms.max(), "ms", 100.0),
+               at_most("memory of the reading process, max", peak_MB.max(), "MB", 100.0),
+               at_most("recorder of 30 frames/s: share of one core", cost->recorder_share, "", 0.05),
+               at_most("server, additional work for a recorder: share of one core", cost->server_share, "", 0.05),
+               measured("computing time of a tick without a recorder, p99.9", cost->alone_us, "us"),
+               at_most("computing time of a tick, p99.9: with a recorder, divided by without",
+                       cost->recorded_us / cost->alone_us, "", 1.1)},
+      .notes = {std::to_string(kOpenings) + " openings of the session, each in a process of its own",
+                "cold: the file was removed from the system's cache before each opening",
+                "ticks: medians of " + std::to_string(kRecordingTurns) +
+                    " turns with a recorder and as many without, one after the other"}};
 }
 
 }  // namespace telepalp::bench

@@ -14,7 +14,8 @@ import {chromium_MB, resident_MB} from './process_memory.mjs';
 
 const [binDir, viewer, ...options] = process.argv.slice(2);
 if (viewer === undefined) {
-  console.error('error: memory_bench: folders are missing. fix: node tests/bench/viewer/memory_bench.mjs build/release/bin build/release/viewer');
+  console.error('error: memory_bench: the folders of the programs and of the viewer are not given. fix: run ' +
+      'node tests/bench/viewer/memory_bench.mjs build/release/bin build/release/viewer');
   process.exit(2);
 }
 const option = (name) => (options.includes(name) ? options[options.indexOf(name) + 1] : undefined);
@@ -24,8 +25,9 @@ const log = option('--log');
 const FLAT_PERCENT = 5;
 const PATIENCE_MS = 600_000;  // at the lowest priority on a busy machine, the programs need minutes to start
 const KINDS = {
-  heap_MB: 'script heap of the page', workers_MB: 'script heap of its workers', renderers_MB: 'processes of the page',
-  graphics_MB: 'process that draws', server_MB: 'server', station_MB: 'station',
+  heap_MB: 'script heap of the page', workers_MB: 'script heap of the page\'s workers',
+  renderers_MB: 'memory of the page\'s processes', graphics_MB: 'memory of the graphics process',
+  server_MB: 'memory of the server', station_MB: 'memory of the station',
 };
 
 /** Reads the memory each `every_s` for `seconds`, and ends all programs. */
@@ -40,7 +42,7 @@ async function measure() {
     const {page} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/?view=doctor`);
     await untilStatus(page, 'a picture with a hand', (now) => {
-      if (station.exitCode !== null) throw new Error(`the station left: ${station.heard}`);
+      if (station.exitCode !== null) throw new Error(`the station ended: ${station.heard}`);
       return now.frames > 3 && now.handPosition_m !== undefined;
     }, PATIENCE_MS);
     const readHeap = await heapReader(page);
@@ -77,7 +79,7 @@ function rowsOf(readings) {
     const grown_percent = 100 * (after_MB / before_MB - 1);
     return [
       row(name, after_MB, 'MB', null, true),
-      row(`${name}, growth`, grown_percent, '%', FLAT_PERCENT, Math.abs(grown_percent) <= FLAT_PERCENT),
+      row(`${name}, growth during the run`, grown_percent, '%', FLAT_PERCENT, Math.abs(grown_percent) <= FLAT_PERCENT),
     ];
   });
   const still = readings.filter(({frames}, at) => at > 0 && frames === readings[at - 1].frames).length;
@@ -97,5 +99,5 @@ if (log !== undefined) writeFileSync(log, '');
 const rows = rowsOf(await measure());
 if (options.includes('--json')) console.log(JSON.stringify({bench: 'viewer memory', seconds, every_s, rows}, null, 1));
 else for (const {name, value, unit, reach, holds} of rows)
-  console.log(`${holds ? 'holds' : 'FAILS'}  ${name}: ${value} ${unit}${reach === null ? '' : ` (reach ${reach})`}`);
+  console.log(`${holds ? 'holds' : 'FAILS'}  ${name}: ${value} ${unit}${reach === null ? '' : ` (budget ${reach})`}`);
 process.exit(rows.every(({holds}) => holds) ? 0 : 1);

@@ -1,8 +1,8 @@
 // What the viewer does on this computer: node tests/bench/viewer/viewer_bench.mjs BIN_DIR VIEWER_FILES [--json] [--seconds S]
-// Server, station and Chromium without a graphics card run side by side: with the mesh, without it as the bound, with an
-// ultrasound probe on the skin, which the station images 25 times a second, and with a quarter of the pixels, so that the
-// computer keeps up. Prints rows {name, value, unit, reach, holds} like telepalp-bench. Give it a machine that does nothing
-// else.
+// Server, station and Chromium without a graphics card run side by side, four times: with the mesh; without the mesh,
+// as the upper bound; with an ultrasound probe on the skin, for which the station makes 25 images a second; and with a
+// quarter of the pixels, so that the computer keeps up. Prints rows {name, value, unit, reach, holds} like
+// telepalp-bench. Run nothing else on the machine meanwhile.
 import {readdirSync, readFileSync, statSync} from 'node:fs';
 import {loadavg} from 'node:os';
 import {join} from 'node:path';
@@ -13,7 +13,8 @@ import {sceneOfASteadyProbe, sleep, Workplace} from '../../end_to_end/running_pr
 
 const [binDir, viewer, ...options] = process.argv.slice(2);
 if (viewer === undefined) {
-  console.error('error: viewer_bench: folders are missing. fix: node tests/bench/viewer/viewer_bench.mjs build/release/bin build/release/viewer');
+  console.error('error: viewer_bench: the folders of the programs and of the viewer are not given. fix: run ' +
+      'node tests/bench/viewer/viewer_bench.mjs build/release/bin build/release/viewer');
   process.exit(2);
 }
 const asJson = options.includes('--json');
@@ -58,7 +59,7 @@ function watch() {
 
 const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))] ?? NaN;
 
-/** `withProbe`: the hand holds an ultrasound probe on the skin. `source`: of the server. */
+/** `withProbe`: the hand holds an ultrasound probe on the skin. `source`: the server's option --source. */
 async function measure(query, {withProbe = false, size = SIZE, source = 'synthetic', lasts_s = seconds} = {}) {
   const place = new Workplace('viewer_bench');
   let browser;
@@ -71,7 +72,7 @@ async function measure(query, {withProbe = false, size = SIZE, source = 'synthet
     await page.addInitScript(watch);
     await page.goto(`http://127.0.0.1:${http_port}/${query}`);
     await untilStatus(page, 'a picture with a hand', (now) => {
-      if (station.exitCode !== null) throw new Error(`the station left: ${station.heard}`);
+      if (station.exitCode !== null) throw new Error(`the station ended: ${station.heard}`);
       return now.frames > 3 && now.handPosition_m !== undefined;
     });
     if (withProbe) await untilStatus(page, 'an ultrasound image', (now) => now.probeImages > 3);
@@ -112,26 +113,30 @@ const row = (name, value, unit, reach, holds) =>
   ({name, value: Number.isFinite(value) ? Number(value.toFixed(2)) : null, unit, reach, holds});
 const most = (name, value, unit, limit) => row(name, value, unit, limit, Number.isFinite(value) && value <= limit);
 const rows = [
-  row('pictures', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
-  row('pictures without the mesh', bound.pictures_per_s, '1/s', null, true),
-  row('pictures, share of those without the mesh', meshed.pictures_per_s / bound.pictures_per_s, '', null, true),
+  row('pictures drawn', meshed.pictures_per_s, '1/s', 15, meshed.pictures_per_s >= 15),
+  row('pictures drawn without the mesh', bound.pictures_per_s, '1/s', null, true),
+  row('pictures drawn with the mesh, divided by those without',
+      meshed.pictures_per_s / bound.pictures_per_s, '', null, true),
   row('ultrasound images drawn in the panel', probing.images_per_s, '1/s', 20, probing.images_per_s >= 20),
-  row('pictures beside the ultrasound panel', probing.pictures_per_s, '1/s', null, true),
+  row('pictures drawn beside the ultrasound panel', probing.pictures_per_s, '1/s', null, true),
   row('load of the machine, mean of a minute', loadavg()[0], 'processes', null, true),
-  most('decode p50', quantile(meshed.decodes_ms, 0.5), 'ms', 12),
-  most('main thread blocked, longest', Math.max(0, ...meshed.longTasks), 'ms', 50),
-  most('page over the wire', weight() / 1000, 'kB', 250),
-  most('first picture', meshed.first_ms, 'ms', 1000),
-  row('pictures of a quarter of the pixels', small.pictures_per_s, '1/s', null, true),
-  most('capture to drawn p50, a quarter of the pixels', quantile(small.ages_ms, 0.5), 'ms', 60),
-  row('capture to drawn p50', quantile(meshed.ages_ms, 0.5), 'ms', null, true),
-  most('capture to drawn, oldest', Math.max(...meshed.ages_ms), 'ms', 250),
-  most('looks at a hand of another instant than the picture', meshed.looks === 0 ? NaN : meshed.handApart, '', 0),
-  most('looks at numbers of another instant than the picture', meshed.looks === 0 ? NaN : meshed.numbersApart, '', 0),
-  row('looks at a picture without numbers, share', meshed.unknown / meshed.looks, '', 0.01, meshed.unknown <= 0.01 * meshed.looks),
-  row('looks, one every 4 ms', meshed.looks, '', null, true),
+  most('time to decode a depth image with its statistics, p50', quantile(meshed.decodes_ms, 0.5), 'ms', 12),
+  most('longest block of the main thread', Math.max(0, ...meshed.longTasks), 'ms', 50),
+  most('size of the page, compressed', weight() / 1000, 'kB', 250),
+  most('time until the first picture', meshed.first_ms, 'ms', 1000),
+  row('pictures drawn with a quarter of the pixels', small.pictures_per_s, '1/s', null, true),
+  most('time from capture to drawn picture, p50, a quarter of the pixels', quantile(small.ages_ms, 0.5), 'ms', 60),
+  most('time from capture to drawn picture, p50', quantile(meshed.ages_ms, 0.5), 'ms', 60),
+  most('time from capture to drawn picture, longest', Math.max(...meshed.ages_ms), 'ms', 250),
+  most('checks that find the hand of another instant than the picture',
+       meshed.looks === 0 ? NaN : meshed.handApart, '', 0),
+  most('checks that find numbers of another instant than the picture',
+       meshed.looks === 0 ? NaN : meshed.numbersApart, '', 0),
+  row('share of checks that find a picture without numbers',
+      meshed.unknown / meshed.looks, '', 0.01, meshed.unknown <= 0.01 * meshed.looks),
+  row('number of checks, one every 4 ms', meshed.looks, '', null, true),
 ];
 if (asJson) console.log(JSON.stringify({bench: 'viewer', seconds, size: SIZE, rows}, null, 1));
 else for (const {name, value, unit, reach, holds} of rows)
-  console.log(`${holds ? 'holds' : 'FAILS'}  ${name}: ${value} ${unit}${reach === null ? '' : ` (reach ${reach})`}`);
+  console.log(`${holds ? 'holds' : 'FAILS'}  ${name}: ${value} ${unit}${reach === null ? '' : ` (budget ${reach})`}`);
 process.exit(rows.every(({holds}) => holds) ? 0 : 1);
