@@ -96,7 +96,7 @@ TEST(TemporalDepth, IsRecordedReportedPlayedAgainAndReportedAgain) {
   const DemoRun first = demo("temporal", "--headless --seconds 6 --depth-mode temporal");
   ASSERT_EQ(first.exit_code, 0) << first.log;
   EXPECT_EQ(report_of(first).get<std::string>("depth_mode"), "temporal");
-  EXPECT_NE(first.log.find("depth is lossless (temporal)"), std::string::npos);
+  EXPECT_NE(first.log.find("depth is lossless (depth mode temporal)"), std::string::npos);
   const DemoRun again = demo("again", "--headless --seconds 4 --depth-mode temporal --source session:" +
                                           (first.out / "session.mcap").string());
   ASSERT_EQ(again.exit_code, 0) << again.log;

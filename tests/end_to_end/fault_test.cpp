@@ -107,7 +107,7 @@ TEST_F(StationFault, ReleasesRecordsTheTicksAndIsRearmedOnlyWhenTheCauseIsGone) 
   device_.fault = Fault::None;
   std::this_thread::sleep_for(200ms);
   EXPECT_EQ(rearm(), 0) << text_of(path("rearm.log")) << text_of(path("station.log"));
-  EXPECT_TRUE(hears(path("station.log"), "re-armed by the operator"));
+  EXPECT_TRUE(hears(path("station.log"), "the station is re-armed by the operator"));
 
   ChildProcess report(kPrograms / "telepalp-report", {kept.string(), "--out", path("report").string()},
                       path("report.log"));

@@ -239,7 +239,7 @@ test('a token that is revoked while its doctor holds the hand ends the stream, a
     {id: 1, topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'}]}))));
   await until('the station follows the hand', () => {
     open.socket.write(frame(2, handMessage()));
-    return station.heard.includes('its hand is followed');
+    return station.heard.includes('the station follows the hand of this viewer');
   });
   assert.match(audit(), /event=took-touch who=doctor dora program=browser viewer=\d+/);
   keys('revoke', join(folder, 'dora.token'));

@@ -38,7 +38,7 @@ test('the panel shows an image, and the next ones', async () => {
   });
   const {probeImages} = await status(page);
   await untilStatus(page, 'images go on', (now) => now.probeImages > probeImages + 2);
-  assert.match(await page.getAttribute('#ultrasound-frame', 'aria-label'), /Ultrasound image/);
+  assert.match(await page.getAttribute('#ultrasound-frame', 'aria-label'), /Ultrasound under the probe/);
   const marks = await page.locator('#ultrasound-scale span').allTextContents();
   assert.deepEqual(marks, ['0', '20', '40', '60', '80', '100']);
 });

@@ -63,7 +63,7 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
     await untilStatus(page, 'the hand has risen', (now) => now.force_N === 0 || !touches(now));
     await page.click('#hold-hand');
     await untilStatus(page, 'the station lets go', (now) => now.phase === 'Released' && now.force_N === 0);
-    assert.match(child.heard, /its hand is followed/);
+    assert.match(child.heard, /the station follows the hand of this viewer/);
     assert.deepEqual(problems, []);
   } finally {
     await browser?.context.close();

@@ -199,7 +199,7 @@ async function viewsTest(page, address) {
   await untilStatus(page, 'without one it is the doctor\'s', (now) => now.view === 'doctor' && now.role === 'local');
   assert.deepEqual(await cards(page), [], 'a small window begins without details');
   await page.keyboard.press('d');
-  assert.deepEqual(await cards(page), ['Here now', 'Way to the hand', 'Compensated']);
+  assert.deepEqual(await cards(page), ['Here now', 'Delay to the hand', 'Compensated']);
   await page.keyboard.press('3');
   await untilStatus(page, 'a key chooses', (now) => now.view === 'qa');
   assert.equal(new URL(page.url()).search, '?view=qa');

@@ -123,7 +123,7 @@ TEST_F(BadInput31, ARecorderThatIsKilledLeavesAFileThatTheRepairCompletes) {
       [&] { EXPECT_EQ(record(file, SIGKILL, [&] { return bytes_in(partial) > 3'000'000; }), 128 + SIGKILL); });
   const Ran repaired = run("telepalp-record", {"repair", partial.string()});
   EXPECT_EQ(repaired.exit_code, 0) << repaired.said;
-  EXPECT_NE(repaired.said.find("was not finished by its recorder"), std::string::npos) << repaired.said;
+  EXPECT_NE(repaired.said.find("was not completed by its recorder"), std::string::npos) << repaired.said;
   EXPECT_LT(repaired.most_MiB, 300.0);
   const Ran verified = run("telepalp-record", {"verify", file.string()});
   EXPECT_EQ(verified.exit_code, 0) << verified.said;

@@ -45,10 +45,11 @@ TEST(HandOver, OneCommandOffersTheTouchAndOneCommandAcceptsIt) {
             "failed: error: this station is not connected to its server. fix: wait until the station logs 'link "
             "connected', then try again\n");
   EXPECT_EQ(hand_over(anna, "--to bert"),
-            "ok: offered to doctor bert for 60 s: you keep the touch until that doctor accepts it\n");
+            "ok: the touch is offered to doctor bert for 60 s: you keep the touch until that doctor accepts it\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "doctor anna offers you the touch", 20s));
   EXPECT_EQ(session.audit().find("event=gave-touch"), std::string::npos) << "an offer alone takes nothing away";
-  EXPECT_EQ(hand_over(bert, "--accept"), "ok: this station takes the touch as soon as it is offered\n");
+  EXPECT_EQ(hand_over(bert, "--accept"),
+            "ok: this station takes the touch (the permission to palpate) as soon as another doctor offers it\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "control loop runs at 2 kHz", 30s)) << text_of(session.file("bert.log"));
   EXPECT_TRUE(comes(session.file("station.log"), "the touch is handed over to doctor bert", 20s))
       << text_of(session.file("station.log"));

@@ -29,7 +29,7 @@ before(async () => {
     copyFileSync(join(out, 'session.mcap'), join(folder, `${name}.mcap`));
   }
   const {stdout} = await run('telepalp-report', [join(folder, 'lan.mcap'), join(folder, 'wan.mcap'), '--out', join(place.folder, 'compared')]);
-  const found = /from ([\d.]+) s after the start on: the force is ([\d.]+) N in A and ([\d.]+) N in B/.exec(stdout);
+  const found = /difference ([\d.]+) s after the start: the force is ([\d.]+) N in A and ([\d.]+) N in B/.exec(stdout);
   assert.ok(found, stdout);
   reported = found.slice(1).map(Number);
   const {http_port} = await place.server(join(binDir, 'telepalp-server'),
@@ -53,7 +53,7 @@ test('the chosen run lies beside the played one, and the first felt difference i
   await page.focus('#comparison-with');
   await page.keyboard.press('End');
   await page.waitForSelector('#comparison', {state: 'visible', timeout: 60_000});
-  assert.match(await text('comparison-said'), /^[\d.]+ N in A, [\d.]+ N in B; the force vectors differ by [\d.]+ N\. Both runs are shown at their session times\.$/);
+  assert.match(await text('comparison-said'), /^At the first difference, [\d.]+ N in A, [\d.]+ N in B; the force vectors differ by [\d.]+ N\. Both runs are shown at their session times\.$/);
   const {first} = await (await fetch(`${address}playback/comparison`)).json();
   const [at_s, a_N, b_N] = reported;
   assert.ok(first.at_s > at_s - 0.02 && first.at_s < at_s + 0.05, `${first.at_s} s, and ${at_s} s in the report`);
