@@ -25,8 +25,8 @@ struct Lights {
   Eigen::Vector3f up;   ///< to the brightest part of the sky, which lights all sides diffusely
 };
 
-/// A software renderer with a z-buffer; it needs no graphics card. It renders at twice the size in both directions and
-/// averages in linear light at the end.
+/// A software renderer with a z-buffer; it needs no graphics card. It renders 2 x 2 samples for each pixel, and
+/// resolved() averages these samples in linear light.
 class Canvas {
  public:
   /// `top`, `bottom`: linear RGB of the background at its upper and lower edge; in between it changes evenly.
@@ -43,7 +43,7 @@ class Canvas {
   [[nodiscard]] ViewCamera supersampled(ViewCamera camera) const noexcept;
 
  private:
-  static constexpr int kSamples = 2;  // per pixel side
+  static constexpr int kSamples = 2;  // samples per pixel side
   int width_;                         ///< in supersampled pixels
   int height_;
   std::vector<Eigen::Vector3f> light_;

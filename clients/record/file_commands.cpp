@@ -66,8 +66,9 @@ Error asked_wrongly(std::string what, const program::Usage& usage) {
 
 /// The one file of a command.
 Result<std::string> file_of(const program::Arguments& arguments, const program::Usage& usage) {
-  if (arguments.positional().size() == 1) return arguments.positional().front();
-  return asked_wrongly("not exactly one session file is named", usage);
+  const std::size_t named = arguments.positional().size();
+  if (named == 1) return arguments.positional().front();
+  return asked_wrongly("one session file is needed, but " + std::to_string(named) + " are named", usage);
 }
 
 /// Reads the arguments of a command and runs it: an exit code, also after --help or a wrong option.

@@ -34,7 +34,7 @@ program::Usage usage() {
                       {"ready-file", "FILE", "file that is written when the recording begins"}},
           .example = "telepalp-record --out session.mcap --seconds 60",
           .commands = {{"info", "FILE", "describe a session file", record::info_command},
-                       {"verify", "FILE", "check all of a session file", record::verify_command},
+                       {"verify", "FILE", "check that all of a session file can be read", record::verify_command},
                        {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file",
                         record::repair_command},
                        {"cut", "FILE", "copy a part of a session", record::cut_command},

@@ -23,7 +23,9 @@ fs::path finished_name(const fs::path& partial) {
 }
 
 Error cannot_be_finished(const fs::path& file, const std::string& why) {
-  return {.what = "cannot be finished: " + why, .where = file.string(), .fix = "check the folder and your permissions"};
+  return {.what = "the recording cannot be completed: " + why,
+          .where = file.string(),
+          .fix = "check the folder and your permissions"};
 }
 
 /// Holds the lock that a recorder holds on its file while it writes.
@@ -37,8 +39,8 @@ class Lock {
     return Error{.what = "is still being recorded",
                  .where = partial.string(),
                  .fix =
-                     "wait until its recorder has ended; end telepalp-record by Ctrl-C, or a server's recording on the "
-                     "web page"};
+                     "wait until the recorder has ended: press Ctrl-C at telepalp-record, or end the server's "
+                     "recording on its web page"};
   }
   Lock(Lock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   Lock& operator=(Lock&&) = delete;
@@ -79,7 +81,7 @@ Result<RepairReport> finish(const fs::path& partial) {
   std::error_code ignored;
   if (fs::exists(name, ignored))
     return Error{
-        .what = "cannot be finished: " + name.filename().string() + " exists already",
+        .what = "the recording cannot be completed: " + name.filename().string() + " exists already",
         .where = partial.string(),
         .fix =
             "move one of the two files away, or copy the readable messages to another file: telepalp-record repair " +
@@ -87,7 +89,7 @@ Result<RepairReport> finish(const fs::path& partial) {
   const Result<Lock> lock = Lock::take(partial);
   if (!lock) return lock.error();
   if (!lock->is_of(partial))
-    return Error{.what = "is no longer there: its recorder has just completed it",
+    return Error{.what = "no longer exists: the recorder has just completed the file and given it its final name",
                  .where = partial.string(),
                  .fix = "use " + name.string()};
   const fs::path made =
@@ -104,11 +106,11 @@ Result<RepairReport> finish(const fs::path& partial) {
 }
 
 std::string in_words(const RepairReport& finished) {
-  std::string text = finished.file.string() + " was not finished by its recorder; it is finished now, with " +
+  std::string text = finished.file.string() + " was not completed by its recorder; the file is complete now, with " +
                      std::to_string(finished.messages) + " messages";
   if (!only_the_end_is_missing(finished))
     text += "; " + std::to_string(finished.damages.size()) +
-            " places were damaged, so the recorder's file stays, too: " + finished.file.string() +
+            " places were damaged, so the recorder's own file is kept, too: " + finished.file.string() +
             std::string(kPartial);
   return text;
 }

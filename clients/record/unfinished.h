@@ -17,7 +17,7 @@ namespace telepalp::record {
 /// file, NAME.mcap exists, or the file has no message.
 [[nodiscard]] Result<RepairReport> finish(const std::filesystem::path& partial);
 
-/// The result as text: "session.mcap was not finished by its recorder; it is finished now, with 1234 messages"
+/// The result as text: "session.mcap was not completed by its recorder; the file is complete now, with 1234 messages"
 [[nodiscard]] std::string in_words(const RepairReport& finished);
 
 }  // namespace telepalp::record

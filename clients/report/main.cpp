@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string>& sessions = given.positional();
   if (sessions.empty() || sessions.size() > 2)
     return program::fail(
-        {.what = "neither one nor two session files are named",
+        {.what = "one or two session files are needed, but " + std::to_string(sessions.size()) + " are named",
          .where = "telepalp-report",
          .fix = "name one session file to report on, or two to compare: telepalp-report SESSION.mcap [OTHER.mcap]"},
         program::kAskedWrongly);

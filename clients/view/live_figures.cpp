@@ -42,17 +42,18 @@ std::vector<LiveFigures::Topic> LiveFigures::topics(
 
 std::string in_table(const std::vector<LiveFigures::Topic>& topics, double clock_uncertainty_ms) {
   std::string text = "topic                messages/s      kB/s  age p50 ms  age p99 ms   missed\n";
-  char line[160];
+  char line[200];
   for (const LiveFigures::Topic& topic : topics) {
     std::snprintf(line, sizeof line, "%-22s %8.1f %9.1f %11.2f %11.2f %8llu\n", topic.name.c_str(), topic.per_s,
                   1e-3 * topic.bytes_per_s, topic.age_p50_ms, topic.age_p99_ms,
                   static_cast<unsigned long long>(topic.missed));
     text += line;
   }
-  std::snprintf(line, sizeof line,
-                "age: from publication to arrival; its error is at most %.2f ms, that of the session clock. missed: "
-                "published, but not received\n",
-                clock_uncertainty_ms);
+  std::snprintf(
+      line, sizeof line,
+      "age: time from publication to arrival, to within %.2f ms (this computer estimates the server's clock). "
+      "missed: messages published, but not received\n",
+      clock_uncertainty_ms);
   return text + line;
 }
 

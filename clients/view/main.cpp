@@ -31,7 +31,7 @@ program::Usage usage() {
           .positional = {},
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key or token file, for a server on another machine"},
-                      {"snapshot", "FILE.png", "draw the patient and the hand of one instant"},
+                      {"snapshot", "FILE.png", "save a picture of the patient and the doctor's hand"},
                       {"stats", "", "print rates, bytes, ages and losses by topic"},
                       {"json", "", "with --stats: print JSON"},
                       {"seconds", "S", "with --stats: how long to listen", "5"},
@@ -90,7 +90,8 @@ class View {
 
   Result<void> run() {
     signals_.async_wait([this](const boost::system::error_code& cancelled, int) {
-      if (!cancelled) stop(Error{.what = "stopped by the operator", .where = kProgram, .fix = "run it again"});
+      if (!cancelled)
+        stop(Error{.what = "stopped by the operator", .where = kProgram, .fix = "run telepalp-view again"});
     });
     wait(asked_.patience.value_or(program::kForEver), [this] { lose_patience(); });
     link_.start();
@@ -128,19 +129,22 @@ class View {
                    "no station reported the device's place at the time of the image: the picture has no hand");
       return stop(save());
     }
-    stop(Error{.what = connected_ ? "the server answers, but no depth image came with its calibration and colour"
-                                  : "does not answer",
-               .where = program::to_text(asked_.server),
-               .fix = connected_
-                          ? "check the camera or recording of the server (--source), or wait longer by --patience S"
-                          : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
+    stop(Error{
+        .what = connected_
+                    ? "the server answers, but sent no depth image with a colour image of the same instant, or no "
+                      "calibration"
+                    : "does not answer",
+        .where = program::to_text(asked_.server),
+        .fix = connected_
+                   ? "check the server's camera or recording (telepalp-server --source), or wait longer by --patience S"
+                   : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
   }
   Result<void> save() const {
     constexpr int kWidth = 1280;
     constexpr int kHeight = 960;
     const Result<void> saved = program::write_whole_file(
         asked_.snapshot, images::encode_png(instant_.picture(kWidth, kHeight)), program::Readers::Group);
-    if (saved) program::log(kProgram, "picture: " + asked_.snapshot.string());
+    if (saved) program::log(kProgram, "saved the picture: " + asked_.snapshot.string());
     return saved;
   }
   Result<void> print_figures() const {
@@ -155,7 +159,9 @@ class View {
   void stop(Result<void> outcome) {
     if (std::exchange(stopping_, true)) return;
     outcome_ = std::move(outcome);
-    program::end_within(program::kTimeToEnd, "telepalp-view: did not end within 5 s and is aborted. fix: run it again");
+    program::end_within(
+        program::kTimeToEnd,
+        "telepalp-view: the program did not end within 5 s and is aborted. fix: run telepalp-view again");
     signals_.cancel();
     timer_.cancel();
     link_.stop();

@@ -99,7 +99,7 @@ ColorImage NewestInstant::picture(int width_px, int height_px) const {
   if (state == nullptr)
     return ar::draw({.frame = frame,
                      .touch = std::nullopt,
-                     .figures = {{"no station", ""}},
+                     .figures = {{"no hand position at this instant", ""}},
                      .width_px = width_px,
                      .height_px = height_px});
   return ar::draw({.frame = frame,

@@ -28,7 +28,7 @@ const bundled = Object.values(metafile.outputs).flatMap((output) => Object.keys(
 const packages = new Set(bundled.map((path) => /.*node_modules\/((@[^/]+\/)?[^/]+)/.exec(path)?.[1]).filter(Boolean));
 const unlisted = [...packages].filter((name) => !listed.includes(`| \`${name}\` |`));
 if (unlisted.length > 0) {
-  console.error(`bundled, but not listed in THIRD_PARTY.md: ${unlisted.join(', ')}`);
+  console.error(`bundled packages that THIRD_PARTY.md does not list: ${unlisted.join(', ')}. fix: add a row for each`);
   process.exit(1);
 }
 

@@ -47,7 +47,7 @@ Result<ColorImage> read_color_image(const std::filesystem::path& file) {
   Result<AnyImage> image = read_image(file);
   if (!image) return image.error();
   if (auto* color = std::get_if<ColorImage>(&*image)) return std::move(*color);
-  return Error{.what = "is a 16-bit grey image, not an 8-bit one",
+  return Error{.what = "is a 16-bit grey image, not an 8-bit colour image",
                .where = file.string(),
                .fix = "give an 8-bit RGB PNG or TIFF"};
 }

@@ -100,7 +100,11 @@ Result<PointModel> parse_obj(std::span<const std::byte> bytes, const std::string
     } else if (key == "f") {
       understood = obj_face(rest, mesh);
     }
-    if (!understood) return bad_mesh(name, "line " + std::to_string(text.line_number()) + " is not understood");
+    if (!understood)
+      return bad_mesh(
+          name,
+          "line " + std::to_string(text.line_number()) +
+              " is not valid: v and vn take three numbers, f takes numbers of vertices and normals above this line");
   }
   if (mesh.model.points.empty()) return bad_mesh(name, "has no vertices");
   if (mesh.normals_used) mesh.model.normals.resize(mesh.model.points.size(), Eigen::Vector3f::Zero());

@@ -94,7 +94,8 @@ Result<Header> parse_header(std::span<const std::byte> bytes, const std::string&
       return header;
     }
     if (!understood)
-      return bad(name, "line " + std::to_string(text.line_number()) + " of the header is not understood");
+      return bad(name, "line " + std::to_string(text.line_number()) + " of the header has a value of " +
+                           std::string(key) + " that is not allowed");
   }
   return bad(name, "is not a PCD file: there is no DATA line");
 }
@@ -111,7 +112,7 @@ Result<FieldIndices> fields_of(const Header& header, const std::string& name) {
     return false;
   };
   if (!find("x", fields.at[0]) || !find("y", fields.at[1]) || !find("z", fields.at[2]))
-    return bad(name, "has no fields x, y and z of type F");
+    return bad(name, "has no fields x, y and z of TYPE F (floating-point numbers)");
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
     const Field& field = header.fields[i];
     if ((field.name != "rgb" && field.name != "rgba") || field.bytes != 4 || field.count != 1) continue;
@@ -145,7 +146,8 @@ std::uint32_t packed(double value, char type) {
 
 Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& header, const FieldIndices& fields,
                                const std::string& name) {
-  if (bytes.size() / 2 < header.points) return bad(name, "declares more points than it has bytes for");
+  if (bytes.size() / 2 < header.points)
+    return bad(name, "is too short for the " + std::to_string(header.points) + " points that its header declares");
   PointModel model = sized_model(header, fields);
   TextCursor text(bytes);
   std::vector<double> values(header.fields.size());
@@ -155,7 +157,7 @@ Result<PointModel> parse_ascii(std::span<const std::byte> bytes, const Header& h
         const std::string_view word = text.word();
         const auto value = TextCursor::number<double>(word);
         if (word.empty() || (!value && word != "nan" && word != "-nan"))
-          return bad(name, "point " + std::to_string(point) + " is missing or not a number");
+          return bad(name, "point " + std::to_string(point) + ", counted from 0, is missing or not a number");
         values[field] = value.value_or(std::numeric_limits<double>::quiet_NaN());
       }
     const auto number = [&](std::size_t field) { return static_cast<float>(values[field]); };
@@ -224,8 +226,9 @@ Result<PointModel> parse_compressed(std::span<const std::byte> bytes, const Head
   std::size_t point_bytes = 0;
   for (const Field& field : header.fields) point_bytes += field.bytes * field.count;
   if (sizes[0] > bytes.size() - sizeof sizes || sizes[1] != point_bytes * header.points)
-    return bad(name, "has compressed sizes that do not fit the file or the header");
-  if (sizes[1] > lzf_most(sizes[0])) return bad(name, "declares more bytes than its compressed data can hold");
+    return bad(name, "has compressed sizes that disagree with the size of the file or with its header");
+  if (sizes[1] > lzf_most(sizes[0]))
+    return bad(name, "declares more decompressed bytes than its compressed data can give");
   std::vector<std::byte> plain(sizes[1]);
   if (!lzf_decompress(bytes.subspan(sizeof sizes, sizes[0]), plain)) return bad(name, "has damaged compressed data");
   return parse_binary(plain, header, fields, true, name);

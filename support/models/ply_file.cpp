@@ -106,7 +106,7 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> bytes, const std::
       } else {
         property = type_of(first);
       }
-      if (!property) return bad_mesh(name, "has a property of an unknown type");
+      if (!property) return bad_mesh(name, "has a property whose type is not a PLY number type such as float or uchar");
       property->name = TextCursor::word_of(rest);
       header.elements.back().properties.push_back(*property);
     } else if (key == "end_header") {

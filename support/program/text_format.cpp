@@ -40,10 +40,10 @@ class FirstError : public google::protobuf::io::ErrorCollector {
     if (message_.starts_with(kFoundNumber) && message_.find_first_of("0123456789") == kFoundNumber.size())
       return "write a decimal point, as in 0.5, not a comma";
     if (message_.starts_with("Message is too deep"))
-      return "nest fewer braces within each other; a union takes more than two solids";
+      return "nest fewer pairs of braces; a solid's union may list more than two solids";
     if (message_.starts_with("Interpreting non ascii") || message_.starts_with("Invalid control"))
       return "save the file as plain text in UTF-8";
-    return "correct that line; names carry their unit, as in radius_m";
+    return "correct this line; the name of a quantity ends in its unit, as in radius_m";
   }
 
   int line_ = 1;

@@ -120,6 +120,7 @@ TEST_F(LiveRecorder, AFirstMessageOfAnHourAgoDoesNotMakeTheSessionAnHourLong) {
   const SessionTime hour_ago = session_time(kStart_ns - 3'600'000'000'000);
   server.publish(wire::make_message(wire::kStationInside, hour_ago, msg::InnerStructures()));
   const auto recorder = start(server, {"--topics", "/station/*"});
+  std::this_thread::sleep_for(1200ms);  // the recorder writes to disk twice before the first message of now
   for (int i = 0; i < 100; ++i) {
     const SessionTime now = session_time(kStart_ns + std::int64_t{i} * 10'000'000);
     server.publish(wire::make_message(wire::kStationState, now, msg::StationState()));

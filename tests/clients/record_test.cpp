@@ -115,7 +115,8 @@ TEST_F(BadInput31, KilledWhileRecordingLosesNothingThatWasFlushedAndTheRepairFin
   EXPECT_NE(log().find("recovered 50 messages to " + in("copy.mcap").string()), std::string::npos) << log();
   EXPECT_EQ(bytes_of(partial), as_killed);
   EXPECT_EQ(run({"repair", partial}), 0) << log();
-  EXPECT_NE(log().find("was not finished by its recorder; it is finished now, with 50 messages"), std::string::npos)
+  EXPECT_NE(log().find("was not completed by its recorder; the file is complete now, with 50 messages"),
+            std::string::npos)
       << log();
   EXPECT_FALSE(std::filesystem::exists(partial));
   auto reader = wire::McapReader::open(session());

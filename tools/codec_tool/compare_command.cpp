@@ -21,13 +21,13 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
     if (at == frames.size())
       return Error{.what = "the first input has only " + std::to_string(frames.size()) + " frames",
                    .where = where,
-                   .fix = "give two inputs of one recording"};
+                   .fix = "give two inputs that hold the same recording"};
     const Result<DepthImage> other = codec::decode_depth(std::as_bytes(std::span(frames[at++])));
     if (!other) return other.error();
     if (other->width != named.depth.width || other->height != named.depth.height)
-      return Error{.what = "differs in width or height from this frame of the first input",
+      return Error{.what = "the width or height differs from that of the same frame of the first input",
                    .where = where,
-                   .fix = "give two inputs of one recording"};
+                   .fix = "give two inputs that hold the same recording"};
     difference.add(*other, named.depth);
     return {};
   });
@@ -36,16 +36,17 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
     return Error{
         .what = "has " + std::to_string(at) + " frames, but the first input has " + std::to_string(frames.size()),
         .where = second.string(),
-        .fix = "give two inputs of one recording"};
+        .fix = "give two inputs that hold the same recording"};
   std::printf("%zu frames: largest difference %.3f mm, RMS %.3f mm, %zu pixels measured in one input only\n", at,
               difference.worst_mm(), difference.rms_mm(), difference.flips());
   if (!bound) return {};
   if (difference.beyond() > 0)
-    return Error{.what = std::to_string(difference.beyond()) + " pixels are beyond the bound, the first in " +
+    return Error{.what = std::to_string(difference.beyond()) +
+                         " pixels differ from the first input by more than --bound allows, the first in " +
                          difference.first_beyond(),
                  .where = second.string(),
                  .fix = "give a larger --bound, or encode this input again with the same --bound"};
-  std::printf("every pixel is within the bound\n");
+  std::printf("no pixel of the second input differs from the first input by more than --bound allows\n");
   return {};
 }
 

@@ -13,8 +13,8 @@ void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::s
                 const wire::DepthFidelity& fidelity) {
   const std::string place =
       packet.since_key == 0 ? "key frame" : "frames since key frame: " + std::to_string(packet.since_key);
-  std::printf("%6zu  %-8s %-10s %d x %d  unit %g mm  %d slices  %s  %zu B  compression ratio %.2f%s\n", number,
-              std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
+  std::printf("%6zu  %-8s %-10s %d x %d pixels  depth unit %g mm  %d slices  %s  %zu B  compression ratio %.2f%s\n",
+              number, std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
               packet.height, 1000.0 * packet.unit_m, packet.slices, place.c_str(), bytes,
               2.0 * packet.width * packet.height / static_cast<double>(bytes),
               fidelity.moved ? ("  " + wire::how_far(fidelity)).c_str() : "");

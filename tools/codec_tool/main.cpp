@@ -15,8 +15,8 @@ program::Usage usage() {
       .program = kProgram,
       .purpose = "compresses, decompresses, describes and compares depth recordings",
       .positional = {},
-      .options = {{"mode", "MODE", "fast, intra, temporal (lossless) or bounded (near-lossless)", "temporal"},
-                  {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "30"},
+      .options = {{"mode", "MODE", "lossless: fast, intra, temporal; near-lossless: bounded", "temporal"},
+                  {"key-every", "N", "modes temporal, bounded: every Nth frame is a key frame", "30"},
                   {"unit-mm", "MM", "image files: millimetres for a pixel value of 1", "1"},
                   {"bound", "LEAST,PER_M2",
                    "largest error of a depth of z m: max(LEAST, PER_M2 z²) mm; encode: default 1,2.85; compare: fail "

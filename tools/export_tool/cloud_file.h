@@ -10,8 +10,8 @@ namespace telepalp::export_tool {
 /// the frame has colour that is registered to depth.
 [[nodiscard]] std::string ply_of(const RgbdFrame& frame);
 
-/// One point for each pixel of `frame`, otherwise as ply_of(), as the bytes of an organised binary PCD file; points
-/// that were not measured are NaN.
+/// One point for each pixel of `frame`, as the bytes of an organised binary PCD file; NaN for pixels that were not
+/// measured. Unit, frame of reference and colour are those of ply_of().
 [[nodiscard]] std::string pcd_of(const RgbdFrame& frame);
 
 }  // namespace telepalp::export_tool

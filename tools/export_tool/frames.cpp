@@ -76,7 +76,8 @@ Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
     frame.camera.color_registered = waiting.color->frame_id() == wire::kDepthFrameId;
   }
   if (!is_well_formed(frame))
-    return no_frame("the sizes of the image and of its camera's calibration (/camera/info) contradict each other");
+    return no_frame(
+        "the calibration of the depth camera (/camera/info) is invalid, or is for images of another width or height");
   return frame;
 }
 

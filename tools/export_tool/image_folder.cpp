@@ -53,8 +53,9 @@ Result<std::uint64_t> write_images(const fs::path& file, const fs::path& out) {
   Result<Frames> frames = Frames::open(file);
   if (!frames) return frames.error();
   std::error_code ignored;
-  if (fs::exists(out, ignored) && !fs::is_empty(out, ignored))
-    return Error{.what = "is not empty", .where = out.string(), .fix = "name a new folder"};
+  const bool existed = fs::exists(out, ignored);
+  if (existed && !fs::is_empty(out, ignored))
+    return Error{.what = "the folder is not empty", .where = out.string(), .fix = "give a new or an empty folder"};
   Result<void> done;
   for (const fs::path& folder : {out, out / "depth", out / "rgb"})
     if (done) done = program::make_folder(folder, program::Readers::Group);
@@ -74,10 +75,12 @@ Result<std::uint64_t> write_images(const fs::path& file, const fs::path& out) {
     done = write_camera(out, *first, count > 1 && seconds > 0.0 ? static_cast<double>(count - 1) / seconds : 30.0);
   }
   if (done && count == 0) {
-    for (const fs::path& folder : {out / "depth", out / "rgb", out}) fs::remove(folder, ignored);
-    return Error{.what = "holds no depth image that can be decoded, or no calibration of its camera",
-                 .where = file.string(),
-                 .fix = "give another session; to see what this one holds: telepalp-record info " + file.string()};
+    for (const fs::path& folder : {out / "depth", out / "rgb"}) fs::remove(folder, ignored);
+    if (!existed) fs::remove(out, ignored);
+    return Error{
+        .what = "the session holds no depth image that can be decoded, or no calibration of its depth camera",
+        .where = file.string(),
+        .fix = "give another session; to list the contents of this session: telepalp-record info " + file.string()};
   }
   if (!done) return done.error();
   if (first->color.rgb.empty()) fs::remove(out / "rgb", ignored);

@@ -31,8 +31,8 @@ program::Usage usage() {
           .positional = "SESSION.mcap",
           .options = {{"png", "DIR", "depth and colour of each frame, for telepalp-server --source images:DIR"},
                       {"csv", "TOPIC", "the numbers of a topic, such as /station/ticks"},
-                      {"ply", "S", "the point cloud at S seconds after the beginning"},
-                      {"pcd", "S", "the point cloud at S seconds as an organised PCD file"},
+                      {"ply", "S", "the point cloud S seconds after the session's beginning"},
+                      {"pcd", "S", "the point cloud S seconds after the beginning, as organised PCD"},
                       {"foxglove", "FILE.mcap", "images, point clouds, transforms and force in Foxglove's types"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
                       {"out", "FILE", "file for --csv, --ply or --pcd; default: stdout"}},
@@ -41,7 +41,7 @@ program::Usage usage() {
 
 int say(const Result<std::uint64_t>& count, const std::string& what, const std::string& where) {
   if (!count) return program::fail(count.error());
-  program::log(kProgram, where + ": " + std::to_string(*count) + " " + what);
+  program::log(kProgram, "wrote " + std::to_string(*count) + " " + what + " to " + where);
   return program::kDone;
 }
 
@@ -86,10 +86,11 @@ int run_csv(const std::string& file, const program::Arguments& asked) {
     ++messages;
   }
   if (messages == 0)
-    program::log(kProgram, file + " holds no message of " + std::string(topic->name) +
-                               ": the table has its header alone. To see what the session holds: telepalp-record "
-                               "info " +
-                               file);
+    program::log(kProgram,
+                 file + " holds no message of " + std::string(topic->name) +
+                     ", so the table has only its header line. To list the contents of the session: telepalp-record "
+                     "info " +
+                     file);
   const Result<void> written = put(asked, text);
   return written ? program::kDone : program::fail(written.error());
 }
@@ -100,7 +101,7 @@ int run_report(const std::string& file, const std::string& folder) {
   ::execl(program.c_str(), program.c_str(), file.c_str(), "--out", folder.c_str(), static_cast<char*>(nullptr));
   return program::fail({.what = std::string("cannot be started: ") + std::strerror(errno),
                         .where = program.string(),
-                        .fix = "install telepalp-report beside telepalp-export"});
+                        .fix = "install telepalp-report in the folder of telepalp-export"});
 }
 
 int run(const std::string& file, const program::Arguments& asked) {
@@ -123,7 +124,7 @@ int main(int argc, char** argv) {
   int formats = 0;
   for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "report"}) formats += asked.has(option) ? 1 : 0;
   if (asked.positional().size() != 1 || formats != 1)
-    return program::fail({.what = "not exactly one session file and one format are given",
+    return program::fail({.what = "the command does not name exactly one session file and one format",
                           .where = kProgram,
                           .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove and --report"},
                          program::kAskedWrongly);

@@ -18,7 +18,7 @@ Result<std::string> show(const Asked& asked) {
   const Result<keys::KeyFile> key = keys::read_key(*text, asked.file);
   if (!key) return key.error();
   const bool expired = key->identity.expires <= asked.now;
-  return keys::in_words(*key) + (expired ? "EXPIRED:    renew it by telepalp-keys renew " + asked.file + "\n" : "");
+  return keys::in_words(*key) + (expired ? "EXPIRED:    to renew: telepalp-keys renew " + asked.file + "\n" : "");
 }
 
 Result<std::string> verify_audit(const Asked& asked) {
@@ -29,13 +29,12 @@ Result<std::string> verify_audit(const Asked& asked) {
   keys::AuditVerifier verifier;
   for (std::string line; std::getline(log, line);) {
     const Result<void> follows =
-        log.eof()
-            ? Error{.what = "the last line is cut off: the server was ended while it wrote, or bytes were removed",
-                    .where = "line " + std::to_string(verifier.position().lines + 1),
-                    .fix =
-                        "compare with a copy of the log from an earlier day; the lines that stand before this one are "
-                        "unaltered"}
-            : verifier.add(line);
+        log.eof() ? Error{.what =
+                              "the last line is cut off: the server was ended while it wrote this line, or bytes were "
+                              "removed",
+                          .where = "line " + std::to_string(verifier.position().lines + 1),
+                          .fix = "compare the log with an earlier copy; the lines before this line are unaltered"}
+                  : verifier.add(line);
     if (!follows)
       return Error{
           .what = follows.error().what, .where = asked.file + ", " + follows.error().where, .fix = follows.error().fix};

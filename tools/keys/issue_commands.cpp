@@ -44,7 +44,8 @@ Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what
                       : "telepalp-record --connect SERVER --out FILE.mcap --key " + file.string());
     case KeyFile::Kind::Token:
       return keep(folder, folder.authority().token(what), file, replace,
-                  "paste the text after `token:` into the browser's sign-in page, or give --key " + file.string());
+                  "paste the text after `token:` into the browser's sign-in page, or start a program with --key " +
+                      file.string());
   }
   return Error{.what = "the file holds neither a key nor a token",
                .where = asked.file,
@@ -75,9 +76,10 @@ Result<std::string> make_authority(const Asked& asked) {
   const std::string name = asked.name.empty() ? "telepalp" : asked.name;
   const Result<KeyFolder> made = KeyFolder::create(asked.folder, name, asked.now, asked.valid.value_or(kAuthorityDays));
   if (!made) return made.error();
-  return made->path("authority.key").string() + ": the authority " + name +
-         ". It makes all keys: keep it on this machine.\n" + made->path("authority.crt").string() +
-         ": its certificate, for browsers. It is public.\nnext:       telepalp-keys server --dir " +
+  return made->path("authority.key").string() + ": the key of the certificate authority " + name +
+         ". This key signs all other keys: keep the file on this machine.\n" + made->path("authority.crt").string() +
+         ": the authority's certificate, for browsers. This file may be given to anyone.\nnext:       telepalp-keys "
+         "server --dir " +
          asked.folder.string() + " --host NAME-OR-ADDRESS-OF-THE-SERVER\n";
 }
 
@@ -139,8 +141,8 @@ Result<std::string> revoke(const Asked& asked) {
   if (!count) return count.error();
   const std::string list = folder->path("revoked.crl").string();
   return serial + " is revoked; " + list + " lists all revoked keys and tokens, " + std::to_string(*count) +
-         " in number.\nnext:       copy this file into the folder of the server's key: the server reads it within two "
-         "seconds\n";
+         " in number.\nnext:       copy " + list +
+         " into the folder of the server's key; the server reads the list within 2 s\n";
 }
 
 }  // namespace telepalp::keys_tool

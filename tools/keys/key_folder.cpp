@@ -36,17 +36,18 @@ Result<std::string> read_file(const fs::path& file, std::size_t most) {
   if (!stream.is_open())
     return Error{
         .what = "the file cannot be read", .where = file.string(), .fix = "check its name, and that you may read it"};
-  return Error{.what = "the file is larger than " + std::to_string(most) + " B, too large for a file of telepalp-keys",
-               .where = file.string(),
-               .fix = "give a file that telepalp-keys wrote"};
+  return Error{
+      .what = "the file is larger than " + std::to_string(most) + " B; files that telepalp-keys writes are smaller",
+      .where = file.string(),
+      .fix = "give a file that telepalp-keys wrote"};
 }
 
 Result<KeyFolder> KeyFolder::create(const fs::path& folder, const std::string& name, keys::WallTime now,
                                     std::chrono::days valid) {
   if (fs::exists(folder / kAuthority))
-    return Error{.what = "there is an authority already",
+    return Error{.what = "the file of a certificate authority exists already",
                  .where = (folder / kAuthority).string(),
-                 .fix = "use it, or give another folder with --dir"};
+                 .fix = "use this authority, or give another folder with --dir"};
   Result<keys::Authority> authority = keys::Authority::create(name, now, valid);
   if (!authority) return authority.error();
   KeyFolder made(folder, std::move(authority).value());
@@ -61,7 +62,7 @@ Result<KeyFolder> KeyFolder::create(const fs::path& folder, const std::string& n
 Result<KeyFolder> KeyFolder::open(const fs::path& folder) {
   const fs::path file = folder / kAuthority;
   if (!fs::exists(file))
-    return Error{.what = "there is no certificate authority, which signs all keys, yet",
+    return Error{.what = "the file of the certificate authority, which signs all keys, is missing",
                  .where = file.string(),
                  .fix = "run telepalp-keys authority --dir " + folder.string() +
                         ", or give the folder of an authority with --dir"};
@@ -74,9 +75,10 @@ Result<KeyFolder> KeyFolder::open(const fs::path& folder) {
 
 Result<void> KeyFolder::keep(const std::string& key_text, const fs::path& file, bool replace) const {
   if (!replace && fs::exists(file))
-    return Error{.what = "the file exists",
-                 .where = file.string(),
-                 .fix = "telepalp-keys renew " + file.string() + ", or give another --name"};
+    return Error{
+        .what = "the file exists already",
+        .where = file.string(),
+        .fix = "to replace this key: telepalp-keys renew " + file.string() + "; for another key, give another --name"};
   const Result<keys::KeyFile> key = keys::read_key(key_text, file.string());
   if (!key) return key.error();
   // Noted first: a key that exists can then always be revoked.

@@ -16,7 +16,9 @@ struct Figure {
 const std::vector<Figure>& figures() {
   using impaired::Impairment;
   static const std::vector<Figure> all{
-      {{"delay-ms", "MS", "delay, one way"}, 60e3, [](Impairment& i, double v) { i.delay = from_seconds(v * 1e-3); }},
+      {{"delay-ms", "MS", "delay in each direction"},
+       60e3,
+       [](Impairment& i, double v) { i.delay = from_seconds(v * 1e-3); }},
       {{"jitter-ms", "MS", "uniform variation of the delay, plus or minus MS"},
        60e3,
        [](Impairment& i, double v) { i.jitter = from_seconds(v * 1e-3); }},
@@ -90,15 +92,15 @@ program::Usage usage() {
       .program = "telepalp-link",
       .purpose = "relays between clients and a server, and impairs the network between them",
       .positional = {},
-      .options = {{"listen", "HOST:PORT", "where clients connect, by TCP and UDP; port 0: any", "127.0.0.1:7401"},
-                  {"connect", "HOST:PORT", "the server", program::kServerAddress},
-                  {"profile", "NAME", "lan, lte, satellite or hostile"},
+      .options = {{"listen", "HOST:PORT", "where clients connect (TCP and UDP); port 0: any free", "127.0.0.1:7401"},
+                  {"connect", "HOST:PORT", "the server to relay to", program::kServerAddress},
+                  {"profile", "NAME", "a network by name: lan, lte, satellite or hostile"},
                   {"trace", "FILE.csv", "CSV of delay, jitter, loss and rate over time"},
                   {"seed", "N", "seed of the random numbers", "1"},
                   {"seconds", "S", "stop after S seconds; 0: until Ctrl-C", "0"},
                   {"json", "", "at the end, print all counters to stdout"},
                   {"quiet", "", "do not print statistics each second"},
-                  {"ready-file", "FILE", "file for the port; written once clients can connect"}},
+                  {"ready-file", "FILE", "write the port to FILE once clients can connect"}},
       .example = "telepalp-link --profile lte --seconds 60"};
   for (const Figure& figure : figures()) usage.options.push_back(figure.option);
   return usage;

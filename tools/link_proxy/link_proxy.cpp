@@ -24,7 +24,7 @@ Result<asio::ip::address> numeric(const program::Address& address, std::string_v
   if (!failed) return host;
   return Error{.what = "'" + address.host + "' is not an IP address",
                .where = std::string(option),
-               .fix = "write the address in numbers, for example 127.0.0.1"};
+               .fix = "give a numeric address, for example 127.0.0.1"};
 }
 
 Error cannot_listen(const ProxyOptions& options, const error_code& failed) {

@@ -31,7 +31,7 @@ int run(const program::Arguments& arguments, const link_proxy::ProxyOptions& opt
   if (!started) return program::fail(started.error());
   link_proxy::LinkProxy& proxy = **started;
   const std::string port = std::to_string(proxy.port());
-  program::log(kProgram, "listens at " + program::to_text({options.listen.host, proxy.port()}) + ", server " +
+  program::log(kProgram, "listens at " + program::to_text({options.listen.host, proxy.port()}) + ", relays to " +
                              program::to_text(options.server));
   const Result<void> written = program::write_ready_file(arguments.text("ready-file"), "port=" + port + "\n");
   if (!written) return program::fail(written.error());

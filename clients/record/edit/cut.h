@@ -20,7 +20,7 @@ struct CutOptions {
 
 struct EditReport {
   std::uint64_t messages = 0;        ///< number of messages written
-  std::uint64_t left_out = 0;        ///< duplicates: merge() writes each message once
+  std::uint64_t left_out = 0;        ///< number of duplicates that merge() left out; 0 from cut()
   std::vector<std::string> damages;  ///< places that could not be read, at most 100
 };
 

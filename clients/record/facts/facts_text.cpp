@@ -39,8 +39,8 @@ std::string clock_line(const SessionFacts& facts) {
   std::string line;
   if (facts.clock)
     line = formatted(
-        "the server's wall clock drifts %.1f ppm from its session clock; its largest jump between "
-        "two messages of /clock: %.3f ms",
+        "the server's wall clock drifts %.1f ppm from the server's session clock; largest jump of the wall clock "
+        "between two messages of /clock: %.3f ms",
         facts.clock->drift_ppm, facts.clock->largest_step_ms);
   if (const auto found = facts.recording.find("clock_uncertainty_us"); found != facts.recording.end())
     line += (line.empty() ? "" : "; ") + ("error of the recorder's session clock: at most " + found->second + " us");
@@ -98,7 +98,8 @@ std::string peer_table(const SessionFacts& facts) {
     rows.push_back({peer.name.empty() ? "unknown" : program::escaped(peer.name), program::escaped(peer.address),
                     peer.sender == 0 ? "" : std::to_string(peer.sender), std::to_string(peer.messages),
                     std::to_string(peer.dropped_before_it), std::to_string(peer.dropped_by_it)});
-  return "\nsender: the peer's number in its messages; empty: it published nothing\n"
+  return "\npeer: a program that sent or received messages\n"
+         "sender: the peer's number in its messages; empty: the peer published nothing\n"
          "published: messages of the peer in the file\n"
          "dropped_for_peer: messages that the server dropped because the peer read too slowly\n"
          "dropped_by_peer: depth frames and ticks that the peer itself reported as dropped\n" +

@@ -39,7 +39,7 @@ struct SessionFacts {
   /// The server's wall clock compared with its session clock.
   struct Clock {
     double drift_ppm = 0.0;        ///< of the wall clock against the session clock, over the whole file
-    double largest_step_ms = 0.0;  ///< largest change of their difference between two messages of /clock
+    double largest_step_ms = 0.0;  ///< largest change of the clocks' difference between two messages of /clock
   };
 
   double seconds = 0.0;  ///< from the first message to the last

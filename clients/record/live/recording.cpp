@@ -144,7 +144,7 @@ class Recording {
       const double away_s = seconds_since(*std::exchange(away_since_, std::nullopt));
       ++report_.gaps;
       report_.gap_s += away_s;
-      say("the server answers again after " + fixed(away_s, 1) + " s; the recording has no messages of this time");
+      say("the server answers again after " + fixed(away_s, 1) + " s; the recording has no messages from this time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
     say("recording " + program::to_text(options_.server) + " to " + options_.file.string());
@@ -258,7 +258,7 @@ class Recording {
 }  // namespace
 
 std::string describe(const RecordingReport& report) {
-  std::string text = fixed(report.seconds, 1) + " s from the connection to the end, " +
+  std::string text = fixed(report.seconds, 1) + " s from connecting to the server to the end of the recording, " +
                      std::to_string(report.messages) + " messages, " +
                      fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
   if (report.files > 1) text += " in " + std::to_string(report.files) + " files";

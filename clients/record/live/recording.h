@@ -49,7 +49,7 @@ struct RecordingReport {
 /// have no effect. Five seconds after the first signal the process ends, even if the disk has not stored everything.
 [[nodiscard]] Result<RecordingReport> record(const RecordingOptions& options);
 
-/// The report as text: "12.0 s from the connection to the end, 3210 messages, 4.5 MB".
+/// The report as text: "12.0 s from connecting to the server to the end of the recording, 3210 messages, …".
 [[nodiscard]] std::string describe(const RecordingReport& report);
 
 }  // namespace telepalp::record

@@ -86,7 +86,8 @@ Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
   return done ? closed : done;
 }
 
-/// To a new subscriber the server first sends the last message of each latched topic, which may be an hour old.
+/// True if the publication time of `message` is near the present time. This is not certain for the first message of a
+/// latched topic: the server sends it to each new subscriber, even if it is an hour old.
 bool SessionFiles::tells_now(const wire::Message& message) const {
   return !wire::is_latched(message.topic.name) ||
          std::ranges::any_of(*held_back_, [&](const auto& one) { return one.topic.name == message.topic.name; });
@@ -159,7 +160,6 @@ void SessionFiles::remove_old_parts(SessionTime now) {
 }
 
 void SessionFiles::flush() {
-  put_held_back();
   if (!writer_) return;
   if (const Result<void> flushed = writer_->flush(); !flushed) fail(flushed.error());
 }

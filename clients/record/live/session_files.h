@@ -86,7 +86,7 @@ class SessionFiles {
   std::optional<wire::McapWriter> writer_;  // nullopt: the disk has failed
   std::deque<Part> parts_;                  // completed
   std::map<std::string_view, wire::Message> latched_;
-  /// The first messages, all of latched topics, until another one tells what time it is now. nullopt: one did.
+  /// The first messages, all of latched topics, until a newer message tells the present time. nullopt: written.
   std::optional<std::vector<wire::Message>> held_back_{std::in_place};
   int part_number_ = 0;
   std::uint64_t messages_ = 0;

@@ -63,12 +63,13 @@ Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem
 std::string headline(const Comparison& comparison) {
   if (comparison.equal()) return "The two runs are equal, message by message.";
   const TickComparison& ticks = comparison.ticks;
-  if (ticks.common == 0) return "The two runs have no ticks at the same time, so only their figures are compared.";
+  if (ticks.common == 0)
+    return "The two runs have no 2 kHz ticks at the same time, so only their summary figures are compared.";
   if (!ticks.first_felt)
     return "The hand feels no difference: in contact, the forces of the two runs differ by at most " +
            readable(kFelt_N) + " N.";
-  return "The hand feels a difference from " + number(ticks.first_felt->at_s, 3) +
-         " s after the start on: " + forces_in_words(comparison.a, comparison.b, *ticks.first_felt) + ".";
+  return "The hand first feels a difference " + number(ticks.first_felt->at_s, 3) +
+         " s after the start: " + forces_in_words(comparison.a, comparison.b, *ticks.first_felt) + ".";
 }
 
 std::string account(const Comparison& comparison) {
@@ -82,7 +83,8 @@ std::string account(const Comparison& comparison) {
           " ticks that both runs have, in contact or not, the device's forces are " + readable(ticks.force_rms_N) +
           " N apart (RMS)";
   if (ticks.largest)
-    text += ", at most " + readable(ticks.largest->force_apart_N) + " N at " + number(ticks.largest->at_s, 3) + " s";
+    text += ", at most " + readable(ticks.largest->force_apart_N) + " N, " + number(ticks.largest->at_s, 3) +
+            " s after the start";
   return text + ", and the states differ at " + readable(share) +
          " % of the ticks. Out of contact the force moves only the free device, and the hand does not feel it.";
 }

@@ -29,7 +29,7 @@ struct Comparison {
 /// Reads and compares two sessions, or folders of telepalp-replay. Error: one of them cannot be read.
 [[nodiscard]] Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// "The hand feels a difference from 3.100 s on: …"
+/// "The hand first feels a difference 3.100 s after the start: …"
 [[nodiscard]] std::string headline(const Comparison& comparison);
 
 /// The likely cause of the first felt difference, the settings that differ, and how large the differences are.

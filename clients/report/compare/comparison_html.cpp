@@ -76,11 +76,11 @@ std::string first_difference_section(const Comparison& comparison) {
   std::string content;
   if (const auto& state = comparison.ticks.first_phase)
     content += "<p>The states first differ at " + number(state->at_s, 4) +
-               " s: " + escaped(states_in_words(comparison.a, comparison.b, *state)) +
+               " s after the start: " + escaped(states_in_words(comparison.a, comparison.b, *state)) +
                ". Likely cause: " + why(comparison, *state);
   if (const auto& felt = comparison.ticks.first_felt)
     content += "<p>The forces in contact first differ by more than 0.05 N at " + number(felt->at_s, 4) +
-               " s: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) +
+               " s after the start: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) +
                ". Likely cause: " + why(comparison, *felt);
   const auto shown = comparison.ticks.first_felt ? comparison.ticks.first_felt : comparison.ticks.first_phase;
   if (shown) content += stacked(around(comparison.a.session, comparison.b.session, *shown));
@@ -125,8 +125,8 @@ std::string metrics_sections(const Comparison& comparison) {
   if (!comparison.replay_metrics.empty())
     out += section(
         "Effect of the network",
-        "Metrics of telepalp-replay: each run compared with the run over an unimpaired network, and with the true "
-        "skin where it is known. docs/replay.md defines each metric.",
+        "Metrics of telepalp-replay: each run compared with the run over a network without delay, loss and faults, and "
+        "with the true skin where the skin is known. docs/replay.md defines each metric.",
         metric_rows(comparison.replay_metrics));
   return out +
          section(

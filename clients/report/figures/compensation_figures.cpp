@@ -66,7 +66,7 @@ std::vector<Chart> compensation(const Session& session) {
       chart_of("Age of the data from which the force is computed", "age [ms]",
                {over_time(session, "surface", plot::kBlue, [](Sample t) { return t.surface_age_s() * 1e3; }),
                 over_time(session, "hand", plot::kVermilion, [](Sample t) { return t.hand_age_s() * 1e3; }),
-                over_time(session, "possible error of the surface's age: uncertainty of the server's clock",
+                over_time(session, "largest error of the surface's age (from estimating the server's clock)",
                           plot::kGrey, [](Sample t) { return t.clock_error_s() * 1e3; })}),
       chart_of(
           "Predicted motion of the surface along its normal", "distance [mm]",

@@ -37,7 +37,7 @@ std::vector<Chart> energy(const Session& session) {
            .y = {"energy [mJ]", plot::Range{0.0, 0.0}},
            .series = {over_time(session, session.states, "energy balance of the display", plot::kBlue,
                                 [](State s) { return s.passivity_j() * 1e3; }),
-                      over_time(session, session.states, "excess work on the hand, beyond the measured skin's",
+                      over_time(session, session.states, "excess work on the hand, beyond that of the measured skin",
                                 plot::kVermilion, [](State s) { return s.hand_excess_j() * 1e3; }),
                       over_time(session, session.compensations, "work of moving the device (lift, position control)",
                                 plot::kGrey, [](Message m) { return m.drive_j() * 1e3; })},

@@ -137,7 +137,7 @@ std::vector<Chart> force_against_indentation(const Session& session) {
                                   std::string(kColors[axis]), Style::Path}},
                       .width_px = kHalfWidth});
   }
-  charts.push_back({.title = "Norms",
+  charts.push_back({.title = "Magnitudes of force and indentation",
                     .x = {"indentation |d| [mm]", plot::Range{0.0, 0.0}},
                     .y = {"force |F| [N]", plot::Range{0.0, 0.0}},
                     .series = {{"", only(scaled(ticks.indentation_m, 1e3), contact), only(force_norm_N(ticks), contact),

@@ -110,11 +110,13 @@ std::string motion_sections(const Session& session) {
       "leaving than in pressing, the skin gave the hand energy.",
       in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
-  out += cylinder.empty() ? section("The cylinder under the skin",
-                                    "The controller did not enter the cylinder's states (-3 to -1) in this run.", "")
-                          : section("The cylinder under the skin",
-                                    "Path of the end-effector in the cylinder's states, and the force.",
-                                    in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
+  out += cylinder.empty()
+             ? section("The cylinder under the skin",
+                       "The hand did not reach a simulated object under the skin (states -3 to -1) in this run.", "")
+             : section("The cylinder under the skin",
+                       "Path of the end-effector and force while the hand is at a simulated object under "
+                       "the skin (states -3 to -1).",
+                       in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
                        "State, height and force on one time axis. Outside the body, the force moves the free "
                        "end-effector; the hand feels no force.",
@@ -158,7 +160,7 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
     out += section(
         "Compensation of delay",
-        "The station predicts from their motion where hand and surface are now, and changes gradually to a newer "
+        "The station predicts from the motion of hand and surface where they are now, and changes gradually to a newer "
         "surface. While the uncertainty is larger than the predicted motion, the place of the felt skin is uncertain.",
         stacked(done));
   out += energy_sections(session, summary);

@@ -66,7 +66,7 @@ Series rate_series(std::string name, std::vector<std::int64_t> captured_ns, std:
 std::vector<Chart> tick_times(const Session& session) {
   const double period_us = session.ticks.period_ns * 1e-3;
   return {tick_histogram("Time spent in a tick", "time [µs]", session.ticks.work_us, period_us),
-          tick_histogram("Wake-up after the tick's deadline", "lateness [µs]", session.ticks.late_us, period_us)};
+          tick_histogram("Lateness of the wake-up for a tick", "lateness [µs]", session.ticks.late_us, period_us)};
 }
 
 plot::BarChart latency_by_stage(const Summary& summary) {

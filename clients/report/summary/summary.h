@@ -72,8 +72,8 @@ struct Summary {
   double force_max_N = kUnknown;  ///< largest in any state; out of contact, it moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
-  double display_least_mJ = kUnknown;     ///< least balance: energy taken from the hand minus stored; below 0: active
-  double hand_excess_most_mJ = kUnknown;  ///< largest in a contact: work on the hand minus the measured skin's
+  double display_least_mJ = kUnknown;     ///< least of: energy from the hand minus energy stored; below 0: active
+  double hand_excess_most_mJ = kUnknown;  ///< largest in a contact: work on the hand minus the measured skin's work
   std::uint64_t heat_warnings = 0;        ///< announcements that warm motors will lower the force
   std::uint64_t non_finite = 0;           ///< forces, positions or depths that are not finite
   std::uint64_t damaged_messages = 0;

@@ -21,8 +21,8 @@ Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the hand felt depth that is " + wire::in_words(depth) +
-      "; only lossless depth is for touching (telepalp-server --depth-mode fast, intra or temporal)";
+      "the hand touched near-lossless depth (" + wire::in_words(depth) +
+      "); only lossless depth is for touching: start telepalp-server with --depth-mode fast, intra or temporal";
   if (depth.moved && !depth.within)
     return {"depth is near-lossless, bound not stated (1: yes, 0: no)", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
   const double off_mm = depth.within ? wire::at_1_m_mm(*depth.within) : 0.0;
@@ -52,7 +52,7 @@ std::string what_to_do(const Summary& s) {
 /// If the idle timer was measured, two checks: the late ticks of telepalp and those of the computer's timer.
 std::vector<Check> deadline_checks(const Summary& s) {
   constexpr double kBudget = 0.1;
-  const std::string late = "the force was late more often than one tick in a thousand";
+  const std::string late = "the force came late in more than one of a thousand ticks";
   if (!s.idle_timer) return {{"late ticks, share of all ticks", missed_percent(s), kBudget, "%", true, late}};
   const double timer = of_the_timer_percent(s);
   const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
@@ -72,16 +72,17 @@ std::vector<Check> deadline_checks(const Summary& s) {
 std::vector<Check> checks_of(const Summary& s) {
   const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
   std::vector<Check> checks{
-      {"largest force", s.force_max_N, 10.0, "N", true, "the station commanded more than the device's peak force"},
+      {"largest force", s.force_max_N, 10.0, "N", true,
+       "the station commanded more than 10 N, the device's peak force"},
       {"numbers that are not finite", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
-       "a force, position or depth was not finite"},
+       "a force, position or depth was not a finite number"},
       {"faults", faulted, 0.0, "", true, "the station faulted, and the device gave no force"},
       {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the control loop ran slower than 2 kHz"},
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true,
-       "more than one tick in a thousand took longer than its period"},
-      {"camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
+       "more than one tick in a thousand took longer than its period of 500 µs"},
+      {"depth frame: camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
        "a typical frame became touchable only after the next frame was captured"},
-      {"camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true,
+      {"depth frame: camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true,
        "more than one frame in a hundred was older than 100 ms when it became touchable"},
       {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the camera sent fewer than 25 depth frames a second"},
       {"depth frames that the server dropped, of all for the station",
@@ -106,7 +107,7 @@ std::string account_of(const Summary& s) {
   std::string text;
   if (s.ticks == 0)
     return "The session lasts " + number(s.seconds, 1) + " s and has no message of a station." +
-           (s.depth.moved ? " Its depth is " + wire::in_words(s.depth) + "." : "");
+           (s.depth.moved ? " The depth of its images is " + wire::in_words(s.depth) + "." : "");
   if (s.touches == 0 && !(s.contact_s > 0.0)) {
     text = "In " + number(s.seconds, 1) + " s the doctor's hand did not touch the patient.";
   } else {
@@ -135,7 +136,7 @@ std::string senders_warning(const Summary& s) {
   for (const SenderSummary& sender : s.senders)
     text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
             " ticks, " + std::to_string(sender.states) + " states)";
-  return text + "; the figures are those of the first, and the others may be forged. ";
+  return text + "; the figures are those of the first program, and the messages of the others may be forged. ";
 }
 
 std::string headline_of(const std::vector<Check>& checks, bool judged) {

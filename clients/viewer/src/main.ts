@@ -89,7 +89,7 @@ view.onDraw = () => {
   coming = undefined;
 };
 view.onShown = () => {
-  if (coming === undefined) link.ask('instant');  // so that the next picture is decoded while this one comes to the screen
+  if (coming === undefined) link.ask('instant');  // the next picture is decoded while this one is presented
   if (drawing === undefined) return;
   state.shown(drawing, now_ms());
   readouts.addTrail(drawing.trail);

@@ -24,7 +24,7 @@ Error cannot_be_written(const fs::path& file, int code) {
   const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
   return {.what = std::string("cannot be written: ") + std::strerror(code),
           .where = file.string(),
-          .fix = full ? "free space on its disk, or write to another one"
+          .fix = full ? "free space on the disk of this file, or name a file on another disk"
                       : "check that the folder exists and that you may write there"};
 }
 
@@ -94,9 +94,10 @@ Result<void> make_folder(const fs::path& folder, Readers readers) {
   if (folder.filename().empty() || ::mkdir(folder.c_str(), folder_mode(readers)) == 0) return {};
   const int code = errno;
   if (code == EEXIST && fs::is_directory(folder, ignored)) return {};
-  return Error{.what = std::string("the folder cannot be made: ") + std::strerror(code),
-               .where = folder.string(),
-               .fix = "check that no file has this name and that you may write to the folder above, or name another"};
+  return Error{
+      .what = std::string("the folder cannot be made: ") + std::strerror(code),
+      .where = folder.string(),
+      .fix = "check that no file has this name and that you may write to the folder above, or name another folder"};
 }
 
 Result<void> write_whole_file(const fs::path& file, std::string_view bytes, Readers readers) {

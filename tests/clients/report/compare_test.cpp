@@ -94,7 +94,7 @@ TEST_F(Compare, AForceThatIsLostInContactIsTheFirstDifferenceAndTheAgeOfTheSurfa
   ASSERT_TRUE(comparison.ticks.first_felt);
   EXPECT_NEAR(comparison.ticks.first_felt->at_s, 1.0, 1e-9);
   EXPECT_FALSE(comparison.ticks.first_phase) << "the states are equal";
-  EXPECT_NE(headline(comparison).find("from 1 s after the start on"), std::string::npos) << headline(comparison);
+  EXPECT_NE(headline(comparison).find("difference 1 s after the start:"), std::string::npos) << headline(comparison);
   EXPECT_NE(headline(comparison).find("0 N in B"), std::string::npos) << headline(comparison);
   EXPECT_NE(account(comparison).find("ms old in A and"), std::string::npos) << account(comparison);
   ASSERT_TRUE(comparison.first_message);
@@ -163,7 +163,7 @@ TEST_F(Compare, SessionsOfDifferentDaysAreAlignedAtTheirFirstTicks) {
 TEST_F(Compare, ASessionWithoutAStationIsComparedByItsFiguresAlone) {
   const Comparison comparison = compared(made_messages({.seconds = 1.0, .with_station = false}));
   EXPECT_EQ(comparison.ticks.common, 0u);
-  EXPECT_NE(headline(comparison).find("only their figures"), std::string::npos);
+  EXPECT_NE(headline(comparison).find("only their summary figures"), std::string::npos);
   EXPECT_FALSE(comparison_html(comparison, {}).empty());
 }
 

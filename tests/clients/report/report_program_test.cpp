@@ -152,7 +152,7 @@ TEST(Program, FinishesASessionWhoseRecorderWasCutOffAndSaysSo) {
   int code = -1;
   const std::string said = output_of(kProgram + file.string() + " --out " + out.string(), code);
   EXPECT_EQ(code, 0) << said;
-  EXPECT_NE(said.find("was not finished by its recorder; it is finished now"), std::string::npos) << said;
+  EXPECT_NE(said.find("was not completed by its recorder; the file is complete now"), std::string::npos) << said;
   EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
   EXPECT_TRUE(read_session(file).ok());
   EXPECT_FALSE(std::filesystem::exists(partial));

@@ -161,7 +161,7 @@ TEST(Verdict, OfASessionThatNobodyTouchedSaysHowFarItsDepthIsOffAndFindsNoFault)
   const Summary seen =
       summarise(session_of({.seconds = 1.0, .with_station = false, .depth_mode = codec::DepthMode::Bounded}));
   const Verdict verdict = judge(seen);
-  EXPECT_NE(verdict.account.find("Its depth is bounded, off by up to 2.85 mm at 1 m."), std::string::npos)
+  EXPECT_NE(verdict.account.find("The depth of its images is bounded, off by up to 2.85 mm at 1 m."), std::string::npos)
       << verdict.account;
   EXPECT_EQ(verdict.headline.find("bounded"), std::string::npos) << verdict.headline;
 }

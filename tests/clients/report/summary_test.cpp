@@ -194,8 +194,8 @@ TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
 TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
   const Verdict verdict = with_late_ticks(80, 1);
   EXPECT_TRUE(
-      verdict.headline.starts_with("Check this run: the force was late more often than one tick in a "
-                                   "thousand, not counting the wake-ups that the timer of the station's computer "
+      verdict.headline.starts_with("Check this run: the force came late in more than one of a "
+                                   "thousand ticks, not counting the wake-ups that the timer of the station's computer "
                                    "misses even without work (1 of 2000"))
       << verdict.headline;
   EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;

@@ -58,7 +58,7 @@ test('the state of a comparison is a sentence', () => {
   assert.equal(says({problem: 'b.mcap has no station'}), 'b.mcap has no station');
   assert.equal(says({same_time: false}), 'The hand feels no difference between A and B. Recorded at different times: B is shifted, so that both begin together.');
   assert.equal(says({first: {at_s: 2, force_a_N: 1, force_b_N: 1.25, apart_N: 0.3}}),
-      '1.00 N in A, 1.25 N in B; the force vectors differ by 0.30 N. Both runs are shown at their session times.');
+      'At the first difference, 1.00 N in A, 1.25 N in B; the force vectors differ by 0.30 N. Both runs are shown at their session times.');
 });
 
 test('a reply that is none is taken calmly', () => {

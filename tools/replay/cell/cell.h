@@ -27,8 +27,8 @@ class Cell {
   Cell(const StationSetup& setup, const Scenario& scenario, const TapeSettings& tape, TruthAt truth, Publish publish,
        Wires wires);
 
-  /// Runs all ticks before `until`. `frames`: those captured since the last call's `until` and before
-  /// this one. Appends a record of each tick to `ticks`.
+  /// Runs all ticks before `until`. `frames`: the frames that were captured from the last call's `until` on
+  /// and before this call's `until`. Appends a record of each tick to `ticks`.
   void run_until(SessionTime until, const TapeFrames& frames, std::vector<TickRecord>& ticks);
 
   [[nodiscard]] FrameCounts frames() const noexcept;

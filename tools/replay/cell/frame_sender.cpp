@@ -7,8 +7,11 @@
 namespace telepalp::replay {
 namespace {
 
-/// Beyond the delay of the path, no frame arrives later than this after its capture.
-constexpr Nanoseconds kLatest = std::chrono::seconds(3);
+/// A frame may still arrive for this long after its capture.
+Nanoseconds may_arrive_for(const Scenario& scenario) noexcept {
+  constexpr Nanoseconds kBeyondDelay = std::chrono::seconds(3);
+  return kBeyondDelay + scenario.down.delay + scenario.down.jitter + scenario.down.reorder_by;
+}
 
 std::vector<std::byte> bytes_of(const std::string& text) {
   const auto bytes = std::as_bytes(std::span(text));
@@ -18,10 +21,7 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 }  // namespace
 
 FrameSender::FrameSender(const Scenario& scenario, const TapeSettings& tape)
-    : scenario_(scenario),
-      tape_(tape),
-      encoder_(tape.depth),
-      keeps_(kLatest + scenario.down.delay + scenario.down.jitter + scenario.down.reorder_by) {}
+    : scenario_(scenario), tape_(tape), encoder_(tape.depth) {}
 
 /// A server that is away captures nothing, and begins with a key frame afterwards.
 void FrameSender::step(SessionTime now, CameraPath& path, Stopwatch& watch) {
@@ -55,7 +55,7 @@ void FrameSender::offer(const std::shared_ptr<const TapeFrame>& frame, CameraPat
   offered_B_ += depth.size() + frame->color.size();
   sent_.emplace(frame->number, frame);
   const SessionTime captured = frame->frame.captured;
-  while (captured - sent_.begin()->second->frame.captured > keeps_) sent_.erase(sent_.begin());
+  while (captured - sent_.begin()->second->frame.captured > may_arrive_for(scenario_)) sent_.erase(sent_.begin());
   // A replaced frame was never sent, so no later frame may be predicted from it.
   if (path.offer({.channel = kDepthChannel,
                   .number = frame->number,

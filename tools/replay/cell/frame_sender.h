@@ -34,10 +34,9 @@ class FrameSender {
   Scenario scenario_;
   TapeSettings tape_;
   codec::DepthEncoder encoder_;
-  Nanoseconds keeps_;  ///< for this long after its capture, a frame may still arrive
   wire::KeyFramePacing pacing_;
   std::deque<std::shared_ptr<const TapeFrame>> captured_;
-  std::map<std::uint32_t, std::shared_ptr<const TapeFrame>> sent_;  ///< those that may still arrive
+  std::map<std::uint32_t, std::shared_ptr<const TapeFrame>> sent_;  ///< by number; the frames that may still arrive
   std::vector<SessionTime> offered_;
   std::uint64_t offered_B_ = 0;
 };

@@ -39,8 +39,8 @@ class SurfaceStage {
                const Transform<HapticBase, DepthCamera>& haptic_from_camera, const effects::EffectBank& effects);
 
   void arrived(ArrivedDepth frame) { waiting_.push_back(std::move(frame)); }
-  /// Call it once a tick. Returns the surface that is finished at `now`; else, if the stage is idle, begins with
-  /// the newest frame.
+  /// Call it once a tick. Returns the surface that is finished at `now`. Otherwise, if the stage is idle, begins to
+  /// decode the newest frame and to build its surface.
   /// `device`: centre of the region in which a surface is built.
   [[nodiscard]] std::optional<BuiltSurface> step(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
   /// Frames that could not be decoded.

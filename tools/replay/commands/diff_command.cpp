@@ -25,14 +25,14 @@ int diff_command(int argc, const char* const* argv) {
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
   if ((*read)->positional().size() != 2)
-    return program::fail({.what = "not exactly two sessions are given",
+    return program::fail({.what = "the command does not name exactly two session files",
                           .where = "telepalp-replay diff",
                           .fix = "give two files: telepalp-replay diff A.mcap B.mcap"},
                          program::kAskedWrongly);
   const auto difference = wire::first_difference((*read)->positional()[0], (*read)->positional()[1]);
   if (!difference) return program::fail(difference.error(), program::kAskedWrongly);
   if (!*difference) {
-    std::puts("equal: every message has the same topic, time and bytes");
+    std::puts("the two sessions are equal: every message has the same topic, time and bytes");
     return program::kDone;
   }
   std::fputs((*difference)->c_str(), stdout);

@@ -22,7 +22,7 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
   if (scene->message.patient_surface().has_static_model())
-    return Error{.what = "the scene's patient_surface is a static model, which no network can change",
+    return Error{.what = "the scene's patient_surface is a static model, which does not cross the network",
                  .where = file->string(),
                  .fix = "give a scene whose patient_surface is streamed"};
   const std::string& name = scene->message.surface().name();
@@ -60,13 +60,13 @@ Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   const std::string session = session_file_of(request.source);
   if (hand_script(asked) || (session.empty() && asked.empty())) return {};
   if (session.empty())
-    return Error{.what = "the source has no recorded hand: only a session has one",
+    return Error{.what = "the source has no recorded hand: only a session file holds a hand",
                  .where = "--hand recorded",
                  .fix = "give --hand examine, tap or search"};
   Result<RecordedHand> hand = read_session_hand(session);
   if (!hand) return hand.error();
   if (hand->empty() && asked == "recorded")
-    return Error{.what = "holds no recorded hand: it has no message on /station/ticks",
+    return Error{.what = "holds no recorded hand: the session has no message on /station/ticks",
                  .where = session,
                  .fix = "give --hand examine, tap or search"};
   request.recorded = std::move(*hand);
@@ -101,7 +101,7 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
     if (words.empty()) return {};
     return Error{.what = "'" + words.front() + "' after the source is not understood",
                  .where = "telepalp-replay",
-                 .fix = "leave it out"};
+                 .fix = "leave this word out, or write --sweep before the first axis, such as --sweep delay=0:50:300"};
   }
   if (request.check)
     return Error{.what = "a sweep does not check force, energy and contact",
@@ -122,7 +122,7 @@ Result<void> refuse_beside_storm(const program::Arguments& arguments) {
   const auto refused = [](const std::string& where) {
     return Error{.what = "cannot be combined with --storm, which draws source, network and faults at random",
                  .where = where,
-                 .fix = "leave this out, or leave out --storm and give a source"};
+                 .fix = "leave out " + where + ", or leave out --storm"};
   };
   if (!arguments.positional().empty()) return refused(arguments.positional().front());
   for (const program::Option& option : usage().options) {
@@ -169,22 +169,22 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
 program::Usage usage() {
   program::Usage usage{
       .program = "telepalp-replay",
-      .purpose = "runs a recording or a simulated patient over a bad network",
+      .purpose = "measures the effect of a simulated bad network on the force",
       .positional = "SOURCE",
-      .options = {{"scene", "FILE|NAME", "scene file, or a scene of the library", "palpation"}},
+      .options = {{"scene", "FILE|NAME", "file, or one of telepalp's own scenes", "palpation"}},
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
   usage.options.insert(usage.options.end(),
-                       {{"hand", "HAND", "recorded, or the script examine, tap or search"},
+                       {{"hand", "HAND", "recorded, or a script: examine, tap or search"},
                         {"depth-mode", "MODE", "depth codec: fast, intra, temporal or bounded", "fast"},
-                        {"seconds", "S", "0: all of a recording, or 20 s of a simulation", "0"},
-                        {"threads", "N", "0: all cores; no influence on the results", "0"},
+                        {"seconds", "S", "length; 0: whole recording, 20 s if simulated", "0"},
+                        {"threads", "N", "0: one per core; no influence on the results", "0"},
                         {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5%"},
                         {"storm", "SEEDS", "make this many random runs, and check each of them"},
                         {"check", "", "check force, energy and contact as --storm does"},
                         {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
-                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if one is false"},
+                        {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if any is false"},
                         {"junit", "FILE", "write the assertions as a JUnit report"},
                         {"json", "", "print report.json instead of the table"}});
   return usage;

@@ -33,23 +33,23 @@ class Findings {
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
   void print_ledgers() const {
-    const auto print = [](const char* what, const std::pair<double, std::uint64_t>& worst, const char* end) {
+    const auto print = [](const char* what, const std::pair<double, std::uint64_t>& worst) {
       std::printf("%s: %.1f mJ", what, 1e3 * worst.first);
       if (worst.first != 0.0) std::printf(" (seed %llu)", static_cast<unsigned long long>(worst.second));
-      std::printf("%s", end);
+      std::printf("\n");
     };
     print(
-        "lowest energy balance of the display (energy taken from the hand less energy stored; below 0: it created "
-        "energy)",
-        least_passivity_J_, "\n");
+        "lowest energy balance of the display (energy taken from the hand less energy stored; below 0: the display "
+        "created energy)",
+        least_passivity_J_);
     print(
         "largest excess work on the hand in one contact (the device's work, minus the work of the newest "
         "measured skin on the same path)",
-        most_excess_J_, "\n");
+        most_excess_J_);
     print(
-        "most energy that a hand gained in one contact (the smaller of the device's work on the hand and its excess "
+        "most energy that a hand gained in one contact (the smaller of the device's work on the hand and the excess "
         "work)",
-        most_gained_J_, "\n");
+        most_gained_J_);
   }
 
  private:
@@ -62,8 +62,8 @@ class Findings {
   }
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
     failed_.push_back(seed);
-    program::log(kName, "seed " + std::to_string(seed) + " fails " + in_words(violation) +
-                            ". To repeat it: telepalp-replay " + command_line(draw_case(seed)));
+    program::log(kName, "seed " + std::to_string(seed) + " fails a check " + in_words(violation) +
+                            ". To repeat this run: telepalp-replay " + command_line(draw_case(seed)));
   }
 
   std::mutex mutex_;
@@ -83,8 +83,8 @@ Result<void> print_shrunk(std::uint64_t seed) {
   const Result<StormOutcome> outcome = run_case(*simplest);
   if (!outcome) return outcome.error();
   std::printf(
-      "seed %llu, reduced to a simpler case: %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
-      outcome->violation ? in_words(*outcome->violation).c_str() : "this simpler case passes when it runs again",
+      "seed %llu, reduced to a simpler run, which %s\n  telepalp-replay %s\n", static_cast<unsigned long long>(seed),
+      outcome->violation ? ("fails a check " + in_words(*outcome->violation)).c_str() : "passes when it runs again",
       command_line(*simplest).c_str());
   std::fflush(stdout);  // the next seed takes a while to shrink
   return {};
@@ -110,7 +110,7 @@ Result<bool> run_storm(const Request& request) {
   findings.print_ledgers();
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
   char text[64];
-  std::snprintf(text, sizeof text, "the storm ran %.1f times as fast as real time", findings.seconds() / wall_s);
+  std::snprintf(text, sizeof text, "the random runs ran %.1f times as fast as real time", findings.seconds() / wall_s);
   program::log(kName, text);
   return failed.empty();
 }

@@ -15,7 +15,7 @@ struct SweepResult {
   std::vector<Figures> figures;
 };
 
-/// One line for each cell, with the eight metrics that QA compares first.
+/// One line for each cell, with eight metrics, from force_rmse_N to frames_touched_pct.
 [[nodiscard]] std::string sweep_text(const SweepResult& result);
 /// One line for each cell, with all metrics; the first line names the columns.
 [[nodiscard]] std::string sweep_csv(const SweepResult& result);

@@ -47,7 +47,8 @@ LatencyBreakdown LatencySum::breakdown() const {
 
 std::string latency_table(const LatencyBreakdown& unimpaired, const LatencyBreakdown& run) {
   std::string text =
-      "latency by stage of the frames that became a surface [ms]\n                        unimpaired                 "
+      "latency of each stage, for the frames that became a surface [ms]\n                        unimpaired            "
+      "     "
       "this run\n"
       "                           p50      p99      max      p50      p99      max\n";
   for (std::size_t stage = 0; stage < kStageCount; ++stage) {

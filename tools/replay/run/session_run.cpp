@@ -149,7 +149,7 @@ std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::
 }
 
 Error nowhere_to_place() {
-  return {.what = "nothing is measured around the image's centre, where the patient should be",
+  return {.what = "the depth images have no measurement around their centre, where the patient should be",
           .where = "the source's first 10 s",
           .fix = "give a source whose camera is aimed at the patient"};
 }

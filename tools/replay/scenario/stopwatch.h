@@ -9,8 +9,8 @@ namespace telepalp::replay {
 /// The parts of a replay whose cost is measured.
 enum class Part : std::uint8_t { Source, Encode, Link, Decode, Build, Loop, Judge, Record };
 inline constexpr std::size_t kPartCount = 8;
-inline constexpr std::array<const char*, kPartCount> kPartNames{"source", "encode", "link",  "decode",
-                                                                "build",  "loop",   "judge", "record"};
+inline constexpr std::array<const char*, kPartCount> kPartNames{
+    "source", "encoding", "simulated network", "decoding", "surface", "haptic loop", "comparison", "recording"};
 
 /// Reads a clock [ns]. The simulation has no clock of its own; its caller passes one to measure the cost of the parts.
 using CostClock = std::int64_t (*)() noexcept;

@@ -7,9 +7,9 @@
 
 namespace telepalp::replay {
 
-/// The device and the hand that a station published on /station/ticks, in the replay's session time: the session's
-/// first depth frame with a camera model is at kBegin. Of several stations, the one with the most ticks. Empty: no
-/// station was recorded. Error: not a session file, or damaged.
+/// The positions of device and hand that a station published on /station/ticks, with times shifted so that the first
+/// depth frame after a camera model was captured at kBegin, the start of a replay. Of several stations, the one with
+/// the most ticks. Empty: no station was recorded. Error: not a session file, or damaged.
 [[nodiscard]] Result<RecordedHand> read_session_hand(const std::filesystem::path& file);
 
 }  // namespace telepalp::replay

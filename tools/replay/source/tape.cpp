@@ -80,7 +80,7 @@ Result<void> Tape::State::encode(const RgbdFrame& frame, TapeFrame& taped) {
       watch.time(Part::Decode, [&] { return decoder.read(std::as_bytes(std::span(encoded.bytes))); });
   if (!decoded) return decoded.error();
   if (decoded->image.samples != frame.depth.samples)
-    return Error{.what = "depth differs after encoding and decoding, although the mode is lossless",
+    return Error{.what = "the depth differs after encoding and decoding, although the depth mode is lossless",
                  .where = "frame " + std::to_string(taped.number),
                  .fix = "report this: it is a defect of telepalp"};
   keep(frame, std::move(encoded), taped);

@@ -105,9 +105,10 @@ void Invariants::check_release(const TickRecord& tick) {
   stale_ = tick.surface_age_s > kSurelyStale_s ? stale_ + kTick : 0ns;
   if (stale_ <= kFadeWithin) return;
   if (!control::has_let_go(tick.phase) || tick.force_N.norm() > kNoForce_N)
-    violated(with_number(
-        "the station has not let go, or still gives force, although the surface is %.2f s old (limit 2.5 s)",
-        double{tick.surface_age_s}));
+    violated(
+        with_number("the station still gives force, or is not in phase Released or Faulted; the surface is %.2f s old "
+                    "(limit 2.5 s)",
+                    double{tick.surface_age_s}));
 }
 
 /// A device that the station let go of can fall deeper than a contact may begin. From there, the station must lift it.

@@ -71,7 +71,7 @@ Faults draw_faults(Draw& draw, double seconds) {
   return faults;
 }
 
-/// The number with at most six decimals, which is exact, because all drawn numbers are whole.
+/// `value` as text with at most six decimals. The text is exact, because the storm draws only whole numbers.
 std::string number(double value) {
   const std::string words = span_in_words(from_milliseconds(value));
   return words.substr(0, words.size() - 2);

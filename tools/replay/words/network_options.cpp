@@ -102,7 +102,7 @@ std::vector<program::Option> network_options() {
                                  {"glitch", "10s+4ms:MM", "at 10 s the device's position is MM mm off for 4 ms"},
                                  {"clock-step", "10s+2s:60ms", "at 10 s the station's clock is 60 ms ahead for 2 s"},
                                  {"deadline-ms", "MS", "a frame older than MS on arrival is late [100+delay]"},
-                                 {"seed", "N", "seed of network, tracker; first seed of a storm", "1"}});
+                                 {"seed", "N", "random seed; with --storm: the first seed", "1"}});
   return options;
 }
 

@@ -11,7 +11,7 @@ namespace telepalp::replay {
 [[nodiscard]] std::vector<program::Option> network_options();
 
 /// The scenario that these options describe: a named network profile, in which further options replace values. The
-/// default deadline is 100 ms plus the delay, because a frame cannot arrive before the delay is over.
+/// default deadline is 100 ms plus the delay from server to station, before which no frame can arrive.
 [[nodiscard]] Result<Scenario> read_scenario(const program::Arguments& arguments);
 
 /// The deadline of a scenario whose user gave none.

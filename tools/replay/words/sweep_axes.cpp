@@ -61,7 +61,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-/// The numbers between the separators; nullopt if one of the parts is not a number.
+/// The numbers in `text`, which `separator` divides; nullopt if one of the parts is not a number.
 std::optional<std::vector<double>> numbers(std::string_view text, char separator) {
   std::vector<double> values;
   for (std::string_view rest = text; values.size() <= kMostValues;) {
@@ -96,7 +96,7 @@ Result<SweepAxis> parse_axis(std::string_view word) {
   if (axis->unit == "%" && text.ends_with('%')) text.remove_suffix(1);
   const auto values = text.find(':') != std::string_view::npos ? range(text) : numbers(text, ',');
   if (!values || values->size() > kMostValues)
-    return refused(word, "is not 1 to 1000 numbers, or its STEP is not above 0, or TO is below FROM");
+    return refused(word, "does not give 1 to 1000 numbers, or STEP is not above 0, or TO is below FROM");
   if (std::any_of(values->begin(), values->end(), [&](double value) { return value < 0.0 || value > axis->most; }))
     return refused(word,
                    "has a value out of range: delay and jitter take 0 to 60000 ms, loss and reorder 0 to 100 %, "
@@ -112,7 +112,7 @@ Result<std::vector<SweepAxis>> parse_axes(const std::vector<std::string>& words)
     Result<SweepAxis> axis = parse_axis(word);
     if (!axis) return axis.error();
     if (std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& other) { return other.name == axis->name; }))
-      return refused(word, "varies what an earlier value of --sweep varies already");
+      return refused(word, "names an axis that --sweep names already");
     axes.push_back(std::move(*axis));
   }
   return axes;

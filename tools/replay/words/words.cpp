@@ -47,7 +47,7 @@ Result<void> for_each_part(std::string_view text, std::string_view option, Add&&
     if (count == kMostWindows)
       return Error{.what = "more than 64 windows of time are given",
                    .where = "--" + std::string(option),
-                   .fix = "give at most 64"};
+                   .fix = "give at most 64 windows"};
     const std::size_t comma = text.find(',');
     if (const Result<void> added = add(text.substr(0, comma)); !added) return added;
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);

@@ -69,7 +69,7 @@ export function bannerFor(health: Health): Banner | undefined {
     return {
       level: 'warn',
       title: 'No surface to feel',
-      text: health.surface_ms === undefined ? '' : `The device is beyond the measured surface, or this is too old: ${seconds(health.surface_ms)}.`,
+      text: health.surface_ms === undefined ? '' : `The device is beyond the measured surface, or the surface is too old: ${seconds(health.surface_ms)}.`,
     };
   if (health.station_ms !== undefined && health.station_ms > STALE_MS)
     return {level: 'warn', title: 'Station silent', text: `The station has sent no message for ${seconds(health.station_ms)}.`};

@@ -16,10 +16,10 @@ const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.AroundObject]: {name: 'Around cylinder', tone: 'inner', says: 'the hand is beside the inner object'},
   [Phase.ObjectUpper]: {name: 'Cylinder upper', tone: 'inner', says: 'the hand is on top of the inner object'},
   [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'no force until tracker and images are fresh'},
-  [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms'},
+  [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms the station'},
 };
 
-const NOT_KNOWN: PhaseLook = {name: '–', tone: 'quiet', says: 'the station’s values of this picture have not come'};
+const NOT_KNOWN: PhaseLook = {name: '–', tone: 'quiet', says: 'the station’s values for this picture have not arrived'};
 
 /**
  * Name and colour of a phase; an unknown number from a newer station is shown as a number. `phase` undefined: that of this

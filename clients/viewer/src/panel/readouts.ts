@@ -20,7 +20,7 @@ const PLOTS_EVERY = 2;  // the plots are drawn at each 2nd call of show(), 5 tim
 export class Readouts {
   private readonly plots = new TouchPlots();
   private shows = 0;
-  private notice: Banner | undefined;  // of the last few seconds
+  private notice: Banner | undefined;  // set for NOTICE_MS by showNotice()
 
   /** The station's values since the last presented instant. */
   addTrail(trail: readonly Touch[]): void {
@@ -98,10 +98,12 @@ export class Readouts {
     setTitle(banner);
   }
 
-  /** Shows what the user must know now for a few seconds, unless there is an alarm. */
+  /** Shows `notice` in the banner for NOTICE_MS, except while the readings cause an alarm. */
   showNotice(notice: Banner): void {
     this.notice = notice;
-    window.setTimeout(() => (this.notice = undefined), NOTICE_MS);
+    window.setTimeout(() => {
+      if (this.notice === notice) this.notice = undefined;
+    }, NOTICE_MS);
   }
 
   showBanner(banner: Banner | undefined): void {

@@ -33,7 +33,7 @@ export const SLIDERS: readonly NetworkSlider[] = [
   {field: 'delay_ms', name: 'Delay', unit: 'ms', values: steps(600, 5)},
   {field: 'jitter_ms', name: 'Jitter', unit: 'ms', values: steps(200, 2)},
   {field: 'loss_percent', name: 'Loss', unit: '%', values: steps(30, 0.5)},
-  {field: 'burst_packets', name: 'Bursts', unit: 'packets', values: steps(20, 1, 1)},
+  {field: 'burst_packets', name: 'Loss bursts', unit: 'packets', values: steps(20, 1, 1)},
   {field: 'rate_Mbit_per_s', name: 'Rate', unit: 'Mbit/s', values: [0.5, 1, 2, 5, 10, 15, 20, 30, 40, 50, 60, 100, 200, 1000, 0]},
 ];
 

@@ -48,7 +48,7 @@ export function refusal(status: number, text: string): string {
   const reason = text.trim();
   if (status === 401) return 'Your sign-in has ended. Reload the page and sign in again.';
   if (status === 403) return `The server refused: ${reason || 'you may not play, pause or seek the session'}.`;
-  return `The server could not do this: ${reason || `HTTP status ${status}`}`;
+  return `The command failed: ${reason || `HTTP status ${status}`}`;
 }
 
 export const GONE = 'The server does not answer. You can move in the session again when it answers.';

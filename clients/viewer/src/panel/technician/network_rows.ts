@@ -45,6 +45,6 @@ export function subscriberRows(stats: ServerStats | undefined): Row[] {
   return (stats?.subscribers ?? []).map(({name, address, sent, dropped, byDatagram}) => ({
     name: name.replace(/^telepalp-/, ''),
     value: `${sent} sent, ${dropped} dropped`,
-    says: `Messages since it connected. ${address}, ${byDatagram ? 'images by encrypted UDP datagrams' : 'all messages over one TCP connection'}`,
+    says: `Messages since connecting. ${address}, ${byDatagram ? 'images by encrypted UDP datagrams' : 'all messages over one TCP connection'}`,
   }));
 }

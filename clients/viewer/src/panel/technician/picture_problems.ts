@@ -28,8 +28,8 @@ export function pictureRows(
     {holes, middle_m, level_m, aside}: DepthSummary, light: Light | undefined, frames_per_s: number | undefined): Row[] {
   return [
     {name: 'Holes', value: percent(holes), level: levelOf(holes, HOLES),
-     says: 'Share of the picture’s middle that is not measured. Turn the camera so that it looks straight at the skin, keep ' +
-         'sunlight off it, and cover shiny things.'},
+     says: 'Share of the picture’s middle that is not measured. Aim the camera straight at the skin, keep sunlight ' +
+         'off the skin, and cover shiny things.'},
     distanceRow(middle_m),
     {name: 'Depth step', value: level_m === 0 ? '–' : `${(1000 * level_m).toFixed(1)} mm`, level: levelOf(level_m, LEVEL_M),
      says: 'The step between neighbouring depth levels at the patient. It grows with the square of the distance: move ' +
@@ -63,7 +63,7 @@ function framingRow({x, y}: DepthSummary['aside']): Row {
     name: 'Framing',
     value: off < ASIDE.warn ? 'centred' : `at the ${side}`,
     level: levelOf(off, ASIDE),
-    says: 'Place of the nearest part, the patient’s front, in the picture. Turn the camera until it is centred.',
+    says: 'Place of the nearest part, the patient’s front, in the picture. Turn the camera until this part is centred.',
   };
 }
 

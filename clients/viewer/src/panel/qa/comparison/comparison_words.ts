@@ -12,7 +12,7 @@ export function comparisonSays({with: other, complete, problem, runs}: Compariso
   const aligned = runs.same_time ? 'Both runs are shown at their session times.' : 'Recorded at different times: B is shifted, so that both begin together.';
   if (runs.first === undefined) return `The hand feels no difference between A and B. ${aligned}`;
   const {force_a_N, force_b_N, apart_N} = runs.first;
-  return `${newtons(force_a_N)} in A, ${newtons(force_b_N)} in B; the force vectors differ by ${newtons(apart_N)}. ${aligned}`;
+  return `At the first difference, ${newtons(force_a_N)} in A, ${newtons(force_b_N)} in B; the force vectors differ by ${newtons(apart_N)}. ${aligned}`;
 }
 
 /** What both runs are at `at_s`; empty outside the time axis. */
