@@ -11,6 +11,6 @@ if(NOT TELEPALP_NPM AND NPM AND NODE)
   endif()
 endif()
 if(NOT TELEPALP_NPM)
-  message(WARNING "npm's registry cannot be reached: the viewer is taken as bundled in clients/viewer/dist, and the tests "
-    "that need npm's packages are left out")
+  message(WARNING "npm's registry cannot be reached: the build takes the viewer from clients/viewer/dist, and leaves out "
+    "the tests that need npm packages. fix: give this machine access to the registry, then run cmake again")
 endif()

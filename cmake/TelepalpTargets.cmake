@@ -9,7 +9,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
 option(TELEPALP_TESTS "build the tests and telepalp-bench" ON)
-set(TELEPALP_SANITIZE "" CACHE STRING "comma-separated sanitizers, as for -fsanitize=")
+set(TELEPALP_SANITIZE "" CACHE STRING "comma-separated sanitizers, as for the compiler's option -fsanitize=")
 
 find_program(CCACHE ccache)
 if(CCACHE)
@@ -52,7 +52,8 @@ function(telepalp_doors)
   endif()
   foreach(door ${ARG_UNPARSED_ARGUMENTS})
     if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${door})
-      message(FATAL_ERROR "${folder}/CMakeLists.txt names the door ${door}, which does not exist")
+      message(FATAL_ERROR "telepalp_doors() in ${folder}/CMakeLists.txt names the header ${door}, which does not "
+        "exist. fix: correct the name")
     endif()
     set_property(GLOBAL APPEND PROPERTY TELEPALP_DOORS "${folder} ${folder}/${door}")
   endforeach()
@@ -71,7 +72,7 @@ set(TELEPALP_COMMIT_FILE ${PROJECT_BINARY_DIR}/commit.cpp)
 add_custom_target(telepalp_commit BYPRODUCTS ${TELEPALP_COMMIT_FILE}
   COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DFILE=${TELEPALP_COMMIT_FILE}
     -P ${PROJECT_SOURCE_DIR}/cmake/write_commit.cmake
-  VERBATIM COMMENT "Looking at the commit")
+  VERBATIM COMMENT "Asking git for the commit that --version prints")
 
 # telepalp_program(NAME SOURCES main.cpp … LINKS targets …): a program. Users' programs, which are those outside of
 # tests/, are installed.

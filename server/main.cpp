@@ -48,8 +48,8 @@ program::Usage usage() {
                       {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
-                       .help = "other site whose pages may open the stream, such as https://app.foxglove.dev; may be "
-                               "repeated",
+                       .help = "other site whose pages may open the data stream, such as https://app.foxglove.dev; "
+                               "may be repeated",
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: beside this program"},
                       {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
@@ -57,12 +57,12 @@ program::Usage usage() {
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
                       {"ready-file", "FILE", "write the ports into this file once clients can connect; default: none"},
                       {"depth-mode", "MODE",
-                       "fast, intra, temporal (lossless) or bounded (near-lossless; to see, not to touch)", "fast"},
+                       "fast, intra, temporal (lossless) or bounded (near-lossless; for viewing, not touch)", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
                        "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
                       {"key-every", "N", "modes temporal and bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
-                      {"name", "NAME", "name shown to peers", kProgram}},
+                      {"name", "NAME", "server name that clients show", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
 }
 
@@ -137,7 +137,7 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
     return wrong("this option is for recordings from the web page, and the web page is off", "--record-dir",
                  "add --http-port PORT, or run telepalp-record");
   if (arguments.has("key") && !arguments.has("record-key"))
-    return wrong("this server requires keys, so the recorder needs one, too", "--record-dir",
+    return wrong("this server requires keys, so the recorder needs a key, too", "--record-dir",
                  "add --record-key FILE, made by telepalp-keys client --role technician");
   return std::optional(recording::SessionRecorder::Options{.folder = arguments.text("record-dir"),
                                                            .program = program::sibling_program("telepalp-record"),
@@ -148,9 +148,10 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
 Result<std::filesystem::path> compare_option(const program::Arguments& arguments) {
   if (!arguments.has("compare-dir")) return std::filesystem::path();
   if (!arguments.has("http-port") || !arguments.text("source").starts_with(kSession))
-    return Error{.what = "sessions are compared on the web page of a played session, which is not served",
-                 .where = "--compare-dir",
-                 .fix = "add --source session:FILE.mcap and --http-port PORT, or run telepalp-report A B"};
+    return Error{
+        .what = "only the web page of a played session shows a comparison, and this server serves no such page",
+        .where = "--compare-dir",
+        .fix = "add --source session:FILE.mcap and --http-port PORT, or run telepalp-report A B"};
   return std::filesystem::path(arguments.text("compare-dir"));
 }
 

@@ -119,7 +119,7 @@ std::string Server::problem() const {
   constexpr std::chrono::seconds kLongest{5};
   const auto since = std::max(last_depth_, started_);
   return std::chrono::steady_clock::now() - since > kLongest
-             ? "no depth image for 5 s. fix: check the camera, see the server's log"
+             ? "no depth image arrived for 5 s. fix: check the camera or the recording, and read the server's log"
              : "";
 }
 
@@ -152,10 +152,10 @@ void Server::choose_prediction() {
   const bool may = listener_->references_arrive();
   if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
   capture_->let_predict(may);
-  log(may ? "depth images are again predicted from earlier ones: packets that the network loses are repaired in time "
-            "at each subscriber"
-          : "all depth images are now key frames, with more bytes: packets that the network loses are repaired too "
-            "late at a subscriber");
+  log(may ? "depth images are again predicted from earlier depth images: the network path of each subscriber "
+            "loses almost no packet, or repairs each loss in time"
+          : "all depth images are now key frames, which take more bytes: the network path of a subscriber is not "
+            "measured yet, or loses packets and repairs them too late");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

@@ -29,20 +29,20 @@ std::string compressed(const std::uint8_t* pixels, int width, int height, TJPF f
   const int failed =
       tjCompress2(turbo.get(), pixels, width, 0, height, format, &bytes, &size, chroma, quality, TJFLAG_FASTDCT);
   const std::unique_ptr<unsigned char, FreeTurbo> owned(bytes);
-  demand(failed == 0, "libjpeg-turbo compresses any well-formed picture");
+  demand(failed == 0, "libjpeg-turbo compresses any well-formed image");
   return {reinterpret_cast<const char*>(bytes), size};
 }
 
 }  // namespace
 
 std::string encode_color(const ColorImage& color, int quality) {
-  demand(is_well_formed(color) && !color.rgb.empty(), "encode_color is given a picture");
+  demand(is_well_formed(color) && !color.rgb.empty(), "encode_color is given a well-formed image");
   return compressed(color.rgb.data(), color.width, color.height, TJPF_RGB, TJSAMP_420, quality);
 }
 
 std::string encode_gray(std::span<const std::uint8_t> gray, int width, int height, int quality) {
   demand(width > 0 && height > 0 && gray.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-         "encode_gray is given a picture");
+         "encode_gray is given a well-formed image");
   return compressed(gray.data(), width, height, TJPF_GRAY, TJSAMP_GRAY, quality);
 }
 

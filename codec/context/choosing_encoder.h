@@ -5,7 +5,7 @@
 // Near-lossless encoding of four slices in lockstep: each pixel may take a range of ranks. The encoder compares two of
 // them by their probability under the pixel's model, halved for each neighbour (east, south) that cannot take the same
 // rank, and takes the likelier one. A rank is the index of a depth in the frame's palette; a gap is a pixel that was
-// not measured. Internal linkage, because this header is compiled for several instruction sets.
+// not measured. All functions have internal linkage, so that the linker keeps one copy for each instruction set.
 
 namespace telepalp::codec {
 namespace {

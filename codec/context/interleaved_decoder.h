@@ -3,8 +3,8 @@
 #include "codec/context/interleaved_slices.h"
 
 // Decodes four slices of equal height in lockstep, one per lane of a SIMD register. Predictions and contexts are
-// computed for four lanes at once; only the symbols are decoded lane by lane. Internal linkage, because this header is
-// compiled for several instruction sets.
+// computed for four lanes at once; only the symbols are decoded lane by lane. All functions have internal linkage, so
+// that the linker keeps one copy for each instruction set.
 
 namespace telepalp::codec {
 namespace {

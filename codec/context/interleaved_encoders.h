@@ -3,8 +3,8 @@
 #include "codec/context/kernel.h"
 #include "codec/simd/lane_vector.h"
 
-// Four range encoders in lockstep, in SIMD registers. Internal linkage, because this header is compiled for
-// several instruction sets.
+// Four range encoders in lockstep, in SIMD registers. All functions have internal linkage, so that the linker keeps
+// one copy for each instruction set.
 
 namespace telepalp::codec {
 namespace {

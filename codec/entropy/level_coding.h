@@ -110,7 +110,7 @@ void encode_by_law(RangeEncoder& coder, const DisparityLaw& law, const Levels& l
   for (std::uint32_t n = 0; n <= last; ++n) {
     const auto lawful = static_cast<std::int64_t>(law.level_at(n));
     int symbol = kAbsent;
-    // encode_steps() codes a second level of this disparity step.
+    // encode_steps() codes the levels that this loop skips.
     for (; *level != 0 && law.step_of(*level) == n; ++level) {
       const std::int64_t miss = *level - lawful;
       if (symbol != kAbsent || miss < -kLargestMiss || miss > kLargestMiss) continue;

@@ -18,7 +18,7 @@ struct LevelPalette {
   [[nodiscard]] std::size_t size() const noexcept { return levels.size(); }
 };
 
-/// The rank of each of the 65 536 possible samples. Entries of samples outside the palette have no meaning.
+/// The rank of each of the 65 536 possible samples. ranks_of() gives samples outside the palette the rank 0.
 using RankOfLevel = std::vector<std::uint16_t>;
 
 [[nodiscard]] LevelPalette palette_of(std::span<const std::uint16_t> samples);
@@ -30,8 +30,8 @@ using RankOfLevel = std::vector<std::uint16_t>;
 /// Looks up the rank of each sample.
 [[nodiscard]] std::vector<std::uint16_t> ranks_by(const RankOfLevel& rank_of, std::span<const std::uint16_t> samples);
 
-/// Writes the count, then the differences between levels minus one. With differences, the bytes cannot express an
-/// unordered palette.
+/// Writes the number of levels above 0, then, for each of them, its difference from the level before, minus one. With
+/// differences, the bytes cannot express an unordered palette.
 void append_palette(std::string& bytes, const LevelPalette& palette);
 
 /// nullopt: the bytes end too soon, or a level exceeds 65 535.

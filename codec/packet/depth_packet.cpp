@@ -64,7 +64,7 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
     return damaged("its " + std::to_string(bytes.size()) + " B do not begin with the header of a depth image");
   if (text[kMagic.size()] != kVersion)
     return damaged("it has version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
-                   ", but this program reads version " + std::to_string(kDepthPacketVersion));
+                   " of the depth codec, but this program reads version " + std::to_string(kDepthPacketVersion));
   ByteReader reader(bytes.subspan(4));
   PacketHeader header;
   const std::uint8_t mode = *reader.number<std::uint8_t>();
@@ -79,7 +79,7 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
   header.since_key = *reader.number<std::uint16_t>();
   const std::uint16_t zeros = *reader.number<std::uint16_t>();
   if (mode > kLastDepthMode || coding > kLastCoding || zero != 0 || zeros != 0 || header.slices == 0)
-    return damaged("its header names an unknown mode, coding or number of slices");
+    return damaged("its header names an unknown mode or coding, declares no slices, or sets reserved bytes");
   header.mode = static_cast<DepthMode>(mode);
   header.coding = static_cast<Coding>(coding);
   if (!is_side(header.width) || !is_side(header.height))

@@ -61,7 +61,7 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
   }
   const std::optional<Matrix3d> rotation = mean_rotation(sum);
   if (!rotation)
-    return refusal("the rotations of the poses point in opposite directions, so they have no mean",
+    return refusal("the poses turn the hand in opposite directions on the probe, so their rotations have no mean",
                    "align the hand with the probe, the same way each time");
   ProbeCalibration fit;
   fit.haptic_from_tracker.linear() = *rotation;
@@ -75,7 +75,7 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
       return refusal("pose " + std::to_string(i + 1) + " disagrees with the others by " +
                          std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +
                          std::to_string(std::lround(fit.angles_rad.back() * 57.29578)) + " degrees",
-                     "lay the hand on the probe the same way each time; take that pose again");
+                     "lay the hand on the probe the same way each time, and measure this pose again");
   }
   return fit;
 }

@@ -41,7 +41,7 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   if (fit.residuals.largest_m() > settings.most_moved_m)
     return refusal("the hand moved on the end-effector by up to " +
                        std::to_string(std::lround(fit.residuals.largest_m() * 1e3)) + " mm",
-                   "rest the hand on the end-effector, in the tracker's view, and repeat");
+                   "keep the hand still on the end-effector, in the tracker's view, and measure again");
   return fit;
 }
 

@@ -89,18 +89,21 @@ std::string widths_text(const Vector3d& w) {
 
 std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3d& to, const Vector3d& from, int rank) {
   if (places.size() < 3)
-    return refusal("only " + std::to_string(places.size()) + " different places (rank " + std::to_string(rank) +
+    return refusal("only " + std::to_string(places.size()) +
+                       " different places are measured (their scatter matrix has rank " + std::to_string(rank) +
                        "); a rotation needs three places that are not on a line",
                    "measure at least three places, better four or more, spread over the workspace");
   if (rank < 2)
     return refusal(
         "the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " + std::to_string(rank) +
-            "; a rotation needs rank 2); their standard deviations along the main axes are " + widths_text(from),
+            " of their scatter matrix; a rotation needs rank 2); their standard deviations along the main axes are " +
+            widths_text(from),
         rank == 0 ? "spread the places over the workspace" : "add places beside the line they lie on");
   const double scale = to[0] / from[0];
   if (scale > kLargestScale || scale < 1.0 / kLargestScale)
     return refusal("the standard deviation of the places is " + millimetres(to[0]) +
-                       " in the device's positions, but " + millimetres(from[0]) + " in the other instrument's",
+                       " in the positions by the device, but " + millimetres(from[0]) +
+                       " in those by the tracker or camera",
                    "give all positions in metres, and both positions of a place in one row");
   return std::nullopt;
 }
@@ -143,11 +146,13 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   const int rank = std::min(rank_of(to_widths, settings), rank_of(from_widths, settings));
   if (const auto error = refuse_sets(places, to_widths, from_widths, rank)) return *error;
   if (rank == 3 && c.cross.determinant() < 0.0)
-    return refusal("the two sets of positions are mirror images (rank 3, determinant negative)",
-                   "check the sign of each axis: both frames must be right-handed");
+    return refusal(
+        "the positions by the device are a mirror image of those by the tracker or camera (rank 3; the determinant of "
+        "their covariance is negative)",
+        "check the sign of each coordinate of both: each frame must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
     return refusal(
-        "the places lie in a plane (rank 2); an affine fit needs rank 3",
+        "the places lie in a plane (rank 2 of their scatter matrix); an affine fit needs rank 3",
         "measure places outside this plane, or fit a rotation without scale and shear, for which a plane is enough");
 
   Registration fit;

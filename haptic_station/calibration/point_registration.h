@@ -27,8 +27,8 @@ enum class RotationBy {
 
 struct RegistrationSettings {
   RotationBy rotation_by = RotationBy::Covariance;
-  double least_spread_m = 0.005;     ///< least standard deviation along a direction that counts for the rank
-  double least_spread_share = 0.02;  ///< least_spread_m as a share of the widest standard deviation; the greater counts
+  double least_spread_m = 0.005;     ///< a direction counts for the rank if its standard deviation is at least this …
+  double least_spread_share = 0.02;  ///< … and at least this share of the widest direction's standard deviation
   double largest_rms_share = 0.1;    ///< largest rms residual, as a share of the widest direction's standard deviation
 };
 

@@ -7,7 +7,7 @@
 namespace telepalp::device {
 namespace {
 
-constexpr double kHigh = 0.07;  // height above the skin [m]: above the plane on which the device waits
+constexpr double kHigh = 0.07;  // height above the skin [m], higher than the plane on which the device waits
 constexpr double kLow = 0.02;   // height above the skin [m] at which the hand passes this plane
 
 constexpr std::array kIndentSeveralPoints = std::to_array<Waypoint>({

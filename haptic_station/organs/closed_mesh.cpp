@@ -103,7 +103,7 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
   if (!(std::abs(volume) > 1e-9))
     return Error{.what = "encloses no volume",
                  .where = {},
-                 .fix = "check unit_m, the unit of the file's coordinates in metres, and the mesh"};
+                 .fix = "check unit_m (metres per unit of the file's coordinates), or give a mesh that is not flat"};
   if (volume < 0.0)
     for (Triangle& t : triangles) std::swap(t[1], t[2]);
   return faces_of(triangles, mesh.points);

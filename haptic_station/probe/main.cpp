@@ -14,10 +14,10 @@ using namespace telepalp;
 
 /// The options about the surface, which both commands have.
 std::vector<program::Option> surface_options() {
-  return {{"cloud", "FILE", "a .pcd, .ply or .obj to touch"},
-          {"depth", "FILE", "instead of --cloud: a 16-bit depth PNG"},
+  return {{"cloud", "FILE", "point cloud or mesh to touch: .pcd, .ply or .obj"},
+          {"depth", "FILE", "depth image to touch instead: a 16-bit PNG"},
           {"camera", "FILE", "camera.textproto of the depth PNG"},
-          {"setting", "NAME", "surface setting: fast, smooth, paper, cloud …", "fast"},
+          {"setting", "NAME", "way to build the surface: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "length of one unit of the cloud's coordinates, in metres; millimetres: 0.001", "1"},
           {"samples", "N", "points sampled on a mesh; default: as many as its shape needs"},
           {"spacing-mm", "MM", "instead of --samples: spacing of the points"},
@@ -30,25 +30,27 @@ int path_command(int argc, const char* const* argv);
 program::Usage touch_usage() {
   program::Usage usage{.program = "telepalp-probe",
                        .purpose =
-                           "touches a cloud, a mesh or a depth image along a trajectory and writes contact "
-                           "and force",
+                           "touches a point cloud, a mesh or a depth image along a trajectory, and writes "
+                           "contact and force",
                        .positional = "",
                        .options = surface_options(),
                        .example = "telepalp-probe --cloud torso.pcd --trajectory path.csv --out felt.csv",
                        .commands = {{"path", "", "make a trajectory", path_command}}};
-  usage.options.insert(usage.options.end(),
-                       {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
-                        {"k", "N/M", "stiffness of the spring from device to proxy", "500"},
-                        {"out", "FILE", "CSV to write: proxy, distance, normal and force at each waypoint"},
-                        {"plot", "FILE", "SVG to write: distance, force and computing time of each step, over time"}});
+  usage.options.insert(
+      usage.options.end(),
+      {{"trajectory", "FILE", "CSV with columns t_s,x,y,z: metres, in the cloud's frame"},
+       {"k", "N/M",
+        "stiffness of the spring between device point and proxy (the device point held on the surface), in N/m", "500"},
+       {"out", "FILE", "CSV to write: proxy, distance, normal and force at each waypoint"},
+       {"plot", "FILE", "SVG to write: distance, force and computing time of each step, over time"}});
   return usage;
 }
 
 program::Usage path_usage() {
   program::Usage usage{.program = "telepalp-probe path",
                        .purpose =
-                           "makes a path that palpates a cloud, a mesh or a depth image: presses, circles at "
-                           "depth, leaves, and goes on to the next spot",
+                           "makes a path that palpates a point cloud, a mesh or a depth image: presses, "
+                           "circles at depth, leaves, and goes on to the next spot",
                        .positional = "",
                        .options = surface_options(),
                        .example = "telepalp-probe path --cloud torso.pcd --out path.csv"};
@@ -143,7 +145,7 @@ int touch(const program::Arguments& arguments) {
   if (!trajectory) return program::fail(trajectory.error());
   const Result<probe::ProbedSurface> surface = open_surface(arguments);
   if (!surface) return program::fail(surface.error());
-  std::fprintf(stderr, "the surface has %u points; neighbour search: %s\n", surface->snapshot->points,
+  std::fprintf(stderr, "the surface has %u points; method of the neighbour search: %s\n", surface->snapshot->points,
                surface->snapshot->index_name);
   const std::vector<probe::Felt> felt = probe::touch_along(*surface->snapshot, *trajectory, *stiffness);
   if (const auto done = probe::write_felt(arguments.text("out"), felt); !done) return program::fail(done.error());

@@ -109,9 +109,9 @@ Result<std::vector<Waypoint>> palpation_path(const surface::SurfaceSnapshot& sna
   const std::vector<Spot> spots =
       on_surface.empty() ? std::vector<Spot>{} : choose_spots(snapshot, on_surface, settings);
   if (spots.empty())
-    return Error{.what = "found no place for the path: each point of the surface is at a rim or beside a hole",
+    return Error{.what = "the path has no spot to press: each point of the surface lies at a rim or beside a hole",
                  .where = "telepalp-probe path",
-                 .fix = "name a place by --at X,Y,Z, or give a denser cloud, or a depth image with fewer holes"};
+                 .fix = "name a spot by --at X,Y,Z, or give a denser cloud, or a depth image with fewer holes"};
   Pen pen(settings);
   for (const Spot& spot : spots) {
     pen.move_to(spot.at + settings.above_m * spot.normal);

@@ -198,10 +198,10 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
           positions(surface::poisson_disk_samples(model, options.samples > 0 ? options.samples : kPaperSamples, 1));
     auto paper = std::make_shared<surface::PaperSurface>(surface::IndexedPoints{model.points, model.width}, settings);
     paper->motion.ages = false;
-    return ProbedSurface{
-        std::move(paper),
-        "all normals are turned towards the origin, where the surface setting 'paper' assumes the camera",
-        some_of(model.points)};
+    return ProbedSurface{std::move(paper),
+                         "all normals are turned towards the origin of the file's frame, where the surface setting "
+                         "'paper' assumes the camera",
+                         some_of(model.points)};
   }
   surface::StaticModelSettings how{.samples = options.samples,
                                    .spacing_m = options.spacing_m,

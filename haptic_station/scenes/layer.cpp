@@ -85,7 +85,7 @@ Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck&
   Result<solids::Solid> solid = unnamed_tree_of(message, check, folder);
   if (solid) return solid;
   Error error = solid.error();
-  error.what = message.name() + ": " + error.what;
+  error.what = "layer " + message.name() + ": " + error.what;
   return error;
 }
 

@@ -49,7 +49,8 @@ void read_limits(FieldCheck& check, const msg::Scene& message, control::ControlS
   TELEPALP_READ(check, "limits.", limit, thermal_time_s, control.limits.thermal_time_s, {0.1, 600, "s"});
   TELEPALP_READ(check, "limits.", limit, slew_n_per_s, control.limits.slew_N_per_s, {10, 5000, "N/s"});
   if (control.limits.continuous_N > control.limits.peak_N)
-    check.in(limit).complain("limits.continuous_N is above limits.peak_N", "give a peak at least as large");
+    check.in(limit).complain("limits.continuous_N is above limits.peak_N",
+                             "give limits.peak_N at least the value of limits.continuous_N");
 }
 
 void read_workspace(FieldCheck& check, const msg::Scene& message, control::IndexingSettings& indexing) {
@@ -119,9 +120,10 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
   scene.message = message;
   scene.name = message.name().empty() ? name.stem().string() : message.name();
   if (!message.has_haptic_from_camera())
-    check.complain("haptic_from_camera is missing",
-                   "give the pose of the camera in the haptic base's frame; the library's palpation.scene.textproto "
-                   "has an example");
+    check.complain(
+        "haptic_from_camera is missing",
+        "give the pose of the camera in the haptic base's frame; an example is in palpation.scene.textproto, one "
+        "of the scenes that telepalp installs");
   scene.haptic_from_camera.iso = read_transform(check, "haptic_from_camera", message.haptic_from_camera());
   scene.center_on_surface = message.center_on_surface();
   read_model(check, message.patient_surface(), name.parent_path());
@@ -159,9 +161,10 @@ Result<std::filesystem::path> find_scene(const std::string& scene) {
   if (scene.find('/') == std::string::npos)
     if (const auto shipped = program::shipped_file("haptic_station/scenes/" + scene + ".scene.textproto"))
       return *shipped;
-  return Error{.what = "is neither a file nor the name of a scene in telepalp's library",
-               .where = scene,
-               .fix = "give a *.scene.textproto, or the name of a scene in the library, such as skin or palpation"};
+  return Error{
+      .what = "is neither a file nor the name of one of telepalp's own scenes",
+      .where = scene,
+      .fix = "give a *.scene.textproto file, or the name of one of telepalp's own scenes, such as skin or palpation"};
 }
 
 Result<Scene> read_scene(const std::filesystem::path& file) {

@@ -37,8 +37,8 @@ class TreeReader {
     if (kind == nullptr)
       return error(message, path, "the solid has no kind", "name its kind, as in of { sphere { radius_m: 0.02 } }");
     if (level > solids::kMostNesting)
-      return error(message, path, "operators nest deeper than " + std::to_string(solids::kMostNesting),
-                   "give a union more than two solids instead of nesting unions");
+      return error(message, path, "operators nest deeper than " + std::to_string(solids::kMostNesting) + " levels",
+                   "put more than two solids into one union instead of nesting unions");
     const Message& body = message.GetReflection()->GetMessage(message, kind);
     Node node{.word = word_named(kind->name())};
     const std::string here = path + (path.empty() ? "" : ".") + kind->name();

@@ -14,7 +14,7 @@ namespace telepalp::solids {
 /// Owner: the haptic thread. Nothing allocates.
 class NearMembers {
  public:
-  static constexpr double kReach_m = 0.003;  ///< a finger at 0.1 m/s leaves it after 30 ms
+  static constexpr double kReach_m = 0.003;  ///< a finger at 0.1 m/s moves this far in 30 ms
   static constexpr std::size_t kMost = 12;
 
   /// Value and gradient at a point, in the solid's frame.

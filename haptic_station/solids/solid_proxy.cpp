@@ -48,8 +48,8 @@ bool SolidProxy::sweep(const SolidTree& tree, const Vector3d& device, double swe
   return false;
 }
 
-/// Adds or renews the plane of the part that gives the value at the proxy, and puts a proxy inside the solid on this
-/// plane. Returns false if opposite sides are equally near: then there is no plane, and the last planes stay.
+/// Adds or renews the plane of the part that gives the value at the proxy. Moves a proxy that is inside the solid onto
+/// this plane. Returns false if opposite sides are equally near: then there is no plane, and the last planes stay.
 bool SolidProxy::hold(const SolidAt& at) noexcept {
   const double length = at.gradient.norm();
   if (length < kFlat) return false;

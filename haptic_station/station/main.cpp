@@ -26,12 +26,12 @@ using namespace telepalp;
 
 program::Usage usage() {
   return {.program = "telepalp-station",
-          .purpose = "turns depth images from the server into a surface that the haptic device displays, at 2 kHz",
+          .purpose = "turns depth images from the server into a surface that the hand feels, at 2 kHz",
           .positional = "",
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
-                      {"accept-touch", "", "take the touch when its holder offers it to you"},
-                      {"scene", "FILE|NAME", "scene file, or a scene of the library", "palpation"},
+                      {"accept-touch", "", "take the permission to palpate when you are offered it"},
+                      {"scene", "FILE|NAME", "scene file, or one of telepalp's own scenes", "palpation"},
                       {"surface", "NAME|model:FILE", "surface setting or patient model; default: the scene's"},
                       {"anyway", "", "touch a model even if it is refused as coarse or noisy"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
@@ -40,19 +40,19 @@ program::Usage usage() {
                       {"tracker", station::kTrackerWords,
                        "the hand tracker; held: the hand grips the device; browser: a hand in the viewer", "simulated"},
                       {"check", "", "check the scene, list its effects, and exit"},
-                      {"control", "PATH", "command socket, or none; default: in the runtime folder"},
+                      {"control", "PATH", "socket for rearm and hand-over, or none"},
                       {"state-dir", "DIR",
                        "folder for a recording of the last 10 s before a fault; default: the user's state folder"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "if real-time priority is refused: fail, or run", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
           .commands = {
-              {"trials", "", "run the palpation study's trials in virtual time", trials::trials_command},
+              {"trials", "", "run four palpation trials with a simulated hand", trials::trials_command},
               {"calibrate", "", "measure the transforms of camera, tracker and device", station::calibrate_command},
               {"scene", "", "check a scene file, measure its computing time, draw it", station::scene_command},
               {"rearm", "", "end a station's fault, so that it gives force again", station::rearm_command},
-              {"hand-over", "", "hand the touch over to another doctor, or accept it", station::hand_over_command},
-              {"tissue", "", "fit the skin to a compression test", station::tissue_command}}};
+              {"hand-over", "", "hand over or accept the permission to palpate", station::hand_over_command},
+              {"tissue", "", "fit the skin's stiffness to a compression test", station::tissue_command}}};
 }
 
 Result<station::Realtime> realtime_of(const std::string& word) {
@@ -112,7 +112,7 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   const std::string touched = model ? std::to_string(model->snapshot->points) + " points of " +
                                           scene->message.patient_surface().static_model().file() +
                                           (model->remarks.empty() ? "" : " (" + model->remarks + ")")
-                                    : parts->surface.name;
+                                    : "setting " + parts->surface.name;
   std::string effects;
   for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
   std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
@@ -165,7 +165,7 @@ int run(const station::StationOptions& options, const station::StationSignals::R
     const Result<void> done = run_with(std::move(*scene), signals, options, rig_choice);
     if (!done) return program::fail(done.error());
     scene = signals.take_scene();
-    if (scene) program::log("telepalp-station", "starts again with the new scene " + scene->scene.name);
+    if (scene) program::log("telepalp-station", "the station starts again with the new scene " + scene->scene.name);
   }
   return program::kDone;
 }

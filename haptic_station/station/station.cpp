@@ -234,8 +234,8 @@ void Station::on_camera_info(const wire::Message& message) {
   const std::optional<Intrinsics> intrinsics = wire::intrinsics_of(calibration);
   if (!intrinsics)
     return say(
-        "/camera/info dropped: its intrinsics are not finite and positive. fix: correct the intrinsics of the server's "
-        "camera (camera.textproto)");
+        "message on /camera/info dropped: the camera's intrinsics are not finite and positive. fix: correct the "
+        "intrinsics in the server's camera.textproto");
   camera_ = intrinsics;
 }
 
@@ -268,7 +268,7 @@ void Station::say_depth(const msg::SurfaceReport& report) {
   const wire::DepthFidelity fidelity = wire::depth_fidelity(report);
   const std::string words = wire::in_words(fidelity);
   if (std::exchange(depth_, words) == words) return;
-  if (!fidelity.moved) return say("depth is lossless (" + fidelity.mode + ")");
+  if (!fidelity.moved) return say("depth is lossless (depth mode " + fidelity.mode + ")");
   const std::string warning = "the touched depth is near-lossless: " + words +
                               "; such depth is for pictures, not for touch. fix: " +
                               (fidelity.mode == codec::name(codec::DepthMode::Bounded)
@@ -282,7 +282,8 @@ void Station::say_depth(const msg::SurfaceReport& report) {
 /// a camera.
 void Station::touch_model() {
   if (!options_.model->remarks.empty()) say("model: " + options_.model->remarks);
-  say("touching " + std::to_string(options_.model->snapshot->points) + " points of a model; a server is not needed");
+  say("the hand touches a model of " + std::to_string(options_.model->snapshot->points) +
+      " points from a file; the station needs no server");
   haptic_from_camera_ = options_.model->haptic_from_model;
   surfaces_.put({options_.model->snapshot, options_.model->haptic_from_model});
   start_haptic_thread();
@@ -299,7 +300,7 @@ void Station::start_haptic_thread() {
   ticking_since_ = std::chrono::steady_clock::now();
   const std::string realtime = in_words(*granted);
   say("the surface is touchable; the control loop runs at 2 kHz " + realtime);
-  telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "scene " + scene_.name + ", " + realtime);
+  telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, "the control loop runs scene " + scene_.name + " " + realtime);
   start_inside_thread();
 }
 
@@ -379,7 +380,7 @@ void Station::say_clock_step() {
   if (by == Nanoseconds{0}) return;
   char text[128];
   std::snprintf(text, sizeof text,
-                "the session clock stepped by %+.1f s; the contact ends, and can begin again with the next image",
+                "the server's clock stepped by %+.1f s; the contact ends, and can begin again with the next image",
                 to_seconds(by));
   say(text);
   telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, text);

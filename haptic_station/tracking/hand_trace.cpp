@@ -123,9 +123,12 @@ Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name)
   }
   if (trace.samples.size() < 2)
     return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) +
-                         " rows were skipped: not numbers in range, of another hand, or not later than the row before)",
+                         " rows were skipped: no number, a coordinate beyond 10000 mm, another hand_id, or a time not "
+                         "after the row before)",
                  .where = std::string(name),
-                 .fix = "give at least two rows of numbers, with the same hand_id and a growing timestamp_us"};
+                 .fix =
+                     "give at least two rows of numbers, with the same hand_id, and with a timestamp_us that grows "
+                     "from row to row"};
   return trace;
 }
 

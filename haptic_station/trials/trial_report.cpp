@@ -158,12 +158,12 @@ std::string to_html(std::span<const TrialResult> results) {
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp: the four trials</title>\n"
       "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}"
       "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
-      "simulated hand on a simulated device, through the live haptic loop. Plane: a level skin that is known exactly, "
-      "so that errors come from the controller alone. Camera: a belly under a Kinect-like camera, with noise and "
-      "disparity steps, through the surface builder. There is no network. Positions are in the haptic base's frame: y "
-      "points up, and the origin is the middle of the skin. |d| is the indentation, |F| the force. The numbers in the "
-      "charts name the controller's "
-      "phase: 0 in body, 1 body to plane, 2 out body, 3 plane to body, -1 cylinder lateral, -2 around the cylinder, "
+      "simulated hand on a simulated device, by the haptic loop that also drives a real device. Surface plane: a level "
+      "skin that is known exactly, so that errors come from the controller alone. Surface camera: a belly, built from "
+      "the depth images of a Kinect-like camera with noise and steps of depth. There is no network. Positions are in "
+      "the haptic base's frame: y points up, and the origin is the middle of the skin. |d| is the indentation, |F| "
+      "the force. The numbers in the charts name the controller's phase: 0 in body, 1 body to plane, 2 out body, 3 "
+      "plane to body, -1 cylinder lateral, -2 around the cylinder, "
       "-3 cylinder upper, 4 released, 5 faulted (without force).</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;

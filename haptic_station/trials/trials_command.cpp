@@ -12,11 +12,13 @@ namespace {
 
 program::Usage usage() {
   return {.program = "telepalp-station trials",
-          .purpose = "runs the four trials of the palpation study with a simulated hand, in virtual time",
+          .purpose =
+              "runs the four palpation trials of paper S1 (docs/sources.md) with a simulated hand, computed as "
+              "fast as possible, not in real time",
           .positional = "",
           .options = {{"out", "DIR", "folder for report.html and report.json", "trials"},
                       {"scene", "FILE|NAME",
-                       "scene file or scene of the library; default: skin and cylinder as in paper S1"},
+                       "scene file, or one of telepalp's own scenes; default: skin and cylinder as in paper S1"},
                       {"surface", "KIND",
                        "plane: a level skin that is known exactly; camera: a belly under a simulated depth camera; "
                        "both: one after the other",
@@ -69,7 +71,7 @@ int trials_command(int argc, const char* const* argv) {
   if (!settings) return program::fail(settings.error());
   const std::string surface = arguments.text("surface");
   if (surface != "plane" && surface != "camera" && surface != "both")
-    return program::fail({.what = "--surface '" + surface + "' is not plane, camera or both",
+    return program::fail({.what = "--surface '" + surface + "' is none of plane, camera and both",
                           .where = "telepalp-station trials",
                           .fix = "give one of them"},
                          program::kAskedWrongly);

@@ -35,7 +35,7 @@ struct LinkStatistics {
   Nanoseconds worst_delay{0};  ///< longest time in the link
 };
 
-/// One direction of an impaired link. Pure: time is an argument. Each time counts from the link's start, and `now`
+/// One direction of an impaired link. Pure: time is an argument. All times count from the link's start, and `now`
 /// never decreases. The same seed and the same packets give the same arrivals on every machine.
 class ImpairedLink {
  public:

@@ -22,8 +22,8 @@ struct Profile {
 [[nodiscard]] Result<Profile> profile_named(std::string_view name);
 
 /// Reads a trace: CSV with the header `t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s`, at least two rows, times
-/// from 0 upwards. At most 1 MiB. `where`: the name of the source. An error states this name and, if one
-/// line is wrong, its number.
+/// from 0 upwards. At most 1 MiB. `where`: the name of the source. An error states this name and, for a
+/// wrong line, the line's number.
 [[nodiscard]] Result<Trace> parse_trace(std::string_view text, std::string_view where);
 [[nodiscard]] Result<Trace> read_trace(const std::filesystem::path& file);
 

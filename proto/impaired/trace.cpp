@@ -55,7 +55,7 @@ struct Wrong {
 /// Why `row` cannot follow the rows of `trace`; nullopt: it can.
 std::optional<Wrong> wrong_with(const Trace& trace, const TraceRow& row) noexcept {
   if (trace.empty() && row.at != Nanoseconds{0})
-    return Wrong{"t_s is not 0 in the first row", "let the trace begin at t_s 0"};
+    return Wrong{"t_s is not 0 in the first row", "write 0 as t_s, the time in seconds, of the first row"};
   if (!trace.empty() && row.at <= trace.back().at)
     return Wrong{"t_s is not larger than in the row before", "sort the rows by t_s, and give each t_s once"};
   if (row.loss > 1.0) return Wrong{"loss_percent is above 100", "give loss_percent from 0 to 100"};
@@ -71,11 +71,12 @@ Result<Trace> parse_trace(std::string_view text, std::string_view where) {
                  .fix = std::string(that.fix)};
   };
   if (text.size() > kMostBytes)
-    return Error{
-        .what = "the trace is larger than 1 MiB", .where = std::string(where), .fix = "give a trace with fewer rows"};
-  const std::string header = "write the first line " + std::string(kHeader);
+    return Error{.what = "the network trace is larger than 1 MiB",
+                 .where = std::string(where),
+                 .fix = "give a trace with fewer rows"};
+  const std::string header = "write as the first line: " + std::string(kHeader);
   const std::string rows = "write rows of " + std::string(kHeader) + ", such as 0,50,5,1,2000";
-  if (take_line(text) != kHeader) return wrong(1, {"this is not the header of a trace", header});
+  if (take_line(text) != kHeader) return wrong(1, {"this is not the header of a network trace", header});
   Trace trace;
   for (std::size_t line = 2; !text.empty(); ++line) {
     Figures figures{};
@@ -86,7 +87,7 @@ Result<Trace> parse_trace(std::string_view text, std::string_view where) {
     trace.push_back(row);
   }
   if (trace.size() < 2)
-    return Error{.what = "the trace has fewer than two rows",
+    return Error{.what = "the network trace has fewer than two rows",
                  .where = std::string(where),
                  .fix = "write at least two rows: the trace ends at the t_s of its last row"};
   return trace;
@@ -97,7 +98,7 @@ Result<Trace> read_trace(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, failed))
     return Error{
-        .what = "the trace cannot be read", .where = file.string(), .fix = "name a CSV file that you may read"};
+        .what = "the network trace cannot be read", .where = file.string(), .fix = "name a CSV file that you may read"};
   std::string text(kMostBytes + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));

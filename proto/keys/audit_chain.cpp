@@ -50,12 +50,11 @@ Result<void> AuditVerifier::add(std::string_view line) {
   const bool shaped = line.size() > hash_digits && line[hash_digits] == ' ';
   const std::string hash = shaped ? hash_of(position_.hash, line.substr(hash_digits + 1)) : std::string();
   if (!shaped || line.substr(0, hash_digits) != hash)
-    return Error{
-        .what = "the hash of line " + number +
-                " does not match: this line was altered, or lines directly before it were removed",
-        .where = "line " + number,
-        .fix =
-            "compare with a copy of the log from an earlier day; the lines that stand before this one are unaltered"};
+    return Error{.what = "the hash of line " + number +
+                         " does not match: this line was altered, or lines directly before it were removed",
+                 .where = "line " + number,
+                 .fix = "compare the audit log with a copy from an earlier day; all lines before line " + number +
+                        " are unaltered"};
   position_ = {.lines = position_.lines + 1, .hash = hash};
   return {};
 }

@@ -33,10 +33,10 @@ Result<void> check_name(const std::string& name) {
 Result<void> check_person(const Authority::Issue& asked) {
   if (Result<void> fine = check_name(asked.name); !fine) return fine;
   if (asked.role != Role::Local) return {};
-  return Error{
-      .what = "the role " + std::string(keys::name(asked.role)) + " is only for programs of a server without keys",
-      .where = "--role",
-      .fix = "give technician, doctor, viewer or qa"};
+  return Error{.what = "the role " + std::string(keys::name(asked.role)) +
+                       " is only for programs that connect to a server without keys",
+               .where = "--role",
+               .fix = "give technician, doctor, viewer or qa"};
 }
 
 /// "DNS:patient.example,IP:10.0.0.1": an entry of digits and dots, or with a colon, is an address.
@@ -50,7 +50,7 @@ Result<std::string> alt_names(std::vector<std::string> hosts) {
     if (!is_plain(host, ".-:"))
       return Error{.what = "'" + host + "' is not a host name or address",
                    .where = "--host",
-                   .fix = "give what clients write after --connect, such as patient.example or 10.0.0.1"};
+                   .fix = "give the host that clients write after --connect, such as patient.example or 10.0.0.1"};
     const bool address =
         host.find(':') != std::string::npos || host.find_first_not_of("0123456789.") == std::string::npos;
     text += (text.empty() ? "" : ",") + std::string(address ? "IP:" : "DNS:") + host;

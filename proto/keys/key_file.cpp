@@ -17,10 +17,9 @@ namespace telepalp::keys {
 namespace {
 
 Error not_a_key(const std::string& file) {
-  return {
-      .what = "this is not a key file, or it is damaged",
-      .where = file,
-      .fix = "give a file that telepalp-keys wrote, or copy a damaged file again from where telepalp-keys wrote it"};
+  return {.what = "this is not a key file, or it is damaged",
+          .where = file,
+          .fix = "give a file that telepalp-keys wrote; replace a damaged file with a copy of the original"};
 }
 
 std::string token_line(std::string_view text) {
@@ -131,7 +130,7 @@ Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::stri
   if (now < key.identity.expires) return {};
   return Error{.what = "this key expired on " + in_words(key.identity.expires),
                .where = file,
-               .fix = "renew it, or ask the technician to: telepalp-keys renew " + file};
+               .fix = "renew the key, or ask the technician to renew it: telepalp-keys renew " + file};
 }
 
 std::string in_words(WallTime time) {

@@ -14,7 +14,7 @@ Result<Revocations> Revocations::read(std::string_view pem, std::string_view aut
       list && !signers.empty() && X509_CRL_verify(list.get(), X509_get0_pubkey(signers.front().get())) == 1;
   ERR_clear_error();
   if (!genuine)
-    return Error{.what = "this revocation list is damaged, or is not of the authority that made the server's key",
+    return Error{.what = "this revocation list is damaged, or was not made by the authority that made the server's key",
                  .where = file,
                  .fix = "copy revoked.crl again from the folder in which telepalp-keys keeps the authority"};
   Revocations revocations;

@@ -76,7 +76,8 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
     default:
       return refused("the server's key was not made by the authority " + key.authority_name +
                          ", which made your key (" + X509_verify_cert_error_string(verdict) + ")",
-                     "give a key that this server's authority made, or check that this address is the right server's");
+                     "give a key that the authority of this server made, or connect to the address of the server that "
+                     "your key is for");
   }
 }
 

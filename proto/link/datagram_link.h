@@ -16,7 +16,7 @@ enum class End { Client, Server };
 
 struct DatagramLinkSettings {
   SealSettings seal;
-  /// A frame is repaired until this long after its capture, and assembled until this long after its first fragment.
+  /// A frame is repaired until `deadline` after its capture, and assembled until `deadline` after its first fragment.
   Nanoseconds deadline = std::chrono::milliseconds(100);
   bool takes_frames = true;  ///< false: fragments from the peer are ignored, and take no memory
   std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< bound on the memory of incomplete frames [B]

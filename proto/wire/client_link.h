@@ -78,7 +78,7 @@ class ClientLink : private ConnectionOwner {
 
   void start();
   /// Sends queued messages and a Goodbye, and closes the link, within 0.5 s; then no work is left in the io_context.
-  void stop(const std::string& reason = "done");
+  void stop(const std::string& reason = "the program ends");
 
   void subscribe(std::vector<std::string> topics);  ///< replaces the subscription; persists over reconnections
 

@@ -25,9 +25,9 @@ struct DepthFidelity {
 /// depth is as measured.
 [[nodiscard]] std::optional<DepthErrorBound> loss_of(const DepthFidelity& fidelity) noexcept;
 
-/// Returns the argument with the larger error at a depth of 1 m; `newer` if both errors are equal. The order from the
-/// smallest error: depth without a stated mode, depth as measured, depth with a stated bound, depth with an unstated
-/// one.
+/// Returns the argument with the larger error at a depth of 1 m; `newer` if both errors are equal. The order of errors,
+/// the smallest first: depth without a stated mode, depth as measured, depth with a stated bound, near-lossless depth
+/// without a stated bound.
 [[nodiscard]] DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer);
 
 /// Describes the error for people: "as measured", "off by up to 2.85 mm at 1 m", "off by an unknown amount", "not

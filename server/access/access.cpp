@@ -85,7 +85,8 @@ Result<keys::Identity> Access::who(bool is_sealed, const std::optional<keys::Ide
 
 Result<keys::Identity> Access::bearer(std::string_view token, const std::string& address) {
   const auto now = std::chrono::steady_clock::now();
-  if (!key_) return refused("this server has no keys, so it checks no token", "open its page without a token");
+  if (!key_)
+    return refused("this server has no keys, so it checks no token", "open this server's web page without a token");
   if (!back_off_.may_try(address, now))
     return refused("too many wrong tokens came from " + address, "wait a minute, then try again");
   Result<keys::Identity> identity = keys::read_token(token, key_->authority, std::chrono::system_clock::now());

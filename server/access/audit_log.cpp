@@ -52,7 +52,7 @@ Result<void> put_aside(const fs::path& file, const std::function<void(const std:
     return Error{.what = "the audit log was altered or cut off, and it cannot be renamed to " + damaged.string() +
                          " (" + failed.message() + ")",
                  .where = file.string(),
-                 .fix = "move it to another folder, or give another file by --audit"};
+                 .fix = "move the audit log to another folder, or give another file by --audit"};
   say("the audit log " + file.string() + " was altered or cut off; it is renamed to " + damaged.string() +
       ", and a new log begins. fix: find the altered line: telepalp-keys audit-verify " + damaged.string());
   return {};

@@ -23,7 +23,7 @@ std::string our_json(const google::protobuf::Message& message) {
 
 Error refused(std::string what) {
   return {.what = std::move(what),
-          .where = "client's text",
+          .where = "text message from the client",
           .fix = "send subscribe, unsubscribe, advertise or unadvertise, as JSON"};
 }
 
@@ -126,7 +126,7 @@ Result<Request> read_request(const std::string& text) {
   options.ignore_unknown_fields = true;
   texts::ClientText client;
   if (const auto read = json::JsonStringToMessage(text, &client, options); !read.ok())
-    return refused("the text that the browser sent is not JSON of the Foxglove protocol: " + read.ToString());
+    return refused("the text is not JSON of the Foxglove protocol: " + read.ToString());
   Request request;
   if (client.op() == "subscribe") {
     for (const auto& wanted : client.subscriptions()) request.subscribe.push_back({wanted.id(), wanted.channelid()});

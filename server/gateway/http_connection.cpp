@@ -74,7 +74,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     nothing.keep_alive(false);
     if (failed == http::error::header_limit || failed == http::error::body_limit)
       write(refuse(nothing, http::status::payload_too_large,
-                   "the request is too large: its header may have " + std::to_string(kMaxHeaderBytes / 1024) +
+                   "the request is too large: its header may have at most " + std::to_string(kMaxHeaderBytes / 1024) +
                        " KiB, its body " + std::to_string(kMaxBodyBytes / 1024) + " KiB"));
     else if (is_malformed(failed))
       write(refuse(nothing, http::status::bad_request, "this is not an HTTP request"));
@@ -113,18 +113,19 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     const std::string_view host = view(request[http::field::host]);
     if (!host_is_ours(policy, host)) return write(refuse(request, http::status::misdirected_request, kNotOurHost));
     if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
-      return write(
-          refuse(request, http::status::forbidden,
-                 "this web page is from another site, which may not open the stream. fix: allow the page's scheme and "
-                 "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"));
+      return write(refuse(
+          request, http::status::forbidden,
+          "this web page is from another site, which may not open the data stream. fix: allow the page's scheme and "
+          "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request,
                           "the request offers no known WebSocket subprotocol. fix: offer foxglove.websocket.v1"));
     if (!visit_->may(keys::Operation::Watch))
-      return write(refuse(request, http::status::unauthorized,
-                          "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +
-                              "/?token=TOKEN"));
+      return write(refuse(
+          request, http::status::unauthorized,
+          "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +
+              "/?token=TOKEN, where TOKEN is all that follows \"token:\" in the file that the technician gave you"));
     stream_.tcp().expires_never();
     start_viewer_connection(std::move(stream_), request, {*subprotocol, peer_, visit_->visitor()}, context());
   }

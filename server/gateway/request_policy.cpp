@@ -43,7 +43,7 @@ bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std
 Result<void> check_origin(std::string_view origin) {
   const std::string where = "--allow-origin " + std::string(origin);
   if (origin == "*" || origin == "null")
-    return Error{.what = "this would let every web page that a user of this server opens see the patient",
+    return Error{.what = "with this origin, every web page that a user of this server opens could see the patient",
                  .where = where,
                  .fix = "name each origin, such as https://app.foxglove.dev"};
   const std::size_t scheme = origin.find("://");

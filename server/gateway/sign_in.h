@@ -23,8 +23,8 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 /// `target` without its query.
 [[nodiscard]] std::string_view path_of(std::string_view target) noexcept;
 /// The path of the viewer's page with the query of `target`, which names the view or the moment that was requested
-/// before signing in. The path is "/" without a query if the query has more than 200 characters, or others than
-/// letters, digits and =&._-
+/// before signing in. The path is "/" without a query if the query has more than 200 characters, or characters
+/// other than letters, digits and =&._-
 [[nodiscard]] std::string page_asked(std::string_view target);
 
 /// The value of the field `token` in a posted form.

@@ -193,8 +193,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       return warn(to_string(may.error()));
     if (!context()->holder.hand_over(*subscriber_, to, context()->now()))
       return warn(
-          "the hand is not handed over: this viewer does not hold it, or the named viewer has not asked for it in the "
-          "last 3 s. fix: take the hand first, and name a viewer that asks for it");
+          "the viewer hand is not handed over: this viewer does not hold the hand, or the named viewer has not asked "
+          "for the hand in the last 3 s. fix: take the hand first, and name a viewer that asks for the hand");
     note_hand(false, " to=\"viewer " + std::to_string(to) + "\"");
     publish_holder();
   }

@@ -199,8 +199,8 @@ void Hub::count_sent(Subscriber& subscriber, const wire::Message& message) {
   ++count.sent;
   count.bytes += message.payload->size();
   ++topics_[message.topic.name].sent;
-  // A subscriber whose queue was full needs a key frame. The hub requests it only when the subscriber reads again:
-  // one that reads nothing would cause one key frame after another.
+  // A subscriber whose queue was full needs a key frame. The hub requests the key frame only when the subscriber reads
+  // again, because a subscriber that reads nothing would cause one key frame after another.
   if (subscriber.positions[message.topic.name].last == 0) request_from_publisher(message.topic.name);
 }
 

@@ -199,7 +199,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
       access().note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
     leave_hub();
     listener_.note((name_.empty() ? "a peer without a name" : name_) + " at " + connection_->peer() +
-                   " left: " + reason);
+                   " disconnected: " + reason);
     listener_.forget(number_);
   }
   std::optional<wire::Message> next_to_send() override { return listener_.hub_.next(subscriber_); }

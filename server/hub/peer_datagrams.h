@@ -35,8 +35,8 @@ class PeerDatagrams : private DatagramPort::Session {
   /// Leaves the port and calls no handler afterwards. The closed object may outlive port and hub. A handler must not
   /// destroy the object that calls it.
   void close() noexcept;
-  /// True if the depth images of this peer may be predicted from each other: they go over TCP, or
-  /// the datagrams' path loses hardly any of them, or repairs a loss in time (link::references_arrive()).
+  /// True if the depth images for this peer may be predicted from each other: they go over TCP, or the path of their
+  /// datagrams loses hardly any packet, or a loss is repaired within the deadline (link::references_arrive()).
   [[nodiscard]] bool references_arrive() const noexcept;
   /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }

@@ -131,7 +131,7 @@ void PeerListener::accept() {
 void PeerListener::note_pause(const error_code& why) {
   const std::string text = "no connection can be accepted (" + why.message() +
                            "): accepting pauses, and the server tries again every 0.1 s"
-                           ". fix: close programs, or raise ulimit -n";
+                           ". fix: stop clients of this server, or restart it with a higher ulimit -n";
   options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));
   note_refusal(text);
 }

@@ -55,7 +55,7 @@ void PeerTouch::leave(bool on_purpose) {
 msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to) {
   const auto refuse = [&](const std::string& why) { return answer(to, false, why); };
   if (!access_.has_keys())
-    return refuse("without keys nobody holds the touch. fix: stop this station and start the other one");
+    return refuse("without keys nobody holds the touch. fix: stop this station, then start the other station");
   if (const Result<void> may = access_.may(who, keys::Operation::HandOver); !may) {
     note(access::AuditEvent::Refused, " why=" + access::audit_text(may.error().what));
     return refuse(to_string(may.error()));
@@ -64,7 +64,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
     return refuse("the touch cannot be offered to your own name. fix: name the other doctor, as in that doctor's key");
   const Clock::time_point now = Clock::now();
   if (offered_at_ && now - *offered_at_ < kShortestBetweenOffers)
-    return refuse("the last offer was made just now. fix: wait a second");
+    return refuse("the last offer was made just now. fix: wait 1 s, then offer again");
   if (!access_.touch().offer(peer_, to, now))
     return refuse("this station does not hold the touch. fix: " +
                   std::string(holds_ ? "start this station again" : "wait until this station holds the touch"));
@@ -75,7 +75,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
 std::string PeerTouch::offered(const std::string& to) {
   note(access::AuditEvent::OfferedTouch, to.empty() ? " to=nobody" : " to=" + access::audit_text(to));
   if (to.empty()) return "the offer is withdrawn: you keep the touch";
-  return "offered to doctor " + to + " for " + std::to_string(access::TouchLease::kOffer.count()) +
+  return "the touch is offered to doctor " + to + " for " + std::to_string(access::TouchLease::kOffer.count()) +
          " s: you keep the touch until that doctor accepts it";
 }
 

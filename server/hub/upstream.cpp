@@ -59,7 +59,7 @@ Rate upstream_rate(const wire::Topic& topic) {
   constexpr double kBurstMessages = 512;  // a client's queue holds 256 messages of a topic
   constexpr double kLeastBurst = 256 * kKiB;
   const Allowed* allowed = find(topic);
-  demand(allowed != nullptr, "the limit of the rate is asked only for a topic that peers may publish");
+  demand(allowed != nullptr, "the rate limit is requested only for a topic that peers may publish");
   return {.messages_per_s = allowed->messages_per_s,
           .bytes_per_s = allowed->bytes_per_s,
           .burst_messages = kBurstMessages,

@@ -8,7 +8,7 @@
 
 namespace telepalp::playback {
 
-/// The network that a played session crosses: a named profile, of which commands may have changed numbers.
+/// The network that a played session crosses: a named profile; commands may have changed its numbers.
 struct ChosenNetwork {
   std::string profile = "none";  ///< none: no network
   bool changed = false;          ///< numbers were changed after the profile was chosen
@@ -23,7 +23,7 @@ struct ChosenNetwork {
 /// `chosen` after `command`. Error: no profile has the given name.
 [[nodiscard]] Result<ChosenNetwork> after_command(ChosenNetwork chosen, const msg::NetworkCommand& command);
 
-/// The settings of `chosen` as a state without counts.
+/// The settings of `chosen`, from server to client, as a NetworkState whose counts of packets and images are 0.
 [[nodiscard]] msg::NetworkState state_of(const ChosenNetwork& chosen);
 
 }  // namespace telepalp::playback

@@ -72,7 +72,7 @@ Result<PlaybackSpec> read_spec(const std::string& text) {
   for (const std::string& pair : pairs) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string::npos || !set(spec, pair.substr(0, equals), pair.substr(equals + 1)))
-      return Error{.what = "'" + pair + "' is not understood",
+      return Error{.what = "'" + pair + "' is not an option of a played session, or its value is not allowed",
                    .where = "--source session:" + text,
                    .fix = "give from_s=0 to 1e7, speed=0.1 to 10, paused=yes or no, topics=/camera/*+/station/*"};
   }

@@ -32,7 +32,7 @@ Result<std::unique_ptr<SessionPlayer>> SessionPlayer::open(const PlaybackSpec& s
   if (spec.from_s > duration_s)
     return Error{.what = "the session lasts only " + std::to_string(duration_s) + " s",
                  .where = "from_s=" + std::to_string(spec.from_s),
-                 .fix = "give a time from 0 s to that length"};
+                 .fix = "give a time from 0 s to the length of the session"};
   return std::unique_ptr<SessionPlayer>(new SessionPlayer(std::move(*timeline), spec, loop, clock));
 }
 
@@ -77,7 +77,7 @@ Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
   if (command.has_seek_s() && command.seek_s() > state_.duration_s())
     return Error{.what = "the session lasts only " + std::to_string(state_.duration_s()) + " s",
                  .where = "seek_s",
-                 .fix = "give a time from 0 s to that length"};
+                 .fix = "give a time from 0 s to the length of the session"};
   commands_.push_back(command);
   changed_.notify_one();
   return {};

@@ -68,14 +68,14 @@ SessionRecorder::~SessionRecorder() {
 Result<void> SessionRecorder::apply(const msg::RecordingCommand& command, std::chrono::system_clock::time_point now) {
   look_at_process();
   if (command.record()) return begin(command.consent(), now);
-  if (!process_) return refused("no recording is running", "begin one first");
+  if (!process_) return refused("no recording is running", "begin a recording first");
   process_->ask_to_end();
   state_.set_phase(msg::RecordingState::PHASE_COMPLETING);
   return {};
 }
 
 Result<void> SessionRecorder::begin(const std::string& consent, std::chrono::system_clock::time_point now) {
-  if (process_) return refused("a recording is running: " + state_.file(), "end it first");
+  if (process_) return refused("a recording is running: " + state_.file(), "end this recording first");
   msg::RecordingState state;
   state.set_file(name_at(now));
   state.set_phase(msg::RecordingState::PHASE_RECORDING);

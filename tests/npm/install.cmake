@@ -6,6 +6,6 @@ endif()
 execute_process(COMMAND npm ci --no-audit --no-fund --loglevel=error WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR}
   RESULT_VARIABLE failed OUTPUT_VARIABLE told ERROR_VARIABLE complained)
 if(failed)
-  message(FATAL_ERROR "npm ci in tests/npm failed (${failed}); the tests need its packages from a registry.\n${told}${complained}")
+  message(FATAL_ERROR "npm ci failed in tests/npm: ${failed}. The tests need npm packages from npm's registry. fix: see npm's messages:\n${told}${complained}")
 endif()
 file(TOUCH ${installed})

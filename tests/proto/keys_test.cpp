@@ -141,7 +141,7 @@ TEST(Tokens, AreNotMadeForAPeerWithoutAKeyAsNoKeysAre) {
   for (const auto& made : {by.client_key({.name = "nobody", .role = Role::Local, .now = kNow}),
                            by.token({.name = "nobody", .role = Role::Local, .now = kNow})}) {
     ASSERT_FALSE(made.ok());
-    EXPECT_EQ(made.error().what, "the role local is only for programs of a server without keys");
+    EXPECT_EQ(made.error().what, "the role local is only for programs that connect to a server without keys");
   }
 }
 

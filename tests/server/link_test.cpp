@@ -158,7 +158,7 @@ TEST(Link, StopSendsWhatIsQueuedBeforeItsGoodbye) {
   ASSERT_TRUE(site.run_until([&] { return site.listener->peers() == 0; }));
   EXPECT_EQ(site.hub.topic_counts().at(wire::kStationState.name).published, 50u);
   EXPECT_EQ(site.notes.back(),
-            "station at " + site.address_of("station") + " left: peer left: the examination is over");
+            "station at " + site.address_of("station") + " disconnected: peer left: the examination is over");
 }
 
 TEST(Link, AServerOfAnotherProtocolVersionIsNamedAsSuch) {

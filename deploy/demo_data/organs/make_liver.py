@@ -53,7 +53,7 @@ def filled(touched):
 
 
 def eroded(solid):
-    """`solid` without its outermost layer of cells, by which marking whole cells enlarged it."""
+    """`solid` without its outermost layer of cells: marking whole cells had enlarged the solid by this layer."""
     return {c for c in solid if all(tuple(c[k] + s[k] for k in range(3)) in solid for s in SIX_SIDES)}
 
 
@@ -118,7 +118,7 @@ def without_pinches(solid):
 
 
 def relaxed(points, triangles):
-    """Moves each vertex towards the mean of its neighbours and back again, so that nothing shrinks (Taubin 1995)."""
+    """Moves vertices towards the mean of their neighbours and back, so that the mesh does not shrink (Taubin 1995)."""
     neighbours = [set() for _ in points]
     for a, b, c in triangles:
         neighbours[a] |= {b, c}

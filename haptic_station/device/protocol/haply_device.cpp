@@ -18,14 +18,14 @@ HaplyDevice::HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& orig
       inverse_from_haptic_(haptic_from_inverse_.inverse()),
       pace_(thread_.io()),
       line_(thread_.io(), std::move(url), {.most_text_bytes = haply::kMostTextBytes},
-            {.on_open = [this] { thread_.obstacle("the service lists no Inverse3"); },
+            {.on_open = [this] { thread_.obstacle("the Haply Inverse service lists no Inverse3"); },
              .on_text = [this](std::string_view text) { on_text(text); },
              .on_lost =
                  [this](const std::string& why) {
                    pace_.cancel();
                    if (thread_.obstacle().empty() || line_is_up_ || device_id_.empty()) thread_.obstacle(why);
                    if (std::exchange(line_is_up_, false))
-                     say_(name_ + " is lost: " + why + "; the station tries to connect again");
+                     say_(name_ + ": the connection is lost: " + why + "; the station tries to connect again");
                  }}) {}
 
 HaplyDevice::~HaplyDevice() { thread_.stop(); }
@@ -36,7 +36,9 @@ Result<void> HaplyDevice::start(std::chrono::milliseconds limit) {
   if (thread_.wait_for_answer(limit)) return {};
   return Error{.what = "is not ready: " + thread_.obstacle(),
                .where = name_,
-               .fix = "start the Haply Inverse service with an Inverse3 plugged in, or give --device simulated"};
+               .fix =
+                   "start the Haply Inverse service with an Inverse3 plugged in, or try the station without one by "
+                   "--device simulated"};
 }
 
 void HaplyDevice::on_text(std::string_view text) {
@@ -46,7 +48,8 @@ void HaplyDevice::on_text(std::string_view text) {
     thread_.obstacle(to_string(read.error()));
   } else if (*read) {
     const haply::State& state = **read;
-    if (!std::exchange(line_is_up_, true)) say_(name_ + " answers; id of its Inverse3: " + state.device_id);
+    if (!std::exchange(line_is_up_, true))
+      say_(name_ + ": the Haply Inverse service answers; device_id of its Inverse3: " + state.device_id);
     device_id_ = state.device_id;
     readings_.put(
         {Clock::now(), {.at = haptic_from_inverse_ * state.cursor, .velocity = haptic_from_inverse_ * state.velocity}});

@@ -52,20 +52,21 @@ std::string number(double value) {
 }  // namespace
 
 Result<std::optional<State>> parse_text(std::string_view text, std::string_view wanted_id) {
-  if (text.size() > kMostTextBytes) return refused("it is longer than 64 KiB");
+  if (text.size() > kMostTextBytes) return refused("the message is longer than 64 KiB");
   json::JsonParseOptions options;
   options.ignore_unknown_fields = true;
   haply_inverse::Text message;
   if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
-    return refused("it is not a state in JSON: " + read.ToString().substr(0, 200));
-  if (message.inverse3_size() > kMostDevices) return refused("it lists more than 16 devices");
+    return refused("the message is not the state of a device in JSON: " + read.ToString().substr(0, 200));
+  if (message.inverse3_size() > kMostDevices) return refused("the message lists more than 16 devices");
   for (const haply_inverse::Text::Inverse3& one : message.inverse3()) {
     if (!wanted_id.empty() && one.device_id() != wanted_id) continue;
-    if (!is_id(one.device_id())) return refused("its device_id is not 1 to 64 letters, digits, '-', '_' or ':'");
+    if (!is_id(one.device_id())) return refused("the device_id is not 1 to 64 letters, digits, '-', '_' or ':'");
     if (!one.has_state()) return std::optional<State>{};
     const auto cursor = all_three(one.state().cursor_position(), kFurthest_m);
     const auto velocity = all_three(one.state().cursor_velocity(), kFastest_m_per_s);
-    if (!cursor || !velocity) return refused("its position or velocity is incomplete, not finite or out of range");
+    if (!cursor || !velocity)
+      return refused("the position or velocity is incomplete, not finite, beyond 2 m or above 50 m/s");
     return std::optional{State{one.device_id(), {*cursor}, {*velocity}}};
   }
   return std::optional<State>{};

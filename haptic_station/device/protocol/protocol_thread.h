@@ -58,7 +58,7 @@ class ProtocolThread {
   std::atomic<bool> has_answered_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::string obstacle_;
+  std::string obstacle_ = "the service sends no valid message";
 };
 
 }  // namespace telepalp::device

@@ -25,9 +25,10 @@ Result<std::unique_ptr<UdpDevice>> UdpDevice::open(const program::Address& addre
   const asio::ip::address ip =
       address.host == "localhost" ? asio::ip::address_v4::loopback() : asio::ip::make_address(address.host, error);
   if (error || !ip.is_loopback())
-    return Error{.what = "is not a loopback address of this computer, and device datagrams are not encrypted",
-                 .where = name,
-                 .fix = "run the device's program on this computer and give udp:127.0.0.1:PORT"};
+    return Error{
+        .what = "is not a loopback address; device datagrams are not encrypted, so they may not leave this computer",
+        .where = name,
+        .fix = "run the device's program on this computer and give udp:127.0.0.1:PORT"};
   std::unique_ptr<UdpDevice> device(new UdpDevice(name));
   const asio::ip::udp::endpoint there(ip, address.port);
   device->socket_.open(there.protocol(), error);
@@ -46,15 +47,14 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (read().age_s < 1.0) return {};
   }
-  const std::string why = faulted_ ? "reports that its motors are off"
-                          : refused_ > 0
-                              ? "answers with datagrams that are not of the protocol in telepalp's UDP_DEVICE.md"
-                              : "does not answer";
-  const std::string fix = faulted_ ? "switch the device's motors on"
-                          : refused_ > 0
-                              ? "install a program for the device that speaks this protocol (UDP_DEVICE.md)"
-                              : "start the device's program, which must speak the protocol in telepalp's UDP_DEVICE.md";
-  return Error{.what = why, .where = name_, .fix = fix + ", or give --device simulated"};
+  const std::string why = faulted_       ? "reports that its motors are off"
+                          : refused_ > 0 ? "answers with datagrams that break the protocol in telepalp's UDP_DEVICE.md"
+                                         : "does not answer";
+  const std::string fix =
+      faulted_       ? "switch the device's motors on"
+      : refused_ > 0 ? "run a program for the device that keeps to this protocol"
+                     : "start the device's program, which must keep to the protocol in telepalp's UDP_DEVICE.md";
+  return Error{.what = why, .where = name_, .fix = fix + ", or try the station without a device by --device simulated"};
 }
 
 ports::DeviceReading UdpDevice::read() noexcept {

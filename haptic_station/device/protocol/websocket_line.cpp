@@ -27,7 +27,7 @@ Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketU
   const auto refused = [&](const std::string& what) {
     return Error{.what = "'" + std::string(text) + "' " + what,
                  .where = std::string(where),
-                 .fix = "give a URL like " + to_string(standard)};
+                 .fix = "give a URL, as in " + std::string(where) + ":" + to_string(standard)};
   };
   constexpr std::string_view kScheme = "ws://";
   if (!text.starts_with(kScheme) || text.size() > 512)
@@ -43,7 +43,7 @@ Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketU
   std::string_view port;
   if (rest.starts_with('[')) {
     const std::size_t end = rest.find(']');
-    if (end == std::string_view::npos) return refused("has no closing bracket");
+    if (end == std::string_view::npos) return refused("has no ] after the host");
     url.host = rest.substr(1, end - 1);
     port = rest.substr(end + 1);
   } else {

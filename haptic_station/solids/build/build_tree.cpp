@@ -45,7 +45,8 @@ Placing placing_of(const Node& node) {
   return placing;
 }
 
-/// The shape's numbers as TreeNode needs them: a plane's normal has length 1; an arc's angles are in radians.
+/// The node's numbers as TreeNode needs them: the normal of a plane or clip has length 1; an arc has its middle angle
+/// and half of its sweep, in radians, instead of its ends in degrees.
 std::array<double, 8> numbers_of(const Node& node) {
   std::array<double, 8> numbers{};
   std::copy(node.numbers.begin(), node.numbers.end(), numbers.begin());
@@ -171,16 +172,18 @@ Result<void> check(const Solid& solid) {
     const int level = levels.back();
     levels.pop_back();
     if (level > kMostNesting)
-      return wrong("operators nest deeper than " + std::to_string(kMostNesting), "join solids by a chain of unions");
+      return wrong(
+          "operators nest deeper than " + std::to_string(kMostNesting) + " levels",
+          "join the solids by unions, each the last operand of the one before: such a chain of unions does not nest");
     if (const auto complaint = complaint_about(node)) return wrong(complaint->what, complaint->fix);
     if (node.kind().op == Op::Mesh && !node.lattice)
       return wrong("the mesh \"" + node.file + "\" of the solid is not loaded",
-                   "this is a fault of telepalp: report it, with the scene file");
+                   "this is a defect of telepalp: report it, with the scene file");
     const bool chain = node.kind().op == Op::Union;
     for (int i = 0; i < node.kind().operands; ++i) levels.push_back(chain && i == 0 ? level : level + 1);
   }
   if (!levels.empty())
-    return wrong("an operator, such as union or clip, lacks a solid", "write its solids after each operator");
+    return wrong("an operator, such as union or clip, lacks a solid", "write the solids of each operator after it");
   return {};
 }
 

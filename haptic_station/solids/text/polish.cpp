@@ -69,10 +69,11 @@ class PolishReader {
     const Missing missing = missing_.back();
     missing_.pop_back();
     if (missing.level > kMostNesting)
-      return error(token, "operators nest deeper than " + std::to_string(kMostNesting),
+      return error(token, "operators nest deeper than " + std::to_string(kMostNesting) + " levels",
                    "join solids by a chain of unions, + A + B C, which does not nest");
     if (solid_.size() >= kMostNodes)
-      return error(token, "more than " + std::to_string(kMostNodes) + " words", "give fewer solids");
+      return error(token, "the solid has more than " + std::to_string(kMostNodes) + " shapes and operators",
+                   "give fewer solids");
     if (token.text == "tm") return read_matrix(token, missing.level);
     const auto word = find_word(token.text);
     if (!word) return not_a_word(token, missing);
@@ -163,7 +164,9 @@ Result<std::shared_ptr<const DistanceLattice>> no_meshes(const std::string& file
 
 Result<Solid> parse_polish(std::string_view text, const std::string& name, const MeshReader& meshes) {
   if (text.size() > kMostPolishBytes)
-    return Error{.what = "is larger than 4 MiB", .where = name, .fix = "give fewer solids"};
+    return Error{.what = "the text in Polish notation is larger than 4 MiB",
+                 .where = name,
+                 .fix = "give fewer shapes and operators"};
   return PolishReader(text, name, meshes).read();
 }
 

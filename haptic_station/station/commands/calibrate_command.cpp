@@ -20,11 +20,13 @@ program::Usage usage() {
       .purpose = "measures the transforms between tracker, camera and haptic device",
       .positional = "",
       .options =
-          {{"out", "FILE", "calibration file to write; its other transforms stay", "site.calibration.textproto"},
+          {{"out", "FILE", "calibration file to write; other transforms in the file are kept",
+            "site.calibration.textproto"},
            {"pairs", "FILE",
-            "for 'points', and for 'offset' without a device: CSV of places measured twice; columns: place (its "
-            "number), to_x_m, to_y_m, "
-            "to_z_m (by the device), from_x_m, from_y_m, from_z_m (by the tracker or camera), in metres"},
+            "for 'points', and for 'offset' without a device: CSV of places that both instruments measured; columns: "
+            "place "
+            "(its number), to_x_m, to_y_m, to_z_m (by the device), from_x_m, from_y_m, from_z_m (by the tracker or "
+            "camera), in metres"},
            {"from", "tracker|camera", "for 'points': the instrument that measured from_x_m, from_y_m, from_z_m",
             "tracker"},
            {"device", kDeviceWords, "for 'offset': the haptic device", "haply"},
@@ -41,7 +43,7 @@ program::Usage usage() {
             "0,0,0,0,0,0"}},
       .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
       .commands = {{"points", "", "find the pose of tracker or camera, from pairs of points (--pairs)"},
-                   {"offset", "", "find the tracker's place by a hand that rests on the end-effector"},
+                   {"offset", "", "find the tracker's position by a hand that rests on the end-effector"},
                    {"probe", "", "find the tracker's pose, from poses of a hand on a probe (--poses)"}},
       .needs_command = true};
 }
@@ -84,8 +86,8 @@ int calibrate_command(int argc, const char* const* argv) {
   if (const Result<void> kept = keep(*measured, arguments.text("out")); !kept) return program::fail(kept.error());
   const msg::MeasuredTransform& m = measured->transform;
   std::printf(
-      "haptic_from_%s from %u measurements: residual mean %.2f mm, standard deviation %.2f mm, largest %.2f mm; "
-      "written to %s\n",
+      "transform haptic_from_%s from %u measurements: residual mean %.2f mm, standard deviation %.2f mm, largest %.2f "
+      "mm; written to %s\n",
       measured->of_camera ? "camera" : "tracker", m.measurements(), m.residual_mean_m() * 1e3,
       m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3, arguments.text("out").c_str());
   return program::kDone;

@@ -77,7 +77,7 @@ Result<Measured> from_points(const program::Arguments& arguments) {
   if (!pairs) return pairs.error();
   const Result<calibration::Registration> fit = calibration::register_points(*pairs);
   if (!fit) return fit.error();
-  std::printf("pair %zu has the largest residual\n", fit->residuals.worst() + 1);
+  std::printf("the point pair with the largest residual is pair %zu of the file\n", fit->residuals.worst() + 1);
   return Measured{
       calibration::measured(fit->to_from_from, fit->residuals, "points", std::chrono::system_clock::now(), fit->rank),
       from == "camera"};

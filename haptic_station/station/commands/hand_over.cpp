@@ -45,7 +45,7 @@ Result<std::string> command_of(const program::Arguments& arguments) {
     return Error{
         .what = "'" + to + "' cannot be the name of a key: it is empty, longer than 128 bytes or has a line break",
         .where = "--to",
-        .fix = "give the name in the other doctor's key"};
+        .fix = "give the name that the other doctor's key file has"};
   return std::string(kOffer) + to;
 }
 
@@ -55,8 +55,11 @@ bool HandOver::on_command(const std::string& command, const ControlSocket::Reply
   if (command == "accept") {
     link_.accept_touch();
     const bool holds = link_.state() == wire::LinkState::Connected;
-    reply(holds ? "nothing to accept: this station is connected, so it holds the touch already"
-                : std::string(kDone) + "this station takes the touch as soon as it is offered");
+    reply(
+        holds
+            ? "nothing to accept: this station is connected, so it holds the touch (the permission to palpate) already"
+            : std::string(kDone) +
+                  "this station takes the touch (the permission to palpate) as soon as another doctor offers it");
     return true;
   }
   if (command == "withdraw") {

@@ -93,8 +93,8 @@ Result<void> bill(const ReadScene& read, const program::Arguments& arguments) {
   const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
   if (!again) return again.error();
   std::printf(
-      "computing time of each effect in a tick; for layers: number of shapes and memory of their tree; error of the "
-      "felt depth\n%-12s %10s %10s %8s %10s  %s\n",
+      "computing time of each effect in a tick (a step of the 2 kHz control loop); for layers: number of shapes, and "
+      "memory of the tree that joins them; error of the depth that the hand feels\n%-12s %10s %10s %8s %10s  %s\n",
       "effect", "mean, us", "max, us", "shapes", "memory, B", "error of the depth");
   double total_us = 0.0;
   for (const EffectPrice& price : price_of(read.scene)) {
@@ -102,7 +102,7 @@ Result<void> bill(const ReadScene& read, const program::Arguments& arguments) {
                 price.shapes, price.bytes, price.depth_error.c_str());
     total_us += price.mean_us;
   }
-  std::printf("%-12s %10.3f us in the mean, of the 500 us of a tick; reading the scene took %.1f ms\n", "total",
+  std::printf("%-12s %10.3f us in the mean, of the 500 us that a tick lasts; reading the scene took %.1f ms\n", "total",
               total_us, start_ms);
   return {};
 }
@@ -188,8 +188,8 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
             "layers by their names"};
   const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm);
   if (!made) return made.error();
-  std::printf("%s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(), made->points.size(),
-              made->triangles.size(), solids::open_edges(*made));
+  std::printf("mesh of layer %s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(),
+              made->points.size(), made->triangles.size(), solids::open_edges(*made));
   return write(as_obj ? solids::to_obj(*made) : solids::to_ply(*made), *out);
 }
 

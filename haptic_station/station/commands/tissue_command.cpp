@@ -32,7 +32,8 @@ void print_law(const effects::SkinLaw& law) {
 
 int list_presets() {
   std::printf(
-      "force of the skin at an indentation of 10, 20 and 30 mm, for each preset of skin { tissue }\n%-14s %-12s %10s "
+      "force of the skin at an indentation of 10, 20 and 30 mm, for each tissue that a scene names by skin { tissue "
+      "}\n%-14s %-12s %10s "
       "%10s %10s   %s\n",
       "tissue", "material", "N at 10 mm", "N at 20 mm", "N at 30 mm", "RMS fit error, % of the largest load");
   for (const effects::TissuePreset& preset : effects::kTissuePresets) {

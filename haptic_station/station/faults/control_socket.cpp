@@ -142,7 +142,7 @@ Result<std::string> ask_station(const fs::path& path, const std::string& command
   const auto why = [&path](const error_code& error) {
     return Error{.what = "the station does not answer: " + error.message(),
                  .where = path.string(),
-                 .fix = "check that telepalp-station runs, and name its socket by --control"};
+                 .fix = "check that telepalp-station runs, and name the path of its control socket by --control PATH"};
   };
   if (!fits(path)) return why(boost::asio::error::name_too_long);
   boost::asio::io_context io;
@@ -184,12 +184,12 @@ Result<fs::path> find_control_socket() {
   }
   if (found.size() == 1) return found.front();
   if (found.empty())
-    return Error{.what = "no station has an open socket in this folder",
+    return Error{.what = "no running station has a control socket in this folder",
                  .where = control_folder().string(),
-                 .fix = "start telepalp-station, or name its socket by --control"};
+                 .fix = "start telepalp-station, or name the path of its control socket by --control PATH"};
   std::string all;
   for (const fs::path& path : found) all += (all.empty() ? "" : ", ") + path.string();
-  return Error{.what = "several stations have an open socket in this folder: " + all,
+  return Error{.what = "several running stations have control sockets in this folder: " + all,
                .where = control_folder().string(),
                .fix = "name one of these sockets by --control PATH"};
 }

@@ -58,7 +58,7 @@ void FaultMonitor::look(bool ending) {
   if (flight_recorder_.valid() && (ending || flight_recorder_.wait_for(0s) == std::future_status::ready)) {
     const Result<std::filesystem::path> written = flight_recorder_.get();
     say(written ? "flight recorder: " + written->string() +
-                      " holds the last seconds before the fault; telepalp-report shows them"
+                      " holds the last seconds before the fault; show them by telepalp-report"
                 : "the last seconds before the fault could not be written: " + to_string(written.error()));
   }
 }
@@ -72,7 +72,8 @@ void FaultMonitor::stop() {
 bool FaultMonitor::is_faulted() const { return has_ticked_ && last_.phase == msg::PHASE_FAULTED; }
 
 std::string FaultMonitor::how_to_rearm() const {
-  return control_.empty() ? "start this station again" : "telepalp-station rearm --control " + control_.string();
+  return control_.empty() ? "end and start this station, because it has no control socket"
+                          : "run telepalp-station rearm --control " + control_.string();
 }
 
 void FaultMonitor::on_command(const std::string& command, const ControlSocket::Reply& reply) {
@@ -89,7 +90,7 @@ void FaultMonitor::rearm(const ControlSocket::Reply& reply) {
     if (error || stopped_) return;
     telemetry_.drain(handlers_.now());
     if (!is_faulted()) {
-      say("re-armed by the operator");
+      say("the station is re-armed by the operator, and gives force again");
       return reply("re-armed: the station gives force again");
     }
     const auto stands = static_cast<control::FaultCause>(last_.fault_stands);

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostPoints = 36'000;  // of all layers: 0.65 MB, drawn by any computer
 constexpr double kFinestGrid_m = 0.002;
-constexpr double kCellsPerGrid = 0.6;  // marching-cubes cell / grid cell; below 1, so that no hole opens
+constexpr double kCellsPerGrid = 0.6;  // side of a marching cube / side of a grid cell; below 1, so that no hole opens
 constexpr int kJpegQuality = 80;
 
 void append_u16(std::string& bytes, std::uint32_t value) {
@@ -118,8 +118,8 @@ InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers) {
     if (!mesh) inside.left_out.push_back("layer " + layer->name + ": " + to_string(mesh.error()));
     if (mesh && mesh->points.empty())
       inside.left_out.push_back("layer " + layer->name +
-                                ": its shapes contain no point, so it cannot be felt either. fix: correct the shapes "
-                                "of the layer in the scene");
+                                ": its shapes enclose no volume, so the hand does not feel the layer either. fix: "
+                                "correct the shapes of the layer in the scene");
     if (!mesh || mesh->points.empty()) continue;
     msg::InnerStructure& structure = *inside.drawn.add_structures();
     structure.set_name(layer->name);

@@ -8,9 +8,9 @@ Result<scenes::Scene> calibrated(scenes::Scene scene, const std::filesystem::pat
   const Result<msg::Calibration> measured = calibration::read_calibration(file);
   if (!measured) return measured.error();
   if (!measured->has_haptic_from_tracker() && !measured->has_haptic_from_camera())
-    return Error{.what = "holds no calibration",
+    return Error{.what = "holds no calibration: neither haptic_from_tracker nor haptic_from_camera",
                  .where = file.string(),
-                 .fix = "measure one with telepalp-station calibrate, or leave --calibration out"};
+                 .fix = "measure a transform with telepalp-station calibrate, or leave --calibration out"};
   if (measured->has_haptic_from_tracker()) {
     const auto transform = calibration::transform_of(measured->haptic_from_tracker(), file.string());
     if (!transform) return transform.error();

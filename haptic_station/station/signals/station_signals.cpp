@@ -36,8 +36,8 @@ Result<LoadedScene> without_exceptions(const StationSignals::ReadScene& read) {
     return Error{.what = std::string("the scene file cannot be read again: ") + error.what(),
                  .where = "the scene",
                  .fix =
-                     "check the file by telepalp-station scene check SCENE, then reload again; the station keeps the "
-                     "scene that it has"};
+                     "check the file by telepalp-station scene check SCENE, then send SIGHUP again; the station keeps "
+                     "the scene that it has"};
   }
 }
 

@@ -23,11 +23,12 @@ void ImageAges::add(const msg::SurfaceReport& report) {
 
 std::string ImageAges::in_words() const {
   if (ages_.total() == 0) return "";
-  const std::string text = std::to_string(ages_.total()) + " images were touchable " +
-                           in_ms(1e-9 * ages_.quantile_ns(0.5)) + " (p50) and " +
-                           in_ms(1e-9 * ages_.quantile_ns(0.99)) + " (p99) after capture; ";
-  if (!std::isfinite(clock_error_s_)) return text + "the error of the session clock is unknown";
-  return text + "both with an error of at most " + in_ms(clock_error_s_);
+  const std::string text = std::to_string(ages_.total()) + " images: their surfaces were touchable " +
+                           in_ms(1e-9 * ages_.quantile_ns(0.5)) + " (median) and " +
+                           in_ms(1e-9 * ages_.quantile_ns(0.99)) + " (99th percentile) after capture; ";
+  if (!std::isfinite(clock_error_s_))
+    return text + "the error of both is unknown, because the server's clock is not known";
+  return text + "the error of both is at most " + in_ms(clock_error_s_);
 }
 
 }  // namespace telepalp::station

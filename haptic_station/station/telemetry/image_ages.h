@@ -12,8 +12,8 @@ namespace telepalp::station {
 class ImageAges {
  public:
   void add(const msg::SurfaceReport& report);
-  /// Such as "843 images were touchable 61 ms (p50) and 97 ms (p99) after capture; both with an error of at most 3.2
-  /// ms"; empty without images. 3.2 ms: the largest bound on the session clock's error in any report so far.
+  /// Such as "843 images: their surfaces were touchable 61 ms (median) and 97 ms (99th percentile) after capture; the
+  /// error of both is at most 3.2 ms", the largest bound on the session clock's error so far; empty without images.
   [[nodiscard]] std::string in_words() const;
 
  private:

@@ -55,7 +55,7 @@ class TelemetryPublisher {
   loop::TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
   std::optional<msg::RigidMotion> haptic_from_tracker_;
-  std::int64_t state_period_ = -1;  // 10 ms period of the last published state, from session time 0 on
+  std::int64_t state_period_ = -1;  // number of the last published state's 10 ms period since session time 0
   bool has_ticked_ = false;
   bool heat_warned_ = false;
 };

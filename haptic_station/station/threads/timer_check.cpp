@@ -51,7 +51,7 @@ msg::TimerCheck watch_idle_timer(std::chrono::milliseconds length) {
 std::string in_words(const msg::TimerCheck& check) {
   char text[200];
   std::snprintf(text, sizeof text,
-                "timer of this computer, tested without work: %llu of %llu wake-ups missed; delay: median %.0f us, "
+                "timer of this computer at 2 kHz, while idle: %llu of %llu wake-ups missed; delay: median %.0f us, "
                 "largest %.0f us",
                 static_cast<unsigned long long>(check.missed()), static_cast<unsigned long long>(check.wakeups()),
                 check.late_us_p50(), check.late_us_max());

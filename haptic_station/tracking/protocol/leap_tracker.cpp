@@ -19,7 +19,7 @@ LeapTracker::LeapTracker(device::WebSocketUrl url, const Transform<HapticBase, H
                  [this](const std::string& why) {
                    thread_.obstacle(why);
                    if (std::exchange(line_is_up_, false))
-                     say_(name_ + " is lost: " + why + "; the station tries to connect again");
+                     say_(name_ + ": the connection is lost: " + why + "; the station tries to connect again");
                  }}),
       haptic_from_tracker_(haptic_from_tracker) {}
 
@@ -29,12 +29,11 @@ Result<void> LeapTracker::start(std::chrono::milliseconds limit) {
   boost::asio::post(thread_.io(), [this] { line_.start(); });
   thread_.run();
   if (thread_.wait_for_answer(limit)) return {};
-  return Error{
-      .what = "is not ready: " + thread_.obstacle(),
-      .where = name_,
-      .fix =
-          "start a Leap service that speaks version 6 of the Leap protocol, allow WebSockets in its settings, or give "
-          "--tracker simulated"};
+  return Error{.what = "is not ready: " + thread_.obstacle(),
+               .where = name_,
+               .fix =
+                   "start a Leap service that speaks version 6 of the Leap protocol, allow WebSockets in its settings, "
+                   "or try the station without one by --device simulated --tracker simulated"};
 }
 
 void LeapTracker::refuse(const std::string& why) {
@@ -53,9 +52,9 @@ void LeapTracker::on_hello(const leap::Hello& hello) {
   spoke_ = hello.version == leap::kProtocolVersion;
   if (!spoke_)
     return refuse("the Leap service speaks version " + std::to_string(hello.version) +
-                  " of the Leap protocol, not version 6");
+                  " of the Leap protocol, not version 6, which telepalp needs");
   if (!std::exchange(line_is_up_, true))
-    say_(name_ + " answers; version of its service: " + hello.service_version.substr(0, 64));
+    say_(name_ + ": the Leap service answers; its version: " + hello.service_version.substr(0, 64));
   thread_.answered();
 }
 

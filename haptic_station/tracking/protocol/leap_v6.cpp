@@ -51,17 +51,18 @@ std::optional<Hand> hand_of(const leap_v6::Text::Hand& hand_text) {
 }  // namespace
 
 Result<Text> parse_text(std::string_view text) {
-  if (text.size() > kMostTextBytes) return refused("it is longer than 256 KiB");
+  if (text.size() > kMostTextBytes) return refused("the message is longer than 256 KiB");
   json::JsonParseOptions options;
   options.ignore_unknown_fields = true;
   leap_v6::Text message;
   if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
-    return refused("what the service sent is not a message of version 6 of the Leap protocol: " +
-                   read.ToString().substr(0, 200));
+    return refused("the text is not a message of version 6 of the Leap protocol: " + read.ToString().substr(0, 200));
   if (message.has_version()) return Text{Hello{message.version(), message.serviceversion()}};
   if (!message.has_timestamp()) return Text{Other{}};
-  if (message.timestamp() < 0 || message.timestamp() > kLatest_us) return refused("its timestamp is out of range");
-  if (static_cast<std::size_t>(message.hands_size()) > kMostHands) return refused("it lists more than 16 hands");
+  if (message.timestamp() < 0 || message.timestamp() > kLatest_us)
+    return refused("the timestamp of the message is below 0 or above 2^53 us");
+  if (static_cast<std::size_t>(message.hands_size()) > kMostHands)
+    return refused("the message lists more than 16 hands");
   Frame frame{.timestamp_us = message.timestamp(), .hands = {}, .refused = 0};
   for (const leap_v6::Text::Hand& one : message.hands()) {
     if (const auto hand = hand_of(one))

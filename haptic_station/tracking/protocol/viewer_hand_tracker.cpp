@@ -36,11 +36,12 @@ std::optional<ports::HandSample> ViewerHandTracker::sample(SessionTime now, cons
 const char* in_words(ViewerHandTracker::Taken taken) noexcept {
   switch (taken) {
     case ViewerHandTracker::Taken::Followed:
-      return "its hand is followed";
+      return "the station follows the hand of this viewer";
     case ViewerHandTracker::Taken::Passing:
-      return "the station does not follow your hand yet: another viewer has just let go";
+      return "the station does not follow the hand of this viewer yet: it followed another viewer's hand within the "
+             "last 0.3 s";
     case ViewerHandTracker::Taken::OutOfReach:
-      return "not followed: its hand is out of the device's reach";
+      return "the station does not follow the hand of this viewer: the hand is beyond the device's reach of 0.5 m";
   }
   return "?";
 }

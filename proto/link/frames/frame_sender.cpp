@@ -35,8 +35,8 @@ std::optional<std::vector<std::byte>> FrameSender::next(SessionTime now, PathEst
   return payload;
 }
 
-/// A frame is dropped unsent when it would arrive after twice the deadline. Over a path whose delay alone exceeds this,
-/// as by satellite, it is dropped when its own deadline has passed: a late image is better than none.
+/// A frame is dropped unsent when it would arrive after twice the deadline. Over a path whose one-way delay exceeds the
+/// deadline, as by satellite, a frame is dropped when it is older than the deadline: a late image is better than none.
 void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
   const Nanoseconds oldest = std::max(2 * deadline_ - path.least_round_trip() / 2, deadline_);
   std::erase_if(waiting_, [&](const auto& entry) {

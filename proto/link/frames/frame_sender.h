@@ -26,8 +26,8 @@ struct Frame {
 struct SenderStatistics {
   std::uint64_t started = 0;
   std::uint64_t replaced = 0;  ///< dropped unsent, because a newer frame was offered
-  /// Dropped unsent, because they would arrive more than twice the deadline after their capture. Over a path whose
-  /// delay exceeds the deadline: because they were older than the deadline.
+  /// Dropped unsent, because their age exceeded twice the deadline minus the path's one-way delay. If this delay is
+  /// longer than the deadline, the limit of the age is the deadline itself.
   std::uint64_t expired = 0;
   std::uint64_t data_shards = 0;
   std::uint64_t repair_shards = 0;

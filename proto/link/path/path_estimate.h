@@ -22,7 +22,7 @@ class PathEstimate {
 
   /// True if a datagram may be sent now: in_flight_B() leaves room below limit_B(), and sending does not pause to empty
   /// the path's queue. Without feedback for the longer of 1 s and 4 round trips, all data in flight counts as lost, and
-  /// limit_B() falls to its least value. From there it doubles with each round trip, up to half of its earlier value.
+  /// limit_B() falls to its least value. Then it doubles with each round trip, up to half of its value before the fall.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown

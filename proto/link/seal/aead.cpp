@@ -14,7 +14,7 @@ const unsigned char* bytes(const std::byte* data) noexcept { return reinterpret_
 unsigned char* bytes(std::byte* data) noexcept { return reinterpret_cast<unsigned char*>(data); }
 int size_of(std::span<const std::byte> data) noexcept { return static_cast<int>(data.size()); }
 
-void must(int done) { demand(done == 1, "OpenSSL encrypts and decrypts a datagram without an error of its own"); }
+void must(int done) { demand(done == 1, "OpenSSL encrypts and decrypts a datagram without an internal error"); }
 
 }  // namespace
 

@@ -31,7 +31,7 @@ enum class Direction { ClientToServer, ServerToClient };
 
 struct PacketKey {
   Secret key;
-  std::array<std::byte, 12> salt{};  ///< the nonce: bytes 4 to 11 XOR the datagram's number, little-endian
+  std::array<std::byte, 12> salt{};  ///< nonce: the salt, its bytes 4 to 11 XOR the datagram's number (little-endian)
 };
 
 /// HKDF-Expand of RFC 5869 with SHA-256, for one block: HMAC(secret, label || 1).

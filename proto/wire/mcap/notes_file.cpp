@@ -17,7 +17,7 @@ constexpr std::uintmax_t kMostFile_B = std::uintmax_t{4} << 20U;  // more than k
 Error unreadable(const std::filesystem::path& file, std::string what) {
   return {.what = std::move(what),
           .where = file.string(),
-          .fix = "move the file away, or correct it: it must have the form of the reply to GET /playback/notes"};
+          .fix = "move the file away, or correct the file: its form is that of the reply to GET /playback/notes"};
 }
 
 bool has_a_time(const msg::SessionNotes::Note& note) { return std::isfinite(note.at_s()) && note.at_s() >= 0.0; }
@@ -42,12 +42,12 @@ Result<msg::SessionNotes> read_notes(const std::filesystem::path& session) {
   if (!in)
     return Error{.what = "the notes cannot be read",
                  .where = file.string(),
-                 .fix = "let this program's user read the file, or move it away"};
+                 .fix = "allow the user of this program to read the file, or move the file away"};
   if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok())
     return unreadable(file, "the JSON cannot be read: " + std::string(parsed.message()));
   if (notes.notes_size() > kMostNotes) return unreadable(file, "the file has more than 1000 notes");
   if (!std::all_of(notes.notes().begin(), notes.notes().end(), has_a_time))
-    return unreadable(file, "a note's at_s is not a number of seconds from 0 on");
+    return unreadable(file, "the field at_s of a note is not a number of seconds, 0 or more");
   return notes;
 }
 

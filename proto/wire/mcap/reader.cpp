@@ -115,7 +115,7 @@ Result<void> McapReader::open_chunk(std::size_t chunk) {
   const auto record = mcap::parse<mcap::ChunkRecord>(content);
   if (!record) return in_chunk(chunk, "its header is damaged");
   if (open_bytes_ + record->uncompressed_size > kMaxOpenBytes)
-    return in_chunk(chunk, "more chunks than fit in 256 MiB overlap in time with this one");
+    return in_chunk(chunk, "the chunks that overlap in time with this chunk do not fit in 256 MiB");
   Result<std::string> records = mcap::unpack(*record);
   if (!records) return in_chunk(chunk, records.error());
 

@@ -38,11 +38,12 @@ Result<RecordedCamera> checked(const msg::CameraFile& file, const program::Numbe
   camera.model.color = file.has_color() ? intrinsics_of(file.color()) : camera.model.depth;
   camera.model.color_registered = file.color_registered();
   if (!is_well_formed(camera.model.depth) || !is_well_formed(camera.model.color))
-    return wrong("has no usable intrinsics", "give depth { width: … height: … fx: … fy: … cx: … cy: … } in pixels");
+    return wrong("has no usable camera intrinsics",
+                 "give depth { width: … height: … fx: … fy: … cx: … cy: … } in pixels");
   if (camera.model.depth.width != width || camera.model.depth.height != height)
     return wrong("is for depth images of " + size_text(camera.model.depth.width, camera.model.depth.height) +
                      " pixels, but the depth images have " + size_text(width, height),
-                 "give the intrinsics of the size that was recorded");
+                 "give the camera intrinsics for the size of the recorded images");
   camera.depth_unit_m = file.depth_unit_m();
   if (!(camera.depth_unit_m >= 1e-5 && camera.depth_unit_m <= 0.1))
     return wrong_number("depth_unit_m", camera.depth_unit_m,

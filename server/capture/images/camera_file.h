@@ -22,8 +22,8 @@ struct RecordedCamera {
 [[nodiscard]] Result<RecordedCamera> read_camera_file(const std::filesystem::path& file, int width, int height);
 
 /// Assumed parameters of images without a camera file: focal length 525/640 of the width, principal point at the
-/// centre, unit 1 mm, depths above 10 m ignored, colour registered to depth. `warning` states this, with the text that
-/// a camera file at `file` should have.
+/// centre, unit 1 mm, depths above 10 m ignored, colour registered to depth. `warning` states these values as the
+/// text of a camera file, and asks for the camera's own values in `file`.
 [[nodiscard]] RecordedCamera assumed_camera(const std::filesystem::path& file, int width, int height);
 
 }  // namespace telepalp::capture

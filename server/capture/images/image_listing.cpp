@@ -74,7 +74,7 @@ Result<void> check_numbers(const std::vector<Image>& depth, const std::string& w
   for (std::size_t i = 1; i < depth.size(); ++i) {
     if (*depth[i].number == *depth[i - 1].number)
       return bad(where, depth[i - 1].file.string() + " and " + depth[i].file.string() + " have the same number",
-                 "keep one of them");
+                 "remove one of the two files, or give one of them another number");
     step = std::min(step, *depth[i].number - *depth[i - 1].number);
   }
   for (std::size_t i = 1; i < depth.size(); ++i)
@@ -82,7 +82,7 @@ Result<void> check_numbers(const std::vector<Image>& depth, const std::string& w
       return bad(where,
                  with_number(depth[i - 1], *depth[i - 1].number + step) + " is missing between " +
                      depth[i - 1].file.string() + " and " + depth[i].file.string(),
-                 "put it back, or number the images without a gap");
+                 "put the missing image back, or number the images without a gap");
   return {};
 }
 

@@ -51,7 +51,7 @@ Error other_size(const fs::path& file, int width, int height, int first_width, i
   return {.what = "is " + size_text(width, height) + " pixels, but the first image has " +
                   size_text(first_width, first_height),
           .where = file.string(),
-          .fix = "keep images of one size in a folder"};
+          .fix = "keep only images of the same size in this folder"};
 }
 
 Result<RgbdFrame> load(const Recording& recording, std::size_t number) {

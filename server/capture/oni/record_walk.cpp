@@ -51,7 +51,7 @@ Result<OniRecordWalk> OniRecordWalk::open(std::istream& file, const std::string&
   const std::tuple version{little_endian<std::uint8_t>(*header, 4), little_endian<std::uint8_t>(*header, 5),
                            little_endian<std::uint16_t>(*header, 6), little_endian<std::uint32_t>(*header, 8)};
   if (version < std::tuple{1, 0, 0, 4U} || std::get<0>(version) != 1)
-    return Error{.what = "cannot be played: its header names a format below 1.0.0.4, or from 2.0 on",
+    return Error{.what = "cannot be played: its header names a format version below 1.0.0.4, or 2.0 or later",
                  .where = name + ": byte 4",
                  .fix = "copy the whole recording again, or record again with OpenNI's recorder (NiViewer)"};
   const bool offsets_of_32_bits = version < std::tuple{1, 0, 1, 0U};

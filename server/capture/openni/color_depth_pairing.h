@@ -19,7 +19,7 @@ class ColorDepthPairing {
     ColorImage color;  ///< empty when no colour image lies within kStaleColor
   };
 
-  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< limit for a pair: half a period of 30 Hz
+  static constexpr std::chrono::microseconds kSameInstant{17'000};  ///< longest time between a pair's images: 1/60 s
   static constexpr std::chrono::microseconds kStaleColor{200'000};
   static constexpr Nanoseconds kWaitForColor{15'000'000};
 
@@ -27,8 +27,8 @@ class ColorDepthPairing {
   void add_depth(std::chrono::microseconds driver_time, SessionTime arrival, DepthImage depth);
 
   /// Returns the depth image with its colour image. After kWaitForColor, it returns the depth image with the last
-  /// colour image, or without colour if that image is more than kStaleColor away. nullopt: there is no depth image, or
-  /// the depth image still waits for its colour.
+  /// colour image, or without colour if the driver's time stamps of both differ by more than kStaleColor. nullopt:
+  /// there is no depth image, or the depth image still waits for its colour image.
   [[nodiscard]] std::optional<Pair> take(SessionTime now);
 
   /// True while a depth image waits for its colour.

@@ -152,7 +152,7 @@ void OpenNiDevice::prepare_camera() {
 CameraDevice::Read OpenNiDevice::read(Nanoseconds patience) {
   const SessionTime until = clock_.now() + patience;
   for (;;) {
-    if (unplugged_.gone()) return Gone{"it was unplugged"};
+    if (unplugged_.gone()) return Gone{"the camera was unplugged"};
     if (Read pair = paired(); !std::holds_alternative<Nothing>(pair)) return pair;
     const Nanoseconds left = until - clock_.now();
     if (left <= Nanoseconds{0}) return Nothing{};

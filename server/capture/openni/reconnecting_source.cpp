@@ -23,7 +23,7 @@ std::optional<RgbdFrame> ReconnectingSource::next(Nanoseconds patience) {
     phase_ = capture::next(phase_, CameraEvent::RecordingEnded);
     device_->close();
   } else if (time_.now() - last_sign_ > kSilence) {
-    lose(CameraEvent::FellSilent, "no frame for 2 s");
+    lose(CameraEvent::FellSilent, "no frame arrived for 2 s");
   }
   return std::nullopt;
 }

@@ -14,7 +14,7 @@ struct FrameSlot {
 };
 
 /// Paces the frames of a source without a camera. Slot 0 is due at the first call of next(), slot k exactly k periods
-/// later, so delays do not accumulate. Like a camera, it drops slots that were not fetched in time.
+/// later, so delays do not accumulate. Like a camera, it drops each slot that was not fetched before the next was due.
 class FramePacer {
  public:
   /// `paced` false: next() does not wait, and no slot is dropped.

@@ -11,7 +11,7 @@
 
 namespace telepalp::gateway::foxglove {
 
-/// The played session, as the WebSocket sees it. Both functions are unset without such a session.
+/// The played session, as the WebSocket sees it. Both functions are unset if the server plays none.
 struct PlaybackPort {
   std::function<msg::PlaybackState()> state;
   std::function<Result<void>(const msg::PlaybackCommand&)> move;

@@ -58,9 +58,10 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
          single("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.", datagrams.taken) +
          refused(datagrams) +
          single("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.", browsers) +
-         single("telepalp_waiting_bytes", "gauge", "Bytes that wait for subscribers; images are not counted.",
+         single("telepalp_waiting_bytes", "gauge", "Bytes that wait to be sent to subscribers; images are not counted.",
                 hub.waiting_bytes()) +
-         single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch.", touch_is_held ? 1 : 0) +
+         single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch, else 0.",
+                touch_is_held ? 1 : 0) +
          single("telepalp_joined_total", "counter", "Connections that were accepted since the start.", access.joined) +
          single("telepalp_refused_total", "counter", "Keys, tokens, operations and connections that were refused.",
                 access.refused) +

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWhere = "playback/comparison";
 constexpr const char* kExample =
-    "send JSON such as {\"with\": \"session.mcap\"}, with a name from the list of sessions";
+    "send JSON such as {\"with\": \"session.mcap\"}, with a session that GET /playback/comparison lists";
 
 msg::ComparisonState failed(const Error& error) {
   msg::ComparisonState state;
@@ -52,7 +52,9 @@ Result<std::string> SessionComparison::apply(const std::string& json) {
   if (!command.has_with()) return this->json();
   const std::vector<std::string> known = sessions();
   if (!command.with().empty() && std::ranges::find(known, command.with()) == known.end())
-    return Error{.what = "the folder of --compare-dir holds no session of this name", .where = kWhere, .fix = kExample};
+    return Error{.what = "the folder of --compare-dir holds no session with the name that the request gives",
+                 .where = kWhere,
+                 .fix = kExample};
   begin(command.with());
   return this->json();
 }

@@ -57,7 +57,7 @@ TEST_P(BodyFrameOver, TheLoweredObjectsRiseToTheirPlacesAsFastAsTheSkinAndNoFast
     surface::TouchSample touch = displayed(true, skin.lag_m().y());
     touch.surface_velocity_m_per_s = skin.velocity_m_per_s().y();
     const effects::Placement placed = body.step(touch, kTick_s)[0];
-    skin.advance(Vector3d::Zero(), Vector3d::UnitY(), 0.0, kTick_s);
+    skin.advance(Vector3d::Zero(), Vector3d::UnitY(), 0.0, 0.0, kTick_s);
     object_m = placed.moved.v;
     fastest = std::max(fastest, placed.velocity.v.norm());
     apart_m = std::max(apart_m, std::abs(object_m.y() + skin.lag_m().y()));

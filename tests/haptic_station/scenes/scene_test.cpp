@@ -55,7 +55,7 @@ TEST(Scene, AnUnknownFieldIsAnErrorWithLineAndColumn) {
       << complaint("plane { hight_m: 0.02 }");
 }
 
-/// S1's d_thr had this name. A scene that gives it would otherwise load, and 1 mm would be felt like 500 mm.
+/// The field from_body_within_m was S1's d_thr. No value of this field had an effect, so the field was removed.
 TEST(Scene, AThresholdWithoutEffectIsRefused) {
   EXPECT_NE(complaint("transitions { from_body_within_m: 0.5 }").find("bad.scene.textproto:2:"), std::string::npos)
       << complaint("transitions { from_body_within_m: 0.5 }");

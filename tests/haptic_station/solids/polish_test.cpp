@@ -85,7 +85,8 @@ TEST(Polish, SaysWhereAndWhatItExpected) {
       {"a mesh without reader", "mesh liver.ply 1 0.004", "f:1:1",
        "liver.ply: the solid's Polish notation names this mesh file, but only shapes are accepted here"},
       {"deep nesting", repeated("tr 0 0 0 ", 100'000) + "sphere 1", "f:1:910", "nest deeper than 100"},
-      {"too many words", repeated("+ sphere 1 ", 110'000) + "sphere 1", "f:1:1100001", "more than 200000 words"},
+      {"too many words", repeated("+ sphere 1 ", 110'000) + "sphere 1", "f:1:1100001",
+       "more than 200000 shapes and operators"},
       {"too long", std::string((4 << 20) + 1, ' '), "f", "larger than 4 MiB"},
   };
   for (const Refusal& refusal : kRefusals) {

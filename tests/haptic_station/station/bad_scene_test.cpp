@@ -104,10 +104,11 @@ TEST_F(BadScene, AMissingMeshNamesTheLayerAndTheLine) {
                ":3:9: ", "none.ply: cannot be read");
   write("rib.solid", "sphere 1 +");
   const std::string in_file = said_about_layer("\npolish_file: \"rib.solid\"");
-  EXPECT_NE(in_file.find("rib.solid:1:10: ribs: found '+' after the end of the solid"), std::string::npos) << in_file;
+  EXPECT_NE(in_file.find("rib.solid:1:10: layer ribs: found '+' after the end of the solid"), std::string::npos)
+      << in_file;
   EXPECT_NE(in_file.find("bad.textproto:3:15 names this file"), std::string::npos) << in_file;
   for (const char* solid : {"polish: \"mesh none.ply 1 0.004\"", "polish_file: \"none.solid\""})
-    EXPECT_NE(said_about_layer(solid).find(": ribs: "), std::string::npos) << solid;
+    EXPECT_NE(said_about_layer(solid).find(": layer ribs: "), std::string::npos) << solid;
   expect_place(said_about("\neffects { organ { file: \"none.ply\" } }"), ":3:11: ", "organ: ");
   expect_place(said_about("\npatient_surface { static_model { file: \"none.ply\" } }"),
                ":3:19: ", "none.ply: cannot be read");
@@ -150,7 +151,7 @@ TEST_F(BadScene, NestingOfAHundredThousandLevelsIsRefused) {
   const std::string deep = repeated("\nscale { factor: 1 of {", 110) + "sphere { radius_m: 1 }" + repeated("}}", 110);
   expect_place(said_about_layer("solid {" + deep + "}"), ":103:19: ", "operators nest deeper than 100");
   write("deep.solid", repeated("sc 1\n", kDepth) + "sphere 1");
-  EXPECT_NE(said_about_layer("polish_file: \"deep.solid\"").find("deep.solid:102:1: ribs: operators nest deeper"),
+  EXPECT_NE(said_about_layer("polish_file: \"deep.solid\"").find("deep.solid:102:1: layer ribs: operators nest deeper"),
             std::string::npos);
 }
 

@@ -37,17 +37,17 @@ TEST(ImageAges, AreToldWithTheLargestErrorBoundOfTheSessionClock) {
   for (int i = 0; i < 98; ++i) ages.add(touchable_after(60ms, 0.003));
   ages.add(touchable_after(120ms, 0.0032));
   ages.add(touchable_after(120ms, 0.001));
-  EXPECT_EQ(
-      ages.in_words(),
-      "100 images were touchable 61 ms (p50) and 122 ms (p99) after capture; both with an error of at most 3.2 ms");
+  EXPECT_EQ(ages.in_words(),
+            "100 images: their surfaces were touchable 61 ms (median) and 122 ms (99th percentile) after capture; the "
+            "error of both is at most 3.2 ms");
 }
 
 TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
   ImageAges ages;
   ages.add(touchable_after(-2ms, std::numeric_limits<double>::infinity()));
-  EXPECT_EQ(
-      ages.in_words(),
-      "1 images were touchable 0.0 ms (p50) and 0.0 ms (p99) after capture; the error of the session clock is unknown");
+  EXPECT_EQ(ages.in_words(),
+            "1 images: their surfaces were touchable 0.0 ms (median) and 0.0 ms (99th percentile) after capture; the "
+            "error of both is unknown, because the server's clock is not known");
 }
 
 TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {

@@ -181,8 +181,8 @@ TEST(ImpairedLink, AWrongTraceIsRefusedWithItsLineIfOneIsWrong) {
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"", "line 1"},
       {"time,delay\n", "line 1"},
-      {header, "the trace has fewer than two rows"},
-      {header + "0,1,1,1,1\n", "the trace has fewer than two rows"},
+      {header, "the network trace has fewer than two rows"},
+      {header + "0,1,1,1,1\n", "the network trace has fewer than two rows"},
       {header + "1,1,1,1,1\n2,1,1,1,1\n", "line 2"},
       {header + "0,1,1,1,1\n0,1,1,1,1\n", "line 3"},
       {header + "0,1,1,101,1\n1,1,1,1,1\n", "line 2"},
@@ -192,7 +192,7 @@ TEST(ImpairedLink, AWrongTraceIsRefusedWithItsLineIfOneIsWrong) {
       {header + "0,nan,1,1,1\n1,1,1,1,1\n", "line 2"},
       {header + "0,1e300,1,1,1\n1,1,1,1,1\n", "line 2"},
       {header + "0,1,1,1,1\n\n1,1,1,1,1\n", "line 3"},
-      {std::string((1U << 20U) + 1, 'x'), "the trace is larger than 1 MiB"},
+      {std::string((1U << 20U) + 1, 'x'), "the network trace is larger than 1 MiB"},
   };
   for (const auto& [text, line] : wrong) {
     const Result<Trace> trace = parse_trace(text, "t.csv");

@@ -271,11 +271,11 @@ TEST_F(CameraFile, WhatTheWarningSaysToWriteCanBeRead) {
 TEST_F(CameraFile, EachMistakeIsNamed) {
   const std::pair<std::string, std::string> kBad[] = {
       {"depth {\n  width: 640 height: 480 fx_px: 500\n}", ":2:"},
-      {"depth { width: 640 height: 480 }\ndepth_unit_m: 0.001", "no usable intrinsics"},
+      {"depth { width: 640 height: 480 }\ndepth_unit_m: 0.001", "no usable camera intrinsics"},
       {"depth { width: 320 height: 240 fx: 250 fy: 250 }\ndepth_unit_m: 0.001", "320 x 240"},
       {"depth { width: 640 height: 480 fx: 500 fy: 500 }", "depth_unit_m"},
       {"depth { width: 640 height: 480 fx: 500 fy: 500 }\ndepth_unit_m: 1", "depth_unit_m"},
-      {"depth { width: 640 height: 480 fx: nan fy: 500 }\ndepth_unit_m: 0.001", "no usable intrinsics"},
+      {"depth { width: 640 height: 480 fx: nan fy: 500 }\ndepth_unit_m: 0.001", "no usable camera intrinsics"},
       {kGood + "frames_per_s: -3", "frames_per_s"},
       {kGood + "ignore_above: 70000", "ignore_above"},
   };

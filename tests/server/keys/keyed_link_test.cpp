@@ -54,7 +54,7 @@ TEST(KeyedLink, AKeyOfAnotherAuthorityIsRefusedAtBothEnds) {
   const KeyRing other;
   KeyedClient stranger(site, other.key("eve", Role::Doctor), "doctor");
   expect_refused(site, stranger, "the server's key was not made by the authority site, which made your key",
-                 "this address is the right server's");
+                 "connect to the address of the server that your key is for");
   auto forged = std::make_shared<keys::KeyFile>(*other.key("eve", Role::Doctor));
   forged->authority = site.ring.authority.certificate();  // a client that takes any server
   KeyedClient eve(site, forged, "doctor");

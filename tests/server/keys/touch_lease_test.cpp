@@ -56,7 +56,7 @@ struct TwoDoctors {
 TEST(HandOver, TheHolderOffersTheOtherAcceptsAndTheAuditLogHasBoth) {
   TwoDoctors two;
   EXPECT_EQ(two.hand_over("bert"),
-            "done: offered to doctor bert for 60 s: you keep the touch until that doctor accepts it");
+            "done: the touch is offered to doctor bert for 60 s: you keep the touch until that doctor accepts it");
   ASSERT_TRUE(two.site.run_until([&] { return two.said_to_bert("doctor anna offers you the touch"); }));
   EXPECT_TRUE(two.anna->connected()) << "an offer alone takes nothing away";
   EXPECT_FALSE(two.bert->connected());
@@ -87,7 +87,7 @@ TEST(HandOver, WhatIsNotOfferedToADoctorCannotBeAccepted) {
 TEST(HandOver, AWithdrawnOfferCannotBeAccepted) {
   TwoDoctors two;
   EXPECT_EQ(two.hand_over("bert").rfind("done: ", 0), 0u);
-  EXPECT_EQ(two.hand_over("bert"), "refused: the last offer was made just now. fix: wait a second");
+  EXPECT_EQ(two.hand_over("bert"), "refused: the last offer was made just now. fix: wait 1 s, then offer again");
   two.site.run_until([] { return false; }, 600ms);
   EXPECT_EQ(two.hand_over(""), "done: the offer is withdrawn: you keep the touch");
   two.bert->link.accept_touch();

@@ -17,8 +17,8 @@ struct Footing {
 };
 
 Result<Footing> read_footer(ByteSource& source) {
-  const Error no_summary =
-      damaged(source, "has no summary at its end: it is truncated, or was written without one", source.size());
+  const Error no_summary = damaged(
+      source, "has no summary at its end: the file is truncated, or was written without a summary", source.size());
   if (source.size() < kMagic.size() + kTailBytes) return no_summary;
   const std::uint64_t offset = source.size() - kTailBytes;
   std::string tail;

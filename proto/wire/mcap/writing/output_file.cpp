@@ -46,7 +46,7 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& name) {
     return OutputFile(name, descriptor);
   }
   if (errno == EEXIST)
-    return Error{.what = "exists already: a recording that was cut off, or one that is running",
+    return Error{.what = "exists already: a recording that was cut off, or a recording that is running",
                  .where = partial(name).string(),
                  .fix = "choose another name. If no recorder is running, telepalp-record repair " +
                         partial(name).string() + " mends the file"};

@@ -13,10 +13,10 @@ struct BreathStyle {
   double rate_hz = 0.25;
   double period_spread = 0.2;     ///< each period differs from the mean by at most this share of the mean
   double amplitude_spread = 0.3;  ///< each amplitude differs from the mean by at most this share of the mean
-  double least_inhale = 0.3;      ///< the share of inhaling is drawn from `least_inhale` to `most_inhale`
+  double least_inhale = 0.3;      ///< the share of a period for inhaling is drawn from this to `most_inhale`
   double most_inhale = 0.45;
-  double most_pause = 0.15;  ///< the share of the pause after exhaling is drawn from 0 to `most_pause`
-  double ripple_m = 0.0;     ///< amplitude of the oscillation by syllables, while a speaking patient exhales
+  double most_pause = 0.15;  ///< the share of a period for the pause after exhaling is drawn from 0 to this
+  double ripple_m = 0.0;     ///< amplitude of the lift's oscillation at 3 to 5 syllables a second, while exhaling
 };
 
 /// A random sequence of breaths. Each breath has its own period, amplitude, lift at its end, shares of inhale and

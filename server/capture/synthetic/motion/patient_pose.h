@@ -9,7 +9,7 @@ namespace telepalp::capture {
 /// Pose of the patient at one instant, with its rate of change. All zero: at rest at full exhale.
 struct PatientPose {
   Breath breath;
-  Eigen::Vector2d slide_m = Eigen::Vector2d::Zero();  ///< in the image plane: towards the head, and the patient's left
+  Eigen::Vector2d slide_m = Eigen::Vector2d::Zero();  ///< in the image plane: x to the head, y to the patient's left
   Eigen::Vector2d slide_m_per_s = Eigen::Vector2d::Zero();
   double rise_m = 0.0;  ///< displacement of the whole body towards the camera
   double rise_m_per_s = 0.0;

@@ -44,7 +44,7 @@ struct RestShape {
 
 /// Places the patient of `mesh` (metres, y towards the head, +z front) on a table under the camera, with the head at
 /// the image's left, the middle of the mesh below the pinhole and the highest point `camera_above_body_m` from it. A
-/// Gaussian of 5 mm smooths the mesh's facets, and one of 22 mm the cloth. `where`: the mesh's name, for errors.
+/// Gaussian of sigma 5 mm smooths the body, one of sigma 22 mm the cloth. `where`: the mesh's name, for errors.
 [[nodiscard]] Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& camera,
                                                  double camera_above_body_m, const std::string& where);
 

@@ -16,9 +16,11 @@ Result<NamedPatient> open_patient(const std::string& text) {
   const std::optional<std::filesystem::path> file =
       spec->model == "torso" ? program::shipped_file(kShippedTorso) : std::filesystem::path{spec->model};
   if (!file)
-    return Error{.what = "is neither in the program's folder nor in a folder above it",
-                 .where = kShippedTorso,
-                 .fix = "run from the source tree or an installation, or set TELEPALP_HOME to one"};
+    return Error{
+        .what =
+            "is not found below TELEPALP_HOME or, if TELEPALP_HOME is not set, in the program's folder and those above",
+        .where = kShippedTorso,
+        .fix = "keep the program in its build or installation folder, or set TELEPALP_HOME to the repository's folder"};
   const Result<TriangleMesh> mesh = read_mesh(*file);
   if (!mesh) return mesh.error();
   Result<SyntheticPatient> patient = SyntheticPatient::make(*mesh, spec->settings, file->string());
