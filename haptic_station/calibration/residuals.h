@@ -18,7 +18,7 @@ struct Residuals {
   }
   [[nodiscard]] double deviation_m() const noexcept {
     double sum = 0.0;
-    for (const double r : each_m) sum += (r - mean_m()) * (r - mean_m());
+    for (const double mean = mean_m(); const double r : each_m) sum += (r - mean) * (r - mean);
     return each_m.size() < 2 ? 0.0 : std::sqrt(sum / static_cast<double>(each_m.size() - 1));
   }
   [[nodiscard]] double rms_m() const noexcept {

@@ -31,6 +31,22 @@ std::optional<Eigen::Vector3d> solve_over(const Eigen::MatrixXd& basis, const Ei
   return all;
 }
 
+constexpr std::string_view kBlanks = " \t\r";
+
+/// The sample of a row `compression_mm,load_N`; nullopt: the row is not two numbers.
+std::optional<CompressionSample> sample_of(std::string_view row) noexcept {
+  double mm = 0.0;
+  double load_N = 0.0;
+  const char* end = row.data() + row.size();
+  const auto first = std::from_chars(row.data(), end, mm);
+  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != ',') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, load_N);
+  if (second.ec != std::errc{} ||
+      std::string_view(second.ptr, end).find_first_not_of(kBlanks) != std::string_view::npos)
+    return std::nullopt;
+  return CompressionSample{mm * 1e-3, load_N};
+}
+
 }  // namespace
 
 std::vector<CompressionSample> under_hand(std::span<const CompressionSample> test, const Specimen& specimen,
@@ -89,16 +105,13 @@ Result<std::vector<CompressionSample>> read_compression_test(const std::filesyst
   for (std::size_t number = 2; std::getline(stream, line); ++number) {
     if (samples.size() == kMostSamples)
       return Error{.what = "has more than 1000000 rows", .where = file.string(), .fix = kHowMany};
-    double mm = 0.0;
-    double load_N = 0.0;
-    const char* end = line.data() + line.size();
-    const auto first = std::from_chars(line.data(), end, mm);
-    const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
-    if (!comma || std::from_chars(first.ptr + 1, end, load_N).ec != std::errc{})
+    if (line.find_first_not_of(kBlanks) == std::string::npos) continue;
+    const auto sample = sample_of(line);
+    if (!sample)
       return Error{.what = "the row is not two numbers",
                    .where = file.string() + ":" + std::to_string(number),
                    .fix = "give rows compression_mm,load_N with a decimal point"};
-    samples.push_back({mm * 1e-3, load_N});
+    samples.push_back(*sample);
   }
   return samples;
 }

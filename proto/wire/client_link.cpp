@@ -167,7 +167,8 @@ void ClientLink::connect() {
   error_code not_numeric;
   const auto address = boost::asio::ip::make_address(options_.host, not_numeric);
   if (not_numeric) return resolve();
-  connect_to({address, options_.port});
+  untried_ = {{address, options_.port}};
+  connect_next();
 }
 
 void ClientLink::resolve() {
@@ -175,12 +176,17 @@ void ClientLink::resolve() {
                           while_alive([this](const error_code& code, const tcp::resolver::results_type& found) {
                             if (state_ == LinkState::Stopped) return;
                             if (code) return on_connect_failed(code.message());
-                            connect_to(found.begin()->endpoint());
+                            untried_.assign(found.begin(), found.end());
+                            connect_next();
                           }));
 }
 
-/// Without a key, nothing leaves this machine: a patient in clear text on a network is worse than no connection.
-void ClientLink::connect_to(const tcp::endpoint& endpoint) {
+/// Tries the next address of the host. A name may have several, for example ::1 and 127.0.0.1, and the server may
+/// listen at one of them only. Without a key, nothing leaves this machine: a patient in clear text on a network is
+/// worse than no connection.
+void ClientLink::connect_next() {
+  const tcp::endpoint endpoint = untried_.front();
+  untried_.pop_front();
   if (!options_.key && !endpoint.address().is_loopback())
     return refuse({.what = "the server is on another machine, and no key is given",
                    .where = {},
@@ -195,6 +201,7 @@ void ClientLink::connect_to(const tcp::endpoint& endpoint) {
   connecting_.async_connect(endpoint, while_alive([this](const error_code& code) {
                               if (state_ == LinkState::Stopped) return;  // it may have ended before stop() was called
                               retry_.cancel();
+                              if (code && !untried_.empty()) return connect_next();
                               if (code) return on_connect_failed(code.message());
                               greet(std::move(connecting_));
                             }));

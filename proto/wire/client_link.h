@@ -5,6 +5,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -143,7 +144,7 @@ class ClientLink : private ConnectionOwner {
 
   void connect();
   void resolve();
-  void connect_to(const boost::asio::ip::tcp::endpoint& endpoint);
+  void connect_next();
   void on_connect_failed(const std::string& reason);
   void greet(boost::asio::ip::tcp::socket socket);
   void refuse(Error why);
@@ -162,10 +163,11 @@ class ClientLink : private ConnectionOwner {
   TlsSettings tls_;          // null before the first connection, and always without a key
   Error refusal_;
   LinkState state_ = LinkState::Stopped;
-  std::shared_ptr<Connection> connection_;      // shared with pending operations; null without a connection
-  std::optional<msg::DatagramOffer> offered_;   // nullopt: the server offers no datagrams
-  std::unique_ptr<ClientDatagrams> datagrams_;  // null before the clock is synchronised, and without an offer
-  boost::asio::ip::tcp::endpoint server_;       // where the connection goes
+  std::shared_ptr<Connection> connection_;              // shared with pending operations; null without a connection
+  std::optional<msg::DatagramOffer> offered_;           // nullopt: the server offers no datagrams
+  std::unique_ptr<ClientDatagrams> datagrams_;          // null before the clock is synchronised, and without an offer
+  boost::asio::ip::tcp::endpoint server_;               // where the connection goes
+  std::deque<boost::asio::ip::tcp::endpoint> untried_;  // further addresses of the host's name
   std::string peer_name_;
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::ip::tcp::socket connecting_;

@@ -10,7 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// How far back a seek reads for a key frame and a camera model: they come at least every second, unless much was lost.
+/// How far back a seek reads for a key frame, a colour image and a camera model: they come at least every second,
+/// unless much was lost.
 constexpr Nanoseconds kLookBack[] = {1s, 10s};
 
 /// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key
@@ -72,7 +73,8 @@ std::vector<std::string> Timeline::needed_topics() const {
   std::vector<std::string> needed;
   for (const auto& [id, stored] : reader_.summary().channels.all()) {
     if (!stored.topic || !is_played(stored.topic->name)) continue;
-    for (const std::string_view name : {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraDepth.name})
+    for (const std::string_view name :
+         {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraDepth.name, wire::kCameraColor.name})
       if (stored.topic->name == name) needed.emplace_back(name);
   }
   return needed;

@@ -1,22 +1,36 @@
 #include "support/program/log.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <string>
 
 namespace telepalp::program {
+namespace {
+
+/// Number of bytes of the control character that begins `text`; 0: `text` begins with another character. The control
+/// characters U+0080 to U+009F (C1) are two bytes in UTF-8, and some terminals obey them like an escape sequence.
+std::size_t control_bytes(std::string_view text) noexcept {
+  const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
+  if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
+  return byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) <= 0x9f ? 2 : 0;
+}
+
+}  // namespace
+
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (code >= 0x20 && code != 0x7f) {
-      out += letter;
-      continue;
+  while (!text.empty()) {
+    const std::size_t controls = control_bytes(text);
+    if (controls == 0) out += text.front();
+    for (std::size_t i = 0; i < controls; ++i) {
+      std::array<char, 8> hex{};
+      std::snprintf(hex.data(), hex.size(), "\\x%02x", static_cast<unsigned char>(text[i]));
+      out += hex.data();
     }
-    char hex[8];
-    std::snprintf(hex, sizeof hex, "\\x%02x", code);
-    out += hex;
+    text.remove_prefix(std::max<std::size_t>(controls, 1));
   }
   return out;
 }

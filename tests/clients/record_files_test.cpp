@@ -12,6 +12,7 @@
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/clock.pb.h"
+#include "messages/viewer.pb.h"
 #include "proto/wire/mcap/reader.h"
 #include "tests/clients/recorder_stage.h"
 
@@ -221,6 +222,24 @@ TEST_F(Files, TruncatedAtEveryHundredthByteRepairGivesBackAWholeFileOrSaysThatNo
   }
   EXPECT_EQ(last, 160u);
   EXPECT_GT(repaired, 100);
+}
+
+TEST_F(Files, ACutKnowsWhichViewerHoldsTheHandAlthoughThatWasPublishedLongBefore) {
+  std::vector<wire::Message> messages = depth_in_groups(400, 12);
+  msg::HandHolder holder;
+  holder.set_viewer(7);
+  messages.insert(messages.begin(), wire::make_message(wire::kHandHolder, at_ms(0), holder));
+  const auto file = write("session.mcap", messages);
+  const auto report = cut(file, in("part.mcap"), {.from = 12s, .topics = TopicFilter("*")});
+  ASSERT_TRUE(report) << to_string(report.error());
+  auto reader = wire::McapReader::open(in("part.mcap"));
+  ASSERT_TRUE(reader);
+  bool known = false;
+  for (auto next = reader->next(); next && *next; next = reader->next()) {
+    EXPECT_GE((**next).published, at_ms(2'000)) << "the holder's message moves to the beginning of the cut";
+    known = known || ((**next).topic.name == wire::kHandHolder.name && *(**next).payload == holder.SerializeAsString());
+  }
+  EXPECT_TRUE(known);
 }
 
 TEST_F(Files, ACutHoldsItsTimeAndWhatAPlayerNeedsAtItsBeginning) {

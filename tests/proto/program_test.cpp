@@ -17,6 +17,7 @@
 #include "support/program/ending.h"
 #include "support/program/files/shipped.h"
 #include "support/program/json.h"
+#include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/terminal.h"
 #include "support/program/text_format.h"
@@ -226,6 +227,15 @@ TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
   ASSERT_FALSE(read.ok());
   EXPECT_TRUE(read.error().where.starts_with("camera.textproto:2:")) << read.error().where;
   EXPECT_NE(read.error().what.find("fx_px"), std::string::npos) << read.error().what;
+}
+
+TEST(Log, ControlCharactersOfAPeerAreEscaped) {
+  EXPECT_EQ(escaped("a\nb\x1b[2J\x7f"), "a\\x0ab\\x1b[2J\\x7f");
+  EXPECT_EQ(escaped("\xc2\x9b"
+                    "2J"),
+            "\\xc2\\x9b2J")
+      << "U+009B begins an escape sequence, as ESC [ does";
+  EXPECT_EQ(escaped("Zo\xc3\xab, 5 \xc2\xb5m \xc2"), "Zo\xc3\xab, 5 \xc2\xb5m \xc2") << "other UTF-8 text stays";
 }
 
 TEST(Json, NumbersThatAreNotFiniteBecomeNull) {

@@ -65,19 +65,23 @@ void keep_newest(wire::McapReader& reader, std::vector<std::string> topics, std:
   });
 }
 
+/// True for a latched topic that is published only when its value changes: its last message may be of any age.
+bool is_seldom(std::string_view topic) noexcept {
+  return topic == wire::kStationInside.name || topic == wire::kHandHolder.name;
+}
+
 /// The messages before `from` that a player needs at `from`, in order of time.
 std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, const TopicFilter& filter,
                                  std::vector<std::string>& damages) {
   std::vector<std::string> recent;
-  std::vector<std::string> once;  // published once in a session
+  std::vector<std::string> seldom;  // published only when they change
   for (const wire::Topic& topic : wire::kTopics) {
     const bool needed = wire::is_latched(topic.name) || topic.name == wire::kCameraDepth.name;
-    if (needed && filter.matches(topic.name))
-      (topic.name == wire::kStationInside.name ? once : recent).emplace_back(topic.name);
+    if (needed && filter.matches(topic.name)) (is_seldom(topic.name) ? seldom : recent).emplace_back(topic.name);
   }
   KeptByTopic kept;
   keep_newest(reader, std::move(recent), from > kPreludeNs ? from - kPreludeNs : 0, from, kept, damages);
-  keep_newest(reader, std::move(once), 0, from, kept, damages);
+  keep_newest(reader, std::move(seldom), 0, from, kept, damages);
   std::vector<KeptMessage> all;
   for (auto& [topic, messages] : kept)
     for (KeptMessage& message : messages) {

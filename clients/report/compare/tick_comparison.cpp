@@ -54,6 +54,7 @@ TickComparison compare_ticks(const Session& a, const Session& b) {
   if (a.ticks.size() == 0 || b.ticks.size() == 0) return result;
   const Origins origins = common_origins(a, b);
   double squares = 0.0;
+  std::size_t finite = 0;
   std::size_t j = 0;
   for (std::size_t i = 0; i < a.ticks.size(); ++i) {
     const std::int64_t since_ns = a.ticks.at_ns[i] - origins.a_ns;
@@ -65,9 +66,11 @@ TickComparison compare_ticks(const Session& a, const Session& b) {
                       .force_apart_N = distance(a.ticks.force, i, b.ticks.force, j),
                       .hands_apart_m = distance(a.ticks.hand, i, b.ticks.hand, j)};
     take(result, now, a.ticks.phase[i], b.ticks.phase[j]);
-    if (std::isfinite(now.force_apart_N)) squares += now.force_apart_N * now.force_apart_N;
+    if (!std::isfinite(now.force_apart_N)) continue;
+    squares += now.force_apart_N * now.force_apart_N;
+    ++finite;
   }
-  if (result.common > 0) result.force_rms_N = std::sqrt(squares / static_cast<double>(result.common));
+  if (finite > 0) result.force_rms_N = std::sqrt(squares / static_cast<double>(finite));
   return result;
 }
 

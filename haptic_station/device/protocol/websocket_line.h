@@ -53,7 +53,6 @@ class WebSocketLine {
  private:
   class Connection;
   struct Shared;
-  void connect();
 
   std::shared_ptr<Shared> shared_;  // shared: pending Asio handlers may outlive this object
 };

@@ -58,6 +58,22 @@ TEST(TissueFit, RefusesInvalidCompressionTests) {
   EXPECT_FALSE(read_compression_test("/nowhere.csv").ok());
 }
 
+TEST(TissueFit, ReadsBlankLinesAndDosLineEndsAndRefusesTextAfterTheNumbers) {
+  const std::string file = ::testing::TempDir() + "rows.csv";
+  const auto read = [&](const std::string& rows) {
+    std::ofstream(file) << "compression_mm,load_N\n" << rows;
+    return read_compression_test(file);
+  };
+  const auto good = read("1,2\r\n\n3,4 \n");
+  ASSERT_TRUE(good.ok());
+  ASSERT_EQ(good->size(), 2u);
+  EXPECT_DOUBLE_EQ(good->back().load_N, 4.0);
+  const auto text = read("1,2\n1,2xyz\n");
+  ASSERT_FALSE(text.ok());
+  EXPECT_TRUE(text.error().where.ends_with("rows.csv:3")) << text.error().where;
+  std::filesystem::remove(file);
+}
+
 TEST(TissueFit, RefusesACompressionTestThatIsTooLongInsteadOfReadingItsBeginning) {
   const std::string file = ::testing::TempDir() + "too_long.csv";
   {

@@ -10,6 +10,7 @@
 
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
+#include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "server/playback/retimed.h"
 #include "server/playback/session_events.h"
@@ -117,6 +118,26 @@ TEST(Timeline, ASeekReturnsTheCameraModelAndTheGroupAndNextGoesOnFromThere) {
   ASSERT_TRUE(next);
   EXPECT_EQ(depth_of(*next).sequence(), 30u);
   EXPECT_TRUE(decoder.decode(std::as_bytes(std::span(depth_of(*next).data()))));
+}
+
+TEST(Timeline, ASeekReturnsTheLastColourImageSoThatAPausedPictureHasTheColourOfItsDepth) {
+  const auto file = wire::samples::fresh_file("colour" + std::to_string(::getpid()) + ".mcap");
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 12});
+  std::vector<wire::Message> messages;
+  for (int frame = 0; frame < 30; ++frame) {
+    messages.push_back(depth_at(encoder, frame));
+    ::foxglove::CompressedImage colour;
+    colour.set_data("colour " + std::to_string(frame));
+    messages.push_back(wire::make_message(wire::kCameraColor, messages.back().published + 1ms, colour));
+  }
+  ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  auto timeline = Timeline::open(file, {"/camera/*"});
+  ASSERT_TRUE(timeline) << to_string(timeline.error());
+  const auto needed = timeline->seek(at_ms(33 * 15));
+  ASSERT_EQ(needed.size(), 3u + 1u) << "the depth images 12 to 14, and the colour of the last one";
+  ::foxglove::CompressedImage colour;
+  ASSERT_TRUE(colour.ParseFromString(*needed.back().payload));
+  EXPECT_EQ(colour.data(), "colour 14");
 }
 
 TEST(Timeline, AFileWithoutTheTopicsIsAnError) {
