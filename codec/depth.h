@@ -12,7 +12,7 @@
 
 namespace telepalp::codec {
 
-/// How depth is compressed. Its name is used on the command line and in DepthImage.format.
+/// How depth is compressed. The command line and the field `format` of the message DepthImage use the mode's name().
 enum class DepthMode : std::uint8_t {
   Fast = 0,      ///< lossless; run lengths and zstd's entropy coder: the cheapest to encode
   Intra = 1,     ///< lossless; context modelling with range coding; every frame is a key frame

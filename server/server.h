@@ -33,7 +33,7 @@ class Server {
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
   };
 
-  /// Opens the port. Messages are published only after start() or play().
+  /// Opens the port. Messages are published only after start() or play(). Error: the port cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<Server>> listen(boost::asio::io_context& io, Options options);
 
   /// Starts to capture from `source`. `source_name` appears in messages. `on_end` is called once when the source ends.
@@ -46,7 +46,7 @@ class Server {
   /// The player; nullptr unless play() was called.
   [[nodiscard]] playback::SessionPlayer* player() noexcept { return player_.get(); }
 
-  /// The network that the played session crosses; it passes each message on at once until a command impairs it.
+  /// The simulated network that the played session crosses. Until a command impairs it, each message passes at once.
   [[nodiscard]] playback::SessionNetwork& network() noexcept { return network_; }
 
   /// Stops capturing, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.

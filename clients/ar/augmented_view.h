@@ -10,15 +10,15 @@
 
 namespace telepalp::ar {
 
-/// State of the touch at the time of the picture.
+/// Hand and haptic device at the time of the picture, as the station published them.
 struct Touch {
   Point<DepthCamera> hand;  ///< the avatar's fingertips; in contact, at the proxy (paper S1 §II.E, docs/sources.md)
   Point<DepthCamera> proxy;
-  Point<DepthCamera> device;  ///< centre of the drawn ball
+  Point<DepthCamera> device;  ///< device point; centre of the drawn ball
   Force<DepthCamera> force;   ///< on the doctor's hand
   double indentation_m = 0.0;
   bool in_body = false;
-  /// Rotation from the hand frame (hand_avatar.h) to the depth camera's; nullopt: the hand lies flat on the skin.
+  /// Rotation from the hand frame (hand_avatar.h) to the depth camera's; nullopt: the hand is drawn flat on the skin.
   std::optional<Eigen::Quaterniond> attitude = {};
 };
 
@@ -30,7 +30,7 @@ struct AugmentedView {
   int height_px = 960;
 };
 
-/// Renders the picture. The frame must be well formed; a touch with non-finite values is not drawn.
+/// Renders the picture. `frame` must be well formed, width and height 1 to 4096. A non-finite touch is not drawn.
 [[nodiscard]] ColorImage draw(const AugmentedView& view);
 
 }  // namespace telepalp::ar

@@ -11,7 +11,7 @@ namespace telepalp::ar {
 
 /// Material of a mesh.
 struct Paint {
-  float opacity = 1.0F;    ///< where the mesh is visible; at 1 it also hides meshes behind it
+  float opacity = 1.0F;    ///< where no mesh hides this one; at 1 this mesh hides meshes that are drawn later behind it
   float behind = 0.0F;     ///< opacity where another mesh hides it
   float shine = 0.0F;      ///< strength of the specular highlight
   float rim = 0.0F;        ///< opacity added at the silhouette, for a look of glass
@@ -22,17 +22,17 @@ struct Paint {
 /// Lights of the scene, as unit directions towards the light in the depth camera's frame.
 struct Lights {
   Eigen::Vector3f key;  ///< of the main light, which casts the shadow
-  Eigen::Vector3f up;   ///< to the brightest part of the sky, which lights all sides diffusely
+  Eigen::Vector3f up;   ///< of the diffuse light: a face of this normal gets most of it, the opposite face least
 };
 
 /// A software renderer with a z-buffer; it needs no graphics card. It renders 2 x 2 samples for each pixel, and
 /// resolved() averages these samples in linear light.
 class Canvas {
  public:
-  /// `top`, `bottom`: linear RGB of the background at its upper and lower edge; in between it changes evenly.
+  /// Width and height: 1 to 4096. `top`, `bottom`: linear RGB of the background's upper and lower edge, blended evenly.
   Canvas(int width_px, int height_px, const Eigen::Vector3f& top, const Eigen::Vector3f& bottom);
 
-  /// Draws `mesh` over the present picture. `camera`: of the finished picture, which must have the canvas's size.
+  /// Draws `mesh` over what is drawn already. `camera`: of the finished picture; its size must be the canvas's.
   void draw(const Mesh& mesh, const ViewCamera& camera, const Lights& lights, const ShadowMap& shadow,
             const Paint& paint);
 

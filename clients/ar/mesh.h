@@ -7,7 +7,7 @@
 
 namespace telepalp::ar {
 
-/// A triangle mesh in the depth camera's frame. It is only displayed, so float precision suffices.
+/// A triangle mesh, in the depth camera's frame unless a function names another. It is only displayed: float suffices.
 struct Mesh {
   struct Vertex {
     Eigen::Vector3f at;      ///< [m]
@@ -27,7 +27,7 @@ void append(Mesh& mesh, const Mesh& more);
 /// The mesh with all vertices in one colour.
 [[nodiscard]] Mesh painted(Mesh mesh, const Eigen::Vector3f& color);
 
-/// Convert 8-bit sRGB to linear light and back. Source: IEC 61966-2-1, with its power approximated by 2.2.
+/// Convert sRGB (0 to 255) to linear light (0 to 1) and back. Source: IEC 61966-2-1, approximated by the power 2.2.
 [[nodiscard]] Eigen::Vector3f linear_from_srgb(int red, int green, int blue) noexcept;
 [[nodiscard]] std::uint8_t srgb_from_linear(float value) noexcept;
 

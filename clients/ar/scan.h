@@ -7,9 +7,9 @@
 
 namespace telepalp::ar {
 
-/// Rasterises a triangle: calls `pixel(x, y, a, b, c)` with the barycentric weights for each pixel of a `width` ×
-/// `height` image whose centre lies in the triangle. A triangle that reaches behind the near plane or has no area is
-/// not drawn.
+/// Rasterises a triangle: calls `pixel(x, y, wa, wb, wc)`, with the barycentric weights of a, b and c, for each pixel
+/// whose centre lies in the triangle. The image has `width` × `height` pixels. A triangle that reaches behind the near
+/// plane or has no area is not drawn.
 template <class PixelFunction>
 void scan(const Projected& a, const Projected& b, const Projected& c, int width, int height, PixelFunction pixel) {
   if (!a.visible || !b.visible || !c.visible) return;

@@ -15,7 +15,7 @@ class ShadowMap {
   /// Adds a mesh that casts a shadow.
   void add(const Mesh& caster);
 
-  /// Share of the light that reaches `at`: 0 in full shadow, 1 in full light, in between at the shadow's rim.
+  /// Share of the light that reaches `at`: 0 in full shadow, 1 in full light or outside the map, between at the rim.
   [[nodiscard]] float light_at(const Eigen::Vector3f& at) const noexcept;
 
  private:

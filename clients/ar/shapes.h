@@ -12,8 +12,8 @@ namespace telepalp::ar {
 [[nodiscard]] Mesh frustum(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float from_radius_m,
                            float to_radius_m);
 
-/// A white arrow from `from` to `to` with a shaft of `radius_m`. If it is shorter than its head, only the head is
-/// drawn.
+/// A white arrow from `from` to `to` with a shaft of `radius_m`. An arrow shorter than its head is a head alone. Empty
+/// when both ends coincide.
 [[nodiscard]] Mesh arrow(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius_m);
 
 }  // namespace telepalp::ar

@@ -4,12 +4,12 @@
 
 namespace telepalp::ar {
 
-/// A vertex projected to the image: pixel coordinates, and the z-buffer's depth (smaller is nearer).
+/// A vertex projected to the image [px; pixel centres at n + 0.5], and its depth in the z-buffer (smaller is nearer).
 struct Projected {
   float x = 0.0F;
   float y = 0.0F;
   float depth = 0.0F;
-  bool visible = false;  ///< in front of the near plane
+  bool visible = false;  ///< beyond the near plane, which is 0.02 m from the eye
 };
 
 /// The pinhole camera of the rendered view. All vectors are in the depth camera's frame.

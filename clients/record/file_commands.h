@@ -2,7 +2,7 @@
 
 namespace telepalp::record {
 
-// The commands of telepalp-record on files: each reads its own options and returns the exit code of the program.
+// The commands of telepalp-record on files: each parses the options in `argv` and returns the program's exit code.
 int info_command(int argc, const char* const* argv);
 int verify_command(int argc, const char* const* argv);
 int repair_command(int argc, const char* const* argv);

@@ -26,8 +26,8 @@ class LiveFigures {
     double age_p99_ms = 0.0;
     std::uint64_t missed = 0;  ///< messages that were published and did not come
   };
-  /// Figures of all messages counted so far, which arrived in `seconds`. `received`: the messages that the link
-  /// received, by topic.
+  /// Figures of all messages counted so far, which arrived in `seconds`. `received`: the link's counts of received
+  /// and missed messages, by topic.
   [[nodiscard]] std::vector<Topic> topics(double seconds,
                                           const std::map<std::string_view, wire::ReceivedCount>& received) const;
 
@@ -35,7 +35,7 @@ class LiveFigures {
   struct Heard {
     std::uint64_t messages = 0;
     std::uint64_t bytes = 0;
-    std::vector<float> ages_ms;  ///< of at most kMostAges messages
+    std::vector<float> ages_ms;  ///< of the first kMostAges messages
   };
   static constexpr std::size_t kMostAges = 100'000;
   std::map<std::string_view, Heard> topics_;

@@ -12,17 +12,17 @@
 
 namespace telepalp::view {
 
-/// Collects a server's messages, in any order, and draws the newest instant that has depth, colour and a camera model.
-/// No input, output, clock or thread of its own. Owner: one thread.
+/// Collects a server's messages and draws the newest depth image with the colour image and the station's state captured
+/// within 20 ms of it. It uses no input, output, clock or thread. Owner: one thread.
 class NewestInstant {
  public:
-  /// How a message was used.
+  /// How a message was used. NeedsKeyFrame: depth cannot be decoded before the next key frame.
   enum class Taken { Yes, NotNeeded, NeedsKeyFrame };
   Taken take(const wire::Message& message);
 
-  /// True once the instant can be drawn. `with_touch`: it also needs a state of the station within 20 ms of it.
+  /// True if the newest depth image has a colour image and a camera model; if `with_touch`, also a station state.
   [[nodiscard]] bool is_complete(bool with_touch) const;
-  /// The picture of the instant. Call it only when is_complete().
+  /// The picture, with the touch if a station state is within 20 ms. Call picture() only if is_complete(false) is true.
   [[nodiscard]] ColorImage picture(int width_px, int height_px) const;
 
  private:
@@ -40,8 +40,8 @@ class NewestInstant {
   std::optional<Intrinsics> depth_camera_;
   std::optional<Intrinsics> color_camera_;
   bool color_registered_ = true;
-  std::deque<Color> colors_;              ///< the newest few
-  std::deque<msg::StationState> states_;  ///< of the last half second
+  std::deque<Color> colors_;              ///< the newest 4
+  std::deque<msg::StationState> states_;  ///< the newest 64: 0.6 s at 100 Hz
 };
 
 }  // namespace telepalp::view

@@ -2,9 +2,9 @@
 
 #include "codec/context/interleaved_slices.h"
 
-// Near-lossless encoding of four slices in lockstep: each pixel may take a range of ranks. The encoder compares two of
-// them by their probability under the pixel's model, halved for each neighbour (east, south) that cannot take the same
-// rank, and takes the likelier one. A rank is the index of a depth in the frame's palette; a gap is a pixel that was
+// Near-lossless encoding of four slices in lockstep. A rank is the index of a depth in the palette; each pixel may take
+// a range of ranks. The encoder takes the predicted rank if it lies inside the range, else the likelier end of the
+// range. A rank's likelihood is halved for each neighbour (east, south) that cannot take it. A gap is a pixel that was
 // not measured. All functions have internal linkage, so that the linker keeps one copy for each instruction set.
 
 namespace telepalp::codec {

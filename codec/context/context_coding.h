@@ -19,8 +19,8 @@ struct Slicing {
   int slices = 1;
   int rows = 0;  ///< rows of each slice except the last
 
-  /// One to four slices for a frame of up to 2^20 pixels, more for a larger one: a small slice has too few pixels
-  /// to adapt its models, which start from the trained tables.
+  /// One to four slices for a frame of up to 2^20 pixels, up to 64 for a larger one. Small slices code worse: a slice
+  /// adapts its models anew from the trained tables, which takes many pixels.
   [[nodiscard]] static Slicing for_frame(int width, int height) noexcept;
   /// The slicing that a packet declares. nullopt: `height` rows cannot be cut into `slices` slices.
   [[nodiscard]] static std::optional<Slicing> declared(int height, int slices) noexcept;
@@ -30,12 +30,12 @@ struct Slicing {
 /// The reference frame, from which a frame is predicted.
 struct FrameBefore {
   std::span<const std::uint16_t> samples;  ///< samples of a frame of the same size; empty: a key frame
-  const LevelPalette* palette = nullptr;   ///< of `samples`; nullptr: not known
+  const LevelPalette* palette = nullptr;   ///< of `samples`; nullptr: it is computed from `samples`
 };
 
 /// Codes a frame's palette (its distinct depths) and its slices. A pixel's rank is the index of its depth in the
 /// palette. In near-lossless coding, where each pixel may take a range of ranks, `frame.ranks` receives the chosen
-/// ranks. nullopt: the result would be larger than the raw samples.
+/// ranks. nullopt: the result would not be smaller than the raw samples.
 [[nodiscard]] std::optional<std::string> encode_contexts(RankedFrame& frame, int width, const FrameBefore& before,
                                                          const Slicing& slicing, const ContextKernel& kernel);
 

@@ -85,7 +85,7 @@ void decode_interleaved_slices(DecodeSlice* slices, int width, const ContextTabl
   }
 }
 
-/// Decodes `count` slices: four of equal height in SIMD lanes, others one by one with decode().
+/// Decodes `count` slices: four slices of equal height in SIMD lanes, any others with the scalar decode().
 template <class Vector>
 void decode_interleaved(DecodeSlice* slices, int count, int width, const ContextTables& tables, void* scratch) {
   if (count < kLanes || slices[kLanes - 1].rows != slices[0].rows)

@@ -43,7 +43,7 @@ struct LaneEncoders {
   Model* far_models[kLanes];
 };
 
-/// The state of four RangeEncoders in three registers. It uses the same arithmetic, so it writes the same bytes.
+/// The state of four RangeEncoders in three registers. The arithmetic and the bytes are those of RangeEncoder.
 struct InterleavedEncoders {
   LaneShares range;
   LaneShares pending;

@@ -4,9 +4,9 @@
 #include "codec/simd/lane_vector.h"
 #include "codec/simd/row_interleave.h"
 
-// Four slices in lockstep, shared by the interleaved decoder and the near-lossless encoder. Neighbours, predictions and
-// contexts of four lanes lie in one register each; the rows above are interleaved: the numbers of the four slices for
-// one pixel are adjacent. A rank is the index of a depth in the frame's palette; a gap is a pixel that was not
+// Coding of four slices in lockstep, for the interleaved decoder and the near-lossless encoder. One register holds the
+// neighbours, predictions or contexts of four lanes. The rows above are interleaved: the numbers of the four slices in
+// one column are adjacent. A rank is the index of a depth in the frame's palette; a gap is a pixel that was not
 // measured. Internal linkage, because this header is compiled for several instruction sets
 // (codec/entropy/range_coder.h).
 

@@ -21,15 +21,15 @@ struct EncodeSlice {
       nullptr;  ///< the same band of the reference frame, in ranks of this frame; nullptr: key frame
   int rows = 0;
   uint8_t* bytes = nullptr;  ///< output buffer
-  size_t room = 0;
-  size_t size = 0;  ///< bytes written; 0: the buffer was too small
+  size_t room = 0;           ///< capacity of the buffer [bytes]
+  size_t size = 0;           ///< bytes written; 0: the buffer was too small
 };
 
 struct DecodeSlice {
   const uint8_t* bytes = nullptr;
   size_t size = 0;
   uint16_t* ranks = nullptr;         ///< rows x width, output; arbitrary if the bytes are damaged
-  const uint16_t* before = nullptr;  ///< as for the encoder
+  const uint16_t* before = nullptr;  ///< as in EncodeSlice
   int rows = 0;
 };
 

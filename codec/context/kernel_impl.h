@@ -10,7 +10,7 @@
 namespace telepalp::codec {
 namespace {
 
-/// Symbol search and model update without instruction-set extensions.
+/// Symbol search and model update with the baseline instructions of the architecture.
 struct Plain {
   static int decode(RangeDecoder& coder, const Model& model) { return coder.decode(model); }
   template <int kRate>

@@ -20,8 +20,8 @@ using Levels = std::vector<std::uint16_t>;
 
 constexpr std::int64_t kLevels = 65536;
 
-// Alphabet for coding by steps, the differences of successive levels minus 1: a symbol is the change from the last
-// step.
+// Alphabet for coding by steps, the differences of successive levels minus 1: a symbol is the change from the
+// previous step.
 constexpr int kSmallChange = 6;
 constexpr int kLargeChange = 14;  // escape: the step itself follows as a number
 

@@ -10,8 +10,8 @@
 #include <wasm_simd128.h>
 #endif
 
-// Everything here has internal linkage, and nothing here comes from the C++ library. Several source files compile this
-// header for different instruction sets, and the linker must never use one file's code in another.
+// All functions have internal linkage and call nothing of the C++ library. Several source files compile this header for
+// different instruction sets, and the linker must never use one file's code in another.
 
 namespace telepalp::codec {
 
@@ -54,8 +54,8 @@ constexpr Model kFlatModel = [] {
 /// Half a model, in one 128-bit SIMD register.
 using HalfModel [[gnu::vector_size(16), gnu::may_alias]] = int16_t;
 
-/// Moves the model by 2^-kRate of the distance to the symbol's targets. It is not a loop, because not every compiler
-/// vectorises one.
+/// Moves the model by 2^-kRate of the distance to the symbol's targets. No loop is used, because not every compiler
+/// vectorises loops.
 template <int kRate>
 inline void learn(Model& model, int symbol) {
   auto* const at = reinterpret_cast<HalfModel*>(model.cdf);

@@ -35,10 +35,10 @@ inline constexpr int kFirstFarStep = 3;  ///< least step [ranks] of the kinds Up
 /// The largest number of levels that tokens support: predictions are computed in 16 bits.
 inline constexpr std::size_t kMaxTokenLevels = 16384;
 
-/// `samples` must all be in `palette`.
+/// `samples`, rows of `width`, must all be in `palette`, which has at most kMaxTokenLevels levels.
 [[nodiscard]] TokenStreams write_tokens(std::span<const std::uint16_t> samples, int width, const LevelPalette& palette);
 
-/// Fills `samples`, rows of `width`. False when the streams do not describe such an image.
+/// Fills `samples`, rows of `width`. False when the streams do not describe an image of this size.
 [[nodiscard]] bool read_tokens(const TokenStreams& streams, const LevelPalette& palette, int width,
                                std::span<std::uint16_t> samples);
 

@@ -16,12 +16,12 @@ struct DisparityLaw {
   std::uint64_t farthest = kOne;  ///< kOne / z at step 0, the farthest level [z: units of a sample]; 1 to kOne
   std::uint32_t step = 1;         ///< by which kOne / z grows from one step to the next; above 0
 
-  /// z of the level that is `n` steps nearer than the farthest one, rounded.
+  /// z [units of a sample] of the level that is `n` steps nearer than the farthest one, rounded.
   [[nodiscard]] std::uint64_t level_at(std::uint32_t n) const noexcept {
     const std::uint64_t inverse = farthest + std::uint64_t{step} * n;
     return (kOne + inverse / 2) / inverse;
   }
-  /// The number of the step whose z is nearest to `level`.
+  /// The number of the step whose 1/z is nearest to that of `level`, which must be above 0.
   [[nodiscard]] std::uint32_t step_of(std::uint16_t level) const noexcept;
 };
 

@@ -24,7 +24,7 @@ using RankOfLevel = std::vector<std::uint16_t>;
 [[nodiscard]] LevelPalette palette_of(std::span<const std::uint16_t> samples);
 [[nodiscard]] RankOfLevel ranks_of(const LevelPalette& palette);
 
-/// The rank of the nearest level, for any sample; the lower level of two equally near. Only sample 0 has rank 0.
+/// The rank of the nearest level above 0, for a sample above 0; the lower level of two equally near. Sample 0: rank 0.
 [[nodiscard]] RankOfLevel nearest_ranks_of(const LevelPalette& palette);
 
 /// Looks up the rank of each sample.

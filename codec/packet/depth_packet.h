@@ -27,8 +27,8 @@ inline constexpr std::uint8_t kLastCoding = 4;
 
 /// The header of every packet, 32 bytes:
 /// "TPD3" | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m f64 | reference u32 |
-/// since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of these bytes without itself, then of the decoded samples.
-/// It covers the decoded samples, so that it detects a wrong table or reference frame as well as a flipped bit.
+/// since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of the other 28 bytes, then of the decoded samples. As it
+/// covers the decoded samples, it detects wrong trained tables or a wrong reference frame as well as a flipped bit.
 struct PacketHeader {
   DepthMode mode = DepthMode::Fast;
   Coding coding = Coding::Stored;
@@ -63,13 +63,13 @@ struct WrittenPacket {
 [[nodiscard]] WrittenPacket write_packet(PacketHeader header, std::span<const std::uint16_t> samples,
                                          std::string_view body);
 
-/// Parses a packet's header. Error: a field is out of bounds, or the format version is another one.
+/// Parses a packet's header. Error: a field is out of bounds, or the packet has another format version.
 [[nodiscard]] Result<Packet> read_packet(std::span<const std::byte> bytes);
 
-/// The crc of `samples` under this header.
+/// The crc for `samples` under this header; it does not depend on header.crc.
 [[nodiscard]] std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples);
 
-/// The error for a damaged packet.
+/// The error for a damaged packet. `what`: the damage, in words.
 [[nodiscard]] Error damaged(std::string what);
 
 }  // namespace telepalp::codec

@@ -35,7 +35,7 @@ inline LaneVector predict(LaneVector west, LaneVector north, LaneVector north_we
   return greatest(least(west + north - north_west, greatest(west, north)), least(west, north));
 }
 
-/// Extracts all four lanes with two 64-bit moves, which is faster than four 32-bit moves.
+/// The four lanes as scalars. per_lane() reads them with two 64-bit moves, which is faster than four 32-bit moves.
 struct PerLane {
   uint32_t of[4];
 };

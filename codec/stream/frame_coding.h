@@ -14,12 +14,12 @@ namespace telepalp::codec {
 /// The frame that another frame is predicted from, and the crc that names it.
 struct Reference {
   const DepthImage* depth = nullptr;      ///< nullptr: the predicted frame is a key frame
-  const LevelPalette* palette = nullptr;  ///< of `depth`; nullptr: not known
+  const LevelPalette* palette = nullptr;  ///< of `depth`; nullptr: it is computed from `depth`
   std::uint32_t crc = 0;
   std::uint16_t since_key = 0;  ///< frames from the key frame to the predicted frame
 };
 
-/// Codes `depth` losslessly as a packet, in any mode.
+/// Codes `depth` losslessly as a packet, in any mode. Fast ignores `reference`: its frames are all key frames.
 [[nodiscard]] WrittenPacket write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference);
 
 /// Codes `depth` losslessly as a packet. `palette`: of `depth`. `mode`: any but Fast.
@@ -40,7 +40,7 @@ struct CodedFrame {
 
 struct DecodedFrame {
   DepthImage depth;
-  std::optional<LevelPalette> palette;  ///< nullopt: the packet carries none
+  std::optional<LevelPalette> palette;  ///< nullopt: the packet's coding is neither Contexts nor Dependent
 };
 
 /// Decodes a packet. The decoded samples must match the header's crc.

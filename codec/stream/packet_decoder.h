@@ -27,7 +27,7 @@ class PacketDecoder {
   [[nodiscard]] Reference reference() const noexcept;
 
   DepthImage previous_;
-  std::optional<LevelPalette> previous_palette_;  // of the previous frame; nullopt: its packet has none
+  std::optional<LevelPalette> previous_palette_;  // of the previous frame; nullopt: read_frame() gave none
   std::uint32_t previous_crc_ = 0;
 };
 

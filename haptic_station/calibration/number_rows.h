@@ -12,7 +12,7 @@
 
 namespace telepalp::calibration {
 
-/// Reads the text of a measurement file. Error: over 16 MiB.
+/// Reads the text of a measurement file. Error: the file cannot be read, or is larger than 16 MiB.
 [[nodiscard]] Result<std::string> read_rows(const std::filesystem::path& file);
 
 /// Removes the first line from `text` and returns it without its line end.

@@ -9,9 +9,9 @@
 
 namespace telepalp::calibration {
 
-/// Reads poses of a hand on a probe as CSV: the header row kPoseHeader, then one row per pose. The hand's pose is in
-/// the tracker's frame, the probe's in the haptic base's. Rotations are rotation vectors. Error: a field that is not a
-/// finite number, reported with its line, or more than 10 000 rows.
+/// Reads poses of a hand on a probe as CSV: the header row kPoseHeader, then one pose per row. The hand's pose is in
+/// the tracker's frame, the probe's in the haptic base's. Rotations are rotation vectors. `name`: the file's name, for
+/// errors. Error: unreadable file; or, with the line, another header, not 12 finite numbers, or over 10 000 rows.
 [[nodiscard]] Result<std::vector<HandOnProbe>> read_hand_on_probe(const std::filesystem::path& file);
 [[nodiscard]] Result<std::vector<HandOnProbe>> parse_hand_on_probe(std::string_view text, std::string_view name);
 

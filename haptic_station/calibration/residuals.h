@@ -7,7 +7,7 @@
 
 namespace telepalp::calibration {
 
-/// Residuals of a fit: the distance of each measurement from the fitted model [m].
+/// Distances of the measurements from a fitted model [m]. deviation_m(): their sample standard deviation (n - 1).
 struct Residuals {
   std::vector<double> each_m;
 

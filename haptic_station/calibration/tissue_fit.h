@@ -39,11 +39,11 @@ struct TissueFit {
 
 /// Least-squares fit of the force k(d) d, with the stiffness k of SkinLaw at compression d, to the samples, with
 /// coefficients >= 0.
-/// Error: fewer than four or over a million samples, no load above zero, a load that falls with depth, or a number that
-/// is not finite.
+/// Error: fewer than four or over a million samples, no load above zero, a load that falls as the compression grows, or
+/// a number that is not finite.
 [[nodiscard]] Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples);
 
-/// Reads `compression_mm,load_N` rows after one header row. Error: a damaged row, reported with its line.
+/// Reads `compression_mm,load_N` rows after a header row. Error: unreadable file, or a line that is not two numbers.
 [[nodiscard]] Result<std::vector<CompressionSample>> read_compression_test(const std::filesystem::path& file);
 
 }  // namespace telepalp::calibration

@@ -29,7 +29,7 @@ class EncounteredController {
         displayed_hand_(settings.transitions.offset_fade_s),
         limiter_(settings.limits) {}
 
-  /// Computes one tick, `dt_s` after the last. `dt_s` is limited to [0, 0.01] s.
+  /// Computes one tick, `dt_s` after the last. `dt_s` is limited to [0, 0.01] s; NaN and infinity count as 0.
   [[nodiscard]] ControlOutput step(const ControlInput& in, double dt_s) noexcept;
 
   /// Sets the clock that measures the cost of the effects. It must make no system call. nullptr: no measurement.
@@ -38,7 +38,7 @@ class EncounteredController {
   [[nodiscard]] const PassivityController& passivity() const noexcept { return force_control_.passivity(); }
   [[nodiscard]] const VirtualCoupling& coupling() const noexcept { return force_control_.coupling(); }
   [[nodiscard]] Phase phase() const noexcept { return phases_.phase(); }
-  /// True when the skin gave force at the last tick.
+  /// True when the end-effector was in contact with the skin at the last tick.
   [[nodiscard]] bool touching() const noexcept { return force_control_.touching(); }
   [[nodiscard]] const ControlSettings& settings() const noexcept { return settings_; }
 

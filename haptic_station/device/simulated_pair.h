@@ -8,7 +8,7 @@ namespace telepalp::device {
 struct SimulatedDeviceSettings {
   double mass_kg = 0.3;
   double damping_N_s_per_m = 1.0;
-  double encoder_step_m = 0.13e-6;    ///< S1 II.A
+  double encoder_step_m = 0.13e-6;    ///< resolution of the reported position (S1 II.A)
   double peak_N = 10.0;               ///< largest force of the motors
   double velocity_filter_hz = 150.0;  ///< cut-off frequency of the reported velocity's filter
 };
@@ -71,7 +71,7 @@ class SimulatedPair {
   bool touching_ = false;
   bool was_above_ = true;  ///< at the last step the hand was at or above the end-effector's height
   bool saturated_ = false;
-  Eigen::Vector3d grip_m_ = Eigen::Vector3d::Zero();  ///< from device to hand while static friction holds; tangential
+  Eigen::Vector3d grip_m_ = Eigen::Vector3d::Zero();  ///< hand minus device at zero tangential force; x and z count
 };
 
 }  // namespace telepalp::device

@@ -19,7 +19,7 @@ struct SimulatedWristSettings {
   double encoder_step_rad = 2.0 * std::numbers::pi / 4096.0;
 };
 
-/// Rotation from the hand's axes (tracking/hand_axes.h) to H, as the encoders read it `time_s` after the start. Pure.
+/// Rotation from the hand's axes (tracking/hand_axes.h) to H as the encoders read it at simulation time `time_s`. Pure.
 [[nodiscard]] inline Eigen::Quaterniond wrist_attitude(const SimulatedWristSettings& wrist, double time_s) noexcept {
   const auto encoded = [&](const SimulatedWristSettings::Swing& swing, const Eigen::Vector3d& axis) {
     const double angle = swing.most_rad * std::sin(2.0 * std::numbers::pi * time_s / swing.period_s);

@@ -64,9 +64,9 @@ class EffectBank {
   [[nodiscard]] double energy_J() const noexcept;
   /// The depth by which all springs are relaxed at the last step; 0: they act in full.
   [[nodiscard]] double relaxed_m() const noexcept { return relaxed_m_; }
-  /// Work that the effects took from the hand during the last tick [J]: minus the held force times the motion of the
-  /// device relative to the body to which the effect is fixed, summed over effects. It is exact for a force that is
-  /// held over the tick, so it includes the energy that sampling creates.
+  /// Work that the effects took from the hand during the last tick [J]: for each effect, minus the force held over the
+  /// tick times the motion of the device relative to the skin, object or wall to which the effect is fixed; then the
+  /// sum. It is exact for a held force, so it includes the energy that sampling creates.
   [[nodiscard]] double absorbed_J() const noexcept { return absorbed_J_; }
   /// Upper bound of the combined stiffness of all effects, at forces up to `most_N`.
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept;

@@ -20,17 +20,17 @@ struct FeltSolid {
 };
 
 /// The god-object (proxy) of a shape inside the body: remembers from which side the device pushes into the shape, and
-/// evaluates the force at a proxy. The proxy is the device, until the device has passed the middle of the shape as seen
-/// from that side; then the proxy is the deepest point between the device and that side. So the proxy never reaches
-/// the far face. Once the device has passed the middle, the force k s outwards(proxy), with s the depth of the proxy,
-/// has no component along the push.
+/// evaluates the force at a proxy. The proxy is the device, until the device has passed the middle of the shape: the
+/// deepest point on the ray from the device towards that side. Then the proxy is this deepest point, so the proxy never
+/// reaches the far face. Once the device has passed the middle, the force k s outwards(proxy), with the stiffness k and
+/// the depth s of the proxy, has no component along the push.
 ///
 /// For a given side, s is the greatest depth on the ray from the device towards that side, and the force is minus the
-/// gradient of 1/2 k s^2 (envelope theorem). It is thus conservative. Before the middle it equals the force of paper S1
-/// (docs/sources.md), which is k times the device's depth. The side of entry may change only while the device has not
-/// passed the middle, where a change alters neither force nor energy: a device that slides round a shape within 2 mm of
-/// its surface feels S1's force on all sides. Once the device has left through the far face, the force fades within
-/// 0.1 s, which dissipates energy, and EntrySide forgets the side.
+/// gradient of 1/2 k s^2 (envelope theorem), so it is conservative. Before the middle, the force equals that of paper
+/// S1 (docs/sources.md), which is k times the device's depth. The side of entry may change only while the device has
+/// not passed the middle, where a change alters neither force nor energy: a device that slides round a shape within 2
+/// mm of its surface feels S1's force on all sides. Once the device has left through the far face, the force fades
+/// within 0.1 s, which dissipates energy, and EntrySide forgets the side.
 class EntrySide {
  public:
   /// Contact with the skin begins.

@@ -38,12 +38,12 @@ struct SolidSettings {
 
 /// An implicit solid inside the body, like the ribs of paper S2 (docs/sources.md): a spring of one stiffness from the
 /// device to the solid's proxy. Each layer of a scene has its own proxy, and the forces of all layers and of the skin
-/// are summed (S2 III.A). The force is minus the gradient of 1/2 k depth^2, with the depth the distance from device to
-/// proxy. The surface of an artery moves out by up to `pulse_m` and back at each pulse. EffectBank counts the hand's
-/// work relative to this moving wall. A fingertip of radius R is a ball: its centre touches a solid that is larger by R
-/// on all sides. While the ball slides across a rib of radius r at a depth d, the turning direction of the force acts
-/// like a lateral stiffness of k d / (r + R - d). For a point, this stiffness is k d / (r - d), which grows without
-/// bound towards the middle of the rib.
+/// are summed (S2 III.A). The force is minus the gradient of 1/2 k depth^2, where depth is the distance from the device
+/// to the proxy. The surface of an artery moves out by up to `pulse_m` and back at each pulse. EffectBank counts the
+/// hand's work relative to this moving wall. A fingertip of radius R is a ball: its centre touches a solid that is
+/// larger by R on all sides. While the ball slides across a rib of radius r at a depth d, the turning direction of the
+/// force acts like a lateral stiffness of k d / (r + R - d). For a point, this stiffness is k d / (r - d), which grows
+/// without bound towards the middle of the rib.
 class Solid {
  public:
   static constexpr const char* kName = "solid";

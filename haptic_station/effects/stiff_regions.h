@@ -15,10 +15,10 @@ struct StiffRegion {
   double added_N_per_m = 200.0;  ///< added to the skin's own stiffness
 };
 
-/// Skin regions of added stiffness. The force is minus the gradient of 1/2 k w(r) depth^2, with a smooth weight w of
-/// the horizontal distance r from the region's axis; the forces of overlapping regions are summed. The gradient has a
-/// sideways component at a stiff rim; without it, a closed path over the rim would create energy. Each region is one
-/// spring of stiffness k with the depth sqrt(w) depth.
+/// Skin regions of added stiffness. The force is minus the gradient of 1/2 k w(r) depth^2, with the depth of the device
+/// in the skin and a smooth weight w of the horizontal distance r from the region's axis; the forces of overlapping
+/// regions are summed. The gradient has a sideways component at a stiff rim; without it, a closed path over the rim
+/// would create energy. Each region is one spring of stiffness k with the depth sqrt(w) depth.
 class StiffRegions {
  public:
   static constexpr const char* kName = "regions";

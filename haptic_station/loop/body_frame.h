@@ -16,7 +16,7 @@ namespace telepalp::loop {
 /// How well the place of one object inside the body is known.
 struct ObjectPlacement {
   bool watched = false;          ///< false: this entry has no object
-  bool unseen = false;           ///< the camera does not see the skin above it: the object stays where it is
+  bool unseen = false;           ///< the camera does not see the skin above the object: the object stays where it is
   bool slide_unseen = false;     ///< the skin's tangential motion (slide) cannot be measured: the last slide is held
   const char* name = "";         ///< name of the effect; BodyFrame leaves it empty, and HapticLoop fills it in
   std::array<float, 3> moved{};  ///< displacement from its place in the scene, in the haptic base's frame H [m]
@@ -27,21 +27,21 @@ using ObjectPlacements = std::array<ObjectPlacement, effects::kMostEffects>;
 
 /// Computes where the objects inside the body are displayed. The target of each object is the displacement of the mark
 /// (a followed point of the skin) above it: measured up to the newest capture, then predicted to now along the skin's
-/// normal. The displayed object approaches its target with bounded speed and acceleration, so that it never jumps. If a
-/// contact begins while the skin is displayed lower than measured, all objects are displayed lower by the same distance
-/// and rise with the skin, also those whose mark is not seen, unless the contact is above the skin last seen over them.
-/// Owner: the haptic thread. Nothing here allocates, locks or throws.
+/// normal. The displayed object approaches its target with bounded speed and acceleration. If a contact begins while
+/// the skin is displayed lower than measured, the objects are at once displayed lower by the same distance and rise
+/// with the skin. The exception is an object whose mark is not seen, if the contact is above the skin last seen over
+/// this object. Owner: the haptic thread. Nothing here allocates, locks or throws.
 class BodyFrame {
  public:
   explicit BodyFrame(const surface::FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// Uses a newer snapshot. It must stay alive until the next adopt() or release().
+  /// Uses a newer snapshot. The snapshot must stay alive until the next adopt() or release().
   void adopt(const surface::SurfaceSnapshot& snapshot,
              const Transform<HapticBase, DepthCamera>& haptic_from_camera) noexcept;
   /// Forgets the snapshot. The objects stay where they are.
   void release() noexcept;
 
-  /// The placements at this tick. `touch`: this tick's result of Touch.
+  /// The placements at this tick. `touch`: the result of surface::Touch at this tick.
   [[nodiscard]] const effects::Placements& step(const surface::TouchSample& touch, double dt_s) noexcept;
 
   [[nodiscard]] ObjectPlacements objects() const noexcept;

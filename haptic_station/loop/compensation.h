@@ -10,8 +10,8 @@
 
 namespace telepalp::loop {
 
-/// How the station compensates delay at one tick: each quantity, its amount and its uncertainty. This is the complete
-/// list: no other delay is compensated. Published as msg.StationCompensation.
+/// How the station compensates delay at one tick: for each compensated quantity, the amount and the uncertainty. No
+/// other delay is compensated. Published as msg.StationCompensation.
 struct Compensation {
   std::int64_t stamp_ns = 0;             ///< session time of the tick
   std::int64_t surface_captured_ns = 0;  ///< 0: no surface yet
@@ -25,7 +25,7 @@ struct Compensation {
   double surface_age_s = 0.0;
   double surface_carried_m = 0.0;
   double unmodelled = 0.0;       ///< 1: the skin moves unusually fast, or the camera was pushed; then falls to 0 in 1 s
-  double surface_sigma_m = 0.0;  ///< standard deviation of its position, from noise, fit and prediction
+  double surface_sigma_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
   double slewed_m = 0.0;         ///< offset that hides the step from one snapshot to the next; decays to 0
   double support = 0.0;          ///< displayed share of the contact force; 0 at rims and on a stale surface
 

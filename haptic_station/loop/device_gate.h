@@ -12,7 +12,7 @@ struct DeviceGateSettings {
   double most_acceleration_m_per_s2 = 300.0;
   double encoder_noise_m = 0.05e-3;
   double timing_error = 0.5;  ///< relative error of the time between two readings
-  double slip_m = 0.005;      ///< a lasting offset up to this (slip) is removed slowly; a larger one is implausible
+  double slip_m = 0.005;      ///< a lasting offset (slip) up to this is removed slowly; a larger one is implausible
   double believed_after_s = 0.001;  ///< after a jump, readings consistent for this long show a lasting offset
   double rebased_after_s = 0.5;     ///< after a larger offset, readings consistent for this long are accepted unchanged
   double absorbed_over_s = 0.02;    ///< time constant of the removal of an offset

@@ -7,8 +7,8 @@
 namespace telepalp::loop {
 
 /// The record of one tick of the 2 kHz loop. Positions [m] and forces [N] are in the haptic base's frame H; members
-/// whose names end in `camera` are in the depth camera's frame K. The haptic thread hands it to the network thread by
-/// copy.
+/// whose names end in `camera` are in the depth camera's frame K. The haptic thread hands the record to the network
+/// thread by copy.
 struct TickSample {
   std::uint64_t tick = 0;         ///< number since start
   std::int64_t stamp_ns = 0;      ///< session time of the tick's deadline
@@ -19,10 +19,10 @@ struct TickSample {
   std::uint8_t fault_stands = 0;  ///< control::FaultCause that persists and blocks re-arming
   bool in_body = false;
   bool contact_unknown = false;      ///< no contact can be computed: the surface is stale or not near the device
-  bool limited = false;              ///< the limiter changed the force, or the contact fades
+  bool limited = false;              ///< limiter, relaxed springs (spring.h) or a gradual release changed the force
   bool object_unseen = false;        ///< an object inside the body stays where it is: the skin above it is not seen
   bool object_slide_unseen = false;  ///< the skin's tangential motion (slide) above an object cannot be measured
-  bool indexing = false;             ///< workspace indexing moves the body past the device, which gives no force
+  bool indexing = false;             ///< the hand is beyond the touch cylinder, so the body gives no force
   std::array<float, 3> workspace_shift{};  ///< position in H minus position in the device's own frame
   std::array<float, 3> hand{};
   std::array<float, 3> device{};

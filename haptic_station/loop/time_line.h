@@ -4,8 +4,8 @@
 
 namespace telepalp::loop {
 
-/// Margin for comparing times of the session clock that different threads have read, a moment apart. A larger step back
-/// is a new session: the clock never steps back by less than 1 s, because smaller corrections are slewed.
+/// Margin for comparing times of the session clock that different threads read at slightly different instants. A larger
+/// step back is a new session: the clock never steps back by less than 1 s, because smaller corrections are slewed.
 inline constexpr std::chrono::milliseconds kSameSession{50};
 
 /// True if the session clock, which read `latest` before, has stepped back to `now`: another session has begun, so that

@@ -7,10 +7,10 @@ namespace telepalp::loop {
 
 /// The result of workspace indexing at one tick.
 struct Indexed {
-  Vector<HapticBase> shift;  ///< adds to a position in the device's own frame; the sum is in H, the patient's frame [m]
+  Vector<HapticBase> shift;  ///< position in H, the patient's frame, minus position in the device's own frame [m]
   Vector<HapticBase> moved;  ///< change of `shift` in this tick [m]
   Force<HapticBase> recall;  ///< force towards the touch cylinder; zero inside it
-  bool interacts = true;     ///< false: the patient moves past the device, so the body must give no force
+  bool interacts = true;     ///< false: the hand is beyond the touch cylinder, so the body must give no force
 };
 
 /// Workspace indexing (paper S2 III.B, docs/sources.md): a small device explores a large body. Inside an upright
@@ -18,8 +18,8 @@ struct Indexed {
 /// force back to it, proportional to the distance from the cylinder and bounded. Meanwhile the patient moves in the
 /// horizontal plane in the direction of this force, at a speed proportional to the force, so that parts of the body
 /// beyond the cylinder come into it. The paper states neither a bound nor a hysteresis; here the interaction resumes 2
-/// mm inside the cylinder, so that a hand at its border does not switch at each tremor. Owner: haptic thread. Nothing
-/// here allocates, locks or throws.
+/// mm inside the cylinder, so that a tremor at the border does not switch the interaction on and off. Owner: haptic
+/// thread. Nothing here allocates, locks or throws.
 class WorkspaceIndexing {
  public:
   explicit WorkspaceIndexing(const control::IndexingSettings& settings = {}) noexcept : settings_(settings) {}

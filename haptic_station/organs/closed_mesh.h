@@ -6,8 +6,8 @@
 
 namespace telepalp::organs {
 
-/// One triangle of a closed mesh, with the pseudo-normals of its corners, edges and face. They tell inside from
-/// outside.
+/// One triangle of a closed mesh, with the pseudo-normals of its corners, edges and face. The pseudo-normals tell
+/// inside from outside.
 struct ClosedFace {
   std::array<Eigen::Vector3d, 3> corners;         ///< counter-clockwise from outside [m]
   std::array<Eigen::Vector3d, 3> corner_normals;  ///< angle-weighted sum over all faces at the corner; not normalised
@@ -16,13 +16,13 @@ struct ClosedFace {
 };
 
 /// The faces of a closed mesh with outward normals; a mesh whose faces all look inwards is turned inside out. Vertices
-/// at equal positions are merged; triangles that lose a corner by this are dropped. Error: an edge does not have
-/// equally many faces in both directions, so inside and outside are undefined; no face, no volume, or a corner that is
-/// not finite.
+/// at equal positions are merged; triangles that lose a corner by this are dropped. Error: an edge is not traversed
+/// equally often in both directions by its faces, so inside and outside are undefined; no face, a volume of 1 mm³ or
+/// less, or a corner that is not finite.
 [[nodiscard]] Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh);
 
-/// The point of a face nearest to a query, with the pseudo-normal there. The scalar product of the pseudo-normal
-/// with the vector from this point to the query is negative inside.
+/// The point of a face nearest to a query, its squared distance, and the pseudo-normal there, which the face owns. The
+/// scalar product of the pseudo-normal with the vector from this point to the query is negative inside.
 struct NearestOnFace {
   double squared_m2;
   Eigen::Vector3d at_m;

@@ -9,12 +9,12 @@ namespace telepalp::ports {
 class Device {
  public:
   virtual ~Device() = default;
-  /// The position of the end-effector. The reading's age is infinite until the device has answered once.
+  /// The end-effector's position, in the device's own frame. Its age is infinite until the device has answered once.
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
   /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(); only a device with a controller of
   /// its own uses it.
   virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
-  /// The position of the hand that the tracker sees. A simulated device follows it, as if the hand held the device.
+  /// Gets the hand's position that the tracker sees. A simulated device follows it, as if the hand held the device.
   virtual void hand_seen(const Point<HapticBase>&) noexcept {}
 };
 

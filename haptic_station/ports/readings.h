@@ -8,14 +8,14 @@
 
 namespace telepalp::ports {
 
-/// The haptic device's measurement at one tick.
+/// The haptic device's measurement at one tick, in the device's own frame: H unless workspace indexing shifts H.
 struct DeviceReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
   double age_s = 0.0;           ///< time since the device last answered
 };
 
-/// One sample of the hand tracker, stamped with the instant at which the tracker saw the hand.
+/// One sample of the hand tracker, in the frame of DeviceReading, stamped with the time at which it saw the hand.
 struct HandSample {
   SessionTime at;
   Point<HapticBase> hand;

@@ -15,8 +15,8 @@ class Rig {
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
   /// The newest sample of the hand. Each sample is returned once; nullopt means that there is no newer one.
   [[nodiscard]] virtual std::optional<HandSample> hand(SessionTime now) noexcept = 0;
-  /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(). Only a simulated hand, which finds
-  /// the skin's height from it, and a device with a controller of its own use it.
+  /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(), which only a simulated hand (to
+  /// find the skin's height) and a device with a controller of its own use.
   virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
 };
 

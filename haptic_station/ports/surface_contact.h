@@ -9,7 +9,7 @@ namespace telepalp::ports {
 /// hand feels. It follows the newest measured surface, predicted to now, with a lag: when a newer surface arrives, it
 /// changes gradually.
 struct SurfaceContact {
-  Point<HapticBase> proxy;    ///< outside the body: the device point; in it: see `support`
+  Point<HapticBase> proxy;    ///< outside the body: the device point; in the body: see `support`
   Vector<HapticBase> normal;  ///< unit normal of the surface at the proxy, out of the body
   double distance_m = 0.0;    ///< signed distance of the device point from the surface; negative inside the body
   bool in_body = false;       ///< the device point is in the body; i_b of paper S1 (docs/sources.md)
@@ -22,7 +22,7 @@ struct SurfaceContact {
   double measured_speed_m_per_s = 0.0;   ///< speed of the measured surface along the normal
   bool anchor_seen = false;              ///< false: anchor_velocity is unknown; use the speed at the proxy instead
   Vector<HapticBase> anchor_velocity{};  ///< velocity of the displayed surface where the contact began [m/s]
-  double age_s = 0.0;                    ///< time since the capture of the surface
+  double age_s = 0.0;                    ///< time since the surface's capture, or since its adoption if that is longer
 };
 
 }  // namespace telepalp::ports

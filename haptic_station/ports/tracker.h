@@ -11,7 +11,7 @@ class Tracker {
  public:
   virtual ~Tracker() = default;
   /// The newest sample. Each sample is returned once; nullopt means that there is no newer one. `device`: the device's
-  /// reading at `now`; a simulated hand that holds the end-effector is at that place.
+  /// reading at `now`, which gives the position of a simulated hand that holds the end-effector.
   [[nodiscard]] virtual std::optional<HandSample> sample(SessionTime now, const DeviceReading& device) noexcept = 0;
 };
 

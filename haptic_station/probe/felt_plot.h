@@ -9,7 +9,7 @@
 
 namespace telepalp::probe {
 
-/// Plots the distance from the surface, the force and the computing time of each step over time, as an SVG file.
+/// Plots over time, as an SVG file: the distance from the surface, the force and the computing time at each waypoint.
 [[nodiscard]] Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt>& felt,
                                      const std::string& title);
 

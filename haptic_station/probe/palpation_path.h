@@ -8,24 +8,24 @@
 
 namespace telepalp::probe {
 
-/// Parameters of a palpation path: at each of several spots the hand presses, circles at depth, withdraws, and moves
-/// on.
+/// Parameters of a palpation path: at each of several spots (surface points) the hand presses in, moves in a circle at
+/// constant depth, and withdraws; then it moves to the next spot.
 struct PalpationSettings {
   int spots = 5;
   double apart_m = 0.03;    ///< least distance between spots
   double within_m = 0.12;   ///< largest distance of a spot from the first one
   double depth_m = 0.01;    ///< depth below the surface
-  double above_m = 0.03;    ///< height above the surface at which a press begins and ends
+  double above_m = 0.03;    ///< height above the surface at which each press begins and ends
   double circle_m = 0.005;  ///< radius of the circle at depth
   double speed_m_per_s = 0.1;
   double rate_hz = 2000.0;
   std::optional<Eigen::Vector3d> at_m =
-      std::nullopt;  ///< the first spot is the surface point nearest to this; nullopt: to the cloud's middle
+      std::nullopt;  ///< the first spot is the candidate nearest to this point; nullopt: to the candidates' median
 };
 
-/// Makes a path over `snapshot`. `on_surface`: points on it, the candidates for spots. All spots have normals similar
-/// to the first spot's, so that the path between them stays above the surface. Error: no point is surrounded by surface
-/// on all sides.
+/// Makes a path over `snapshot`, in its frame. `on_surface`: surface points, the candidates for spots. Each spot's
+/// normal is within 45 degrees of the first spot's, so that the path between spots stays above the surface. The path
+/// has fewer spots if fewer candidates are suitable. Error: no candidate has surface all around it.
 [[nodiscard]] Result<std::vector<Waypoint>> palpation_path(const surface::SurfaceSnapshot& snapshot,
                                                            const std::vector<Eigen::Vector3d>& on_surface,
                                                            const PalpationSettings& settings);

@@ -12,12 +12,12 @@ namespace telepalp::probe {
 
 struct Waypoint {
   double t_s = 0.0;
-  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< may be NaN: touched without force
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< in the surface's frame; NaN: touch_along() gives no force
 };
 
-/// Reads lines `t_s,x,y,z`, with or without that header line. Error: a line without four columns, or a time that
-/// decreases or is not a number, each reported with its line; no waypoint, or more than 20 million. A position that is
-/// not a number is kept, to test that touch_along() survives it.
+/// Reads lines `t_s,x,y,z` (seconds, metres), with or without this text as header line. Error: a line without four
+/// columns, or a time that decreases or is not finite, each reported with its line number; no waypoint, or more than
+/// 20 million. A position that is not a number is kept as NaN, to test that touch_along() survives it.
 [[nodiscard]] Result<std::vector<Waypoint>> read_trajectory(const std::filesystem::path& file);
 [[nodiscard]] Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std::string& name);
 

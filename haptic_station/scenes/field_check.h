@@ -13,20 +13,20 @@
 
 namespace telepalp::scenes {
 
-/// Allowed range of a number. `unit` only appears in messages.
+/// Allowed range of a number, limits included. `unit` only appears in error texts.
 struct Range {
   double least;
   double most;
   std::string_view unit;
 };
 
-/// Checks the numbers of a message field by field and keeps the first error.
+/// Checks the numbers of a protobuf message field by field and keeps the first error.
 class FieldCheck {
  public:
   explicit FieldCheck(std::string file, program::NumberPlaces places = program::NumberPlaces())
       : file_(std::move(file)), places_(std::move(places)) {}
 
-  /// The message that the next numbers and complaints are about; it gives their place in the file.
+  /// Sets the message to which the next calls of number() and complain() refer; errors state its place in the file.
   FieldCheck& in(const google::protobuf::Message& part) noexcept {
     part_ = &part;
     return *this;
@@ -50,7 +50,7 @@ class FieldCheck {
     if (!error_) error_ = std::move(error);
   }
 
-  /// Records an error about a file that the message names: the error's place becomes that of the message.
+  /// Records an error about a file that the message names, at the message's place; the text keeps the file's place.
   void fail_in_file(const std::string& prefix, const Error& error) {
     complain(prefix + error.where + ": " + error.what, error.fix);
   }
@@ -58,7 +58,7 @@ class FieldCheck {
   /// Records an error about the message that in() named.
   void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), place()); }
 
-  /// Place of the message that in() named; the file alone if there is none.
+  /// Place of the message that in() named; the file's name alone before the first in().
   [[nodiscard]] std::string place() const { return part_ == nullptr ? file_ : places_.where(file_, *part_); }
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
@@ -81,7 +81,7 @@ class FieldCheck {
   std::optional<Error> error_;
 };
 
-/// Three numbers of the same range; `field`: their common name, for errors.
+/// Reads three numbers of one range; a number out of range is read as 0. `field`: their common name, for errors.
 [[nodiscard]] inline Eigen::Vector3d read_xyz(FieldCheck& check, const std::string& field, const msg::Vec3& xyz,
                                               const Range& range) {
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
@@ -103,7 +103,7 @@ class FieldCheck {
 
 }  // namespace telepalp::scenes
 
-/// Reads an optional field. If it is missing, the value keeps its default.
+/// Reads an optional number into `into`, which keeps its value if the field is missing. `...`: the Range in braces.
 #define TELEPALP_READ(check, prefix, message, field, into, ...) \
   if ((message).has_##field())                                  \
   (check).in(message).number(prefix #field, (message).field(), ::telepalp::scenes::Range __VA_ARGS__, into)

@@ -8,9 +8,9 @@
 
 namespace telepalp::scenes {
 
-/// Reads a layer of the scene, a solid inside the body: its tree of shapes and operations in the scene's text format or
-/// in Polish notation, its place and its stiffness. Records the first error in `check`; files are read only when the
-/// numbers are valid. `folder`: the scene file's folder, for relative paths.
+/// Reads a layer of the scene, a solid inside the body: its tree of shapes and operators in the scene's text format or
+/// in Polish notation, its pose in H, and what it feels like. Records the first error in `check` and then returns an
+/// effect without layer; reads files only when the numbers are valid. `folder`: the scene file's, for relative paths.
 [[nodiscard]] effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message,
                                         const std::filesystem::path& folder);
 

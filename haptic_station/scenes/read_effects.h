@@ -7,8 +7,8 @@
 
 namespace telepalp::scenes {
 
-/// Reads the effects of a scene into `scene.effects` and `scene.layers`. Records the first error in `check`. Only files
-/// that an effect names are read. `folder`: the scene file's folder, for relative paths.
+/// Reads the effects of a scene into `effects`, `layers` and `organs` of `scene`, with the files that the effects name.
+/// Records the first error in `check`. `folder`: the scene file's folder, for relative paths.
 void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene);
 
 }  // namespace telepalp::scenes

@@ -16,7 +16,7 @@
 
 namespace telepalp::scenes {
 
-/// The ultrasound probe that the hand holds: the size of its image.
+/// The ultrasound probe that the hand holds: width and depth of its image.
 struct Probe {
   double width_m = 0.06;
   double depth_m = 0.10;
@@ -34,11 +34,11 @@ struct SceneOrgan {
   std::uint32_t effect = 0;                              ///< index of this effect in Scene::effects
 };
 
-/// A checked scene in plain values. `message` is the parsed file; its field surface() selects the surface settings.
+/// A checked scene in plain values. `message`: the parsed file; message.surface() names the setting of the surface.
 struct Scene {
   std::string name;
   Transform<HapticBase, DepthCamera> haptic_from_camera;
-  bool center_on_surface = false;
+  bool center_on_surface = false;  ///< H's origin moves to the skin; see placed() in placement.h
   Transform<HapticBase, HandTracker> haptic_from_tracker;
   effects::EffectBank effects;
   std::vector<SceneLayer> layers;  ///< of the solid effects, for pictures and meshes
@@ -49,7 +49,7 @@ struct Scene {
   device::SimulatedHandSettings simulated_hand;
   device::Trial trial = device::Trial::IndentSeveralPoints;
   std::optional<std::filesystem::path> hand_trace;  ///< file of a recorded hand, which replaces the trial
-  double trace_deepest_m = 0.04;                    ///< depth of the recorded hand's lowest point below the skin
+  double trace_deepest_m = 0.04;                    ///< how far the recorded hand's lowest point is below H's origin
   msg::Scene message;
 
   /// The solids of `layers`.
@@ -57,14 +57,14 @@ struct Scene {
 };
 
 /// The file of a scene: `scene` itself if it is a file, else the scene of this name in telepalp's library, such as
-/// "skin". Error: there is neither such a file nor such a scene.
+/// "skin". Error: `scene` is neither a file nor the name of a scene in the library.
 [[nodiscard]] Result<std::filesystem::path> find_scene(const std::string& scene);
 
-/// Reads and checks a *.scene.textproto. Error: an unknown field, reported with line and column, or a value out of its
-/// range, reported with field, unit and range.
+/// Reads and checks a *.scene.textproto and the files that its effects name. Error: an unknown field, reported with
+/// line and column; a value out of its range, reported with field, unit and range; or an unreadable file.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
 
-/// Parses and checks the text of a scene file. `name`: the file's path, for errors; its folder resolves relative paths.
+/// Parses and checks the text of a scene file. `name`: the file's path, for errors and as the base of relative paths.
 [[nodiscard]] Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name);
 
 /// Checks a message and converts it to plain values. `places`: position of each number in the file, for errors.

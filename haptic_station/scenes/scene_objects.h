@@ -12,11 +12,11 @@ namespace telepalp::scenes {
 /// An object inside the body, or a region of the skin, as a solid in the haptic base's frame H.
 struct SceneObject {
   std::string name;
-  std::shared_ptr<const solids::SolidTree> tree;  // shared with the layer's effect
+  std::shared_ptr<const solids::SolidTree> tree;  // of a layer: shared with its effect
 };
 
-/// Everything in the scene that has a place, for pictures: layers, cylinders, spheres, organs, and the regions of the
-/// skin as flat discs. Skin and friction are everywhere on the body and not in the list.
+/// The objects of the scene for pictures, in the order of the effects: layers, cylinders, spheres, organs, and the
+/// stiff regions of the skin as flat discs. Skin and friction cover the whole body and have no object.
 [[nodiscard]] std::vector<SceneObject> objects_of(const Scene& scene);
 
 }  // namespace telepalp::scenes

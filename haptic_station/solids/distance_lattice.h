@@ -21,17 +21,17 @@ struct DistanceLattice {
   }
 };
 
-/// A distance with its derivative.
+/// A signed distance with its gradient.
 struct DistanceAt {
   double m = 0.0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< points out of the closed surface
 };
 
 /// Signed distance at a point, as a cubic B-spline over the nodes. It is twice continuously differentiable and the
-/// gradient is its exact derivative, so a spring along the gradient conserves energy. Accuracy: the spline does not
-/// pass through the nodes' values, but smooths them. So on a sphere of radius R its zero level lies spacing^2 / (3 R)
-/// inside the surface, which is 0.2 mm at 4 mm spacing and R = 27 mm. Within one node spacing of the lattice's border,
-/// beyond it, or for a point that is not finite, the distance is infinite. Real-time safe.
+/// gradient is its exact derivative, so a spring along the gradient conserves energy. Accuracy: the spline smooths the
+/// nodes' values and does not pass through them. So for a sphere of radius R its zero level lies spacing^2 / (3 R)
+/// inside the sphere, which is 0.2 mm at 4 mm spacing and R = 27 mm. Within one node spacing of the lattice's border,
+/// beyond the border, or for a point that is not finite, the distance is infinite. Real-time safe.
 [[nodiscard]] DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& point_m) noexcept;
 
 }  // namespace telepalp::solids

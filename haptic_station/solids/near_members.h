@@ -6,18 +6,18 @@
 
 namespace telepalp::solids {
 
-/// Remembers which members of a tree's outermost union can give the union's value within kReach_m of a place, so that a
-/// finger that moves slowly evaluates these alone. A member's value changes by at most SolidTree::steepest per metre: a
-/// member whose value at the place exceeds the least value by more than 2 * steepest * kReach_m cannot become the least
-/// one within kReach_m. The value is that of solid_at(); on an exact tie the sum of gradients may be rounded otherwise.
-/// A tree whose root is not a union, or a place with more than kMost such members, is evaluated as by solid_at().
-/// Owner: the haptic thread. Nothing allocates.
+/// Remembers which members of a tree's outermost union can give the union's value within kReach_m of a centre point, so
+/// that only these members are evaluated for a finger that moves slowly. A member's value changes by at most
+/// SolidTree::steepest per metre: a member whose value at the centre exceeds the least value by more than 2 steepest
+/// kReach_m cannot become the least within kReach_m. The value equals that of solid_at(); on an exact tie the gradient
+/// may differ by rounding. If the root is not a union, or more than kMost members can give the value, solid_at()
+/// evaluates the tree. Owner: the haptic thread. Nothing allocates.
 class NearMembers {
  public:
   static constexpr double kReach_m = 0.003;  ///< a finger at 0.1 m/s moves this far in 30 ms
   static constexpr std::size_t kMost = 12;
 
-  /// Value and gradient at a point, in the solid's frame.
+  /// Value and gradient at a point, in the solid's frame. Members are gathered anew for another tree or a far point.
   [[nodiscard]] SolidAt at(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
 
  private:
@@ -27,7 +27,7 @@ class NearMembers {
   const SolidTree* tree_ = nullptr;  // borrowed; only its address is compared
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
   std::array<std::uint32_t, kMost> members_{};
-  std::size_t count_ = 0;  // 0: none gathered, or too many
+  std::size_t count_ = 0;  // 0: no members gathered, or more than kMost
 };
 
 }  // namespace telepalp::solids

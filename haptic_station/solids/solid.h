@@ -37,11 +37,11 @@ enum class Op : std::uint8_t {
   Scale,
 };
 
-/// What a number after a word of the text stands for. The allowed range of the number depends on it.
+/// What a number after a word of the Polish notation stands for; it decides the number's allowed range.
 enum class Unit : std::uint8_t { Coordinate, Length, Direction, Degrees, Factor };
 
 struct NumberKind {
-  std::string_view name;  ///< with its unit, as in the scene's text format
+  std::string_view name;  ///< with its unit, as in the scene's text format: `radius_m`
   Unit unit;
 };
 
@@ -57,7 +57,7 @@ struct Word {
 };
 [[nodiscard]] std::span<const Word> words() noexcept;
 
-/// A node. `word` indexes words(). A mesh has a `lattice` and the name of its file.
+/// A node. `word`: index in words(). `numbers`: in the order of Word::numbers. `file`, `lattice`: of a mesh only.
 struct Node {
   std::size_t word = 0;
   std::array<double, 7> numbers{};
@@ -81,9 +81,9 @@ inline constexpr int kMostNesting = 100;  ///< depth of nested operators; the la
 struct Complaint {
   std::string what;
   std::string fix;
-  std::size_t number = 0;  ///< index of the number
+  std::size_t number = 0;  ///< index in Node::numbers
 };
-/// nullopt: the node's numbers are in order.
+/// The first fault of the node's numbers; nullopt: all are valid.
 [[nodiscard]] std::optional<Complaint> complaint_about(const Node& node);
 
 /// The index of the word in words(); nullopt: unknown.

@@ -22,7 +22,7 @@ inline constexpr std::size_t kMostCells = 64'000'000;
 /// The number of edges that do not belong to exactly two triangles with opposite directions; 0: watertight.
 [[nodiscard]] std::size_t open_edges(const SolidMesh& mesh);
 
-/// The mesh as a text file.
+/// The mesh as the text of an ASCII PLY or a Wavefront OBJ file, in metres.
 [[nodiscard]] std::string to_ply(const SolidMesh& mesh);
 [[nodiscard]] std::string to_obj(const SolidMesh& mesh);
 

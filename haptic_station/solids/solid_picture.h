@@ -15,7 +15,7 @@ struct PaintedSolid {
 
 /// A view along parallel rays.
 struct PictureView {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();     ///< seen in the picture's middle; the solids' frame [m]
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();     ///< point in the picture's middle [m], in the solids' frame
   Eigen::Vector3d towards = -Eigen::Vector3d::UnitY();  ///< unit, from the eye into the scene
   Eigen::Vector3d up = -Eigen::Vector3d::UnitZ();       ///< unit, upwards in the picture
   double width_m = 0.4;

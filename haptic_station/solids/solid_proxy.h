@@ -11,7 +11,7 @@ namespace telepalp::solids {
 
 /// Result of SolidProxy::step().
 struct ProxyAt {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< the proxy: the device point itself while nothing is touched
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< proxy [m]; the device point while nothing is touched
   Eigen::Vector3d outwards = Eigen::Vector3d::Zero();  ///< unit, from the device to the proxy; zero without touch
   double depth_m = 0.0;                                ///< distance from device to proxy; 0: nothing is touched
 };
@@ -27,28 +27,28 @@ struct ProxySettings {
 /// spring from device to proxy is an inner layer of paper S2 (docs/sources.md). Up to three tangent planes hold the
 /// proxy, at most one for each part (shape, blend or clip) of the solid, so that it rests in a crease between two ribs.
 /// A fast device is swept from the last proxy on, so a thin wall stops it and keeps it on the side from which it came.
-/// A device that is outside and more than kTorn_m from its proxy was pushed right through: the proxy jumps to the
-/// device, which discards the spring's energy. While the device rests, the proxy lies on the surface within its
-/// tolerance. Sources: S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner: the haptic thread. Nothing
-/// allocates.
+/// A device that is outside the solid and more than kTorn_m from its proxy was pushed right through the solid: the
+/// proxy jumps to the device, which discards the spring's energy. While the device rests, the proxy lies on the surface
+/// within ProxySettings::tolerance_m. Sources: S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner: the
+/// haptic thread. Nothing allocates.
 class SolidProxy {
  public:
-  static constexpr double kTorn_m = 0.03;  ///< a spring of 800 N/m has 24 N there, beyond what a device gives
+  static constexpr double kTorn_m = 0.03;  ///< at this length a spring of 800 N/m has 24 N, beyond what a device gives
 
   explicit SolidProxy(const ProxySettings& settings = {}) noexcept : settings_(settings) {}
 
-  /// Ends the touch: the next step() starts at its device point. Inside the solid the proxy starts at the nearest
-  /// point of the surface.
+  /// Ends the touch: the next step() starts the proxy at its device point, or, if that is inside the solid, near the
+  /// nearest point of the surface (for a single shape, at that point).
   void forget() noexcept { *this = SolidProxy(settings_); }
 
-  /// One tick. `swell_m`: the touched surface lies this far outside the tree's surface, as for a pulsating artery;
-  /// small against the solid.
+  /// One tick. `device`: in the tree's frame [m]. `swell_m`: the touched surface lies this far outside the tree's
+  /// surface, as for a pulsating artery; small compared with the solid.
   [[nodiscard]] ProxyAt step(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m = 0.0) noexcept;
 
  private:
   static constexpr int kMostSweeps = 32;
   static constexpr double kStride_m = 0.001;  ///< largest move of the proxy in a round
-  static constexpr double kFlat = 0.1;        ///< a shorter gradient gives no plane: opposite sides are equally near
+  static constexpr double kFlat = 0.1;        ///< a shorter gradient gives no plane: opposite walls are equally near
 
   struct Plane {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();

@@ -37,14 +37,14 @@ struct StationOptions {
   program::Patience patience;                  ///< time limit for the server's first image
   Realtime realtime = Realtime::Prefer;
   std::filesystem::path control;                      ///< path of the socket for operators' commands; empty: no socket
-  bool control_is_asked_for = false;                  ///< the user named the socket: start only if it can be opened
+  bool control_is_asked_for = false;                  ///< the user named the socket: without it, run() fails
   std::filesystem::path state_folder;                 ///< folder for the files of the flight recorder
-  std::optional<StaticPatient> model = std::nullopt;  ///< touched instead of the surface from a server
+  std::optional<StaticPatient> model = std::nullopt;  ///< the hand touches this model instead of a server's surface
 };
 
-/// The station: a link to the server, the surface thread and the haptic thread, joined by wait-free hand-offs. run()
-/// turns the calling thread into the network thread and returns when the time is up, an operator ends it, or the
-/// operator's new scene is accepted.
+/// The station: a link to the server, the surface thread and the haptic thread, which exchange data without waiting for
+/// each other (LatestValue, SpscRing). run() turns the calling thread into the network thread and returns when the time
+/// is up, an operator ends the station, or the scene was read again and accepted.
 class Station {
  public:
   /// `io`: the network thread's io_context; run() runs it, and it must outlive the station. `trace`: the scene's
@@ -56,7 +56,7 @@ class Station {
   Station(const Station&) = delete;
   Station& operator=(const Station&) = delete;
 
-  /// Runs the station to its end. Error: the reason why it could not work.
+  /// Runs the station to its end. Error: why it gave up, such as no depth image in time or no real-time scheduling.
   [[nodiscard]] Result<void> run();
 
  private:
@@ -104,35 +104,35 @@ class Station {
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
   std::string not_connected_because_;
-  std::string depth_;  // description of the depth's fidelity that was logged last
+  std::string depth_;  // last logged description: depth lossless, or its error bound
   double clock_error_s_ = std::numeric_limits<double>::infinity();  // bound on the error of the session clock
-  Nanoseconds clock_stepped_{0};                                    // steps of the session clock that were logged
+  Nanoseconds clock_stepped_{0};                                    // sum of the session clock's steps that were logged
   ImageAges ages_;
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
   LatestValue<loop::TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists
-  LatestValue<loop::TouchableSurface> surfaces_;                  // surface or collision thread to haptic thread
+  LatestValue<loop::TouchableSurface> surfaces_;                  // surface, collision or network to haptic thread
   LatestValue<Point<HapticBase>> device_to_surface_;              // haptic thread to surface thread
   TickRing ticks_;                                                // haptic thread to network thread
   loop::HapticLoop loop_;                                         // owner: haptic thread, once it runs
   std::unique_ptr<ports::Rig> rig_;                               // owner: haptic thread, once it runs
-  std::optional<tracking::ViewerHandTracker::Taken> hand_taken_;  // last result that was logged for a viewer's hand
+  std::optional<tracking::ViewerHandTracker::Taken> hand_taken_;  // last logged result of its hear()
   tracking::ViewerHandTracker*
       viewer_hand_tracker_;  // the tracker in rig_, or nullptr; its hear() is called on the network thread
-  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // known from the first image on
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // nullopt before the first image
   std::optional<HapticThread> haptic_;
   TelemetryPublisher telemetry_;
   FaultMonitor faults_;
   std::optional<InsideThread> inside_thread_;         // only if the scene has layers or a probe
-  std::optional<msg::InnerStructures> inside_;        // the surfaces of the layers, once they are made
-  loop::ObjectPlacements objects_{};                  // displacements in the newest compensation
+  std::optional<msg::InnerStructures> inside_;        // the surfaces of the layers, once inside_thread_ has made them
+  loop::ObjectPlacements objects_{};                  // displacements in the newest StationCompensation
   std::chrono::steady_clock::time_point next_image_;  // when the next ultrasound image is due
   std::optional<CollisionThread> collision_;
   std::optional<SurfaceWorker> worker_;
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point ticking_since_;
   std::vector<msg::EffectCost> costs_;
-  bool realtime_granted_ = false;  // priority and locked memory
+  bool realtime_granted_ = false;  // both real-time priority and locked memory
   bool stopped_ = false;           // checked by timer handlers: a timer that has expired cannot be cancelled
 };
 

@@ -8,19 +8,19 @@
 namespace telepalp::tracking {
 
 /// The hand's attitude (paper S1, docs/sources.md, eq. 1), predicted from samples at about 100 Hz. The rotations from
-/// sample to sample add up to a path of rotation vectors in the hand's own frame. HandEstimate, the filter of the
+/// sample to sample, as rotation vectors in the hand's axes, add up to a path. HandEstimate, the filter of the
 /// position, filters this path, with radians in place of metres, and so learns the noise, the angular velocity and the
-/// persistence of that velocity. No allocation. Owner: haptic thread.
+/// persistence of the angular velocity. No allocation. Owner: haptic thread.
 class AttitudeEstimate {
  public:
   AttitudeEstimate() noexcept;
 
-  /// Adds a sample: the rotation from the hand's axes (hand_axes.h) to the haptic base's frame. It need not be
-  /// normalised. A quaternion shorter than 0.1 counts as not finite.
+  /// Adds a sample: the rotation from the hand's axes (hand_axes.h) to the haptic base's frame. The quaternion need not
+  /// be normalised; one shorter than 0.1 counts as not finite.
   Taken update(SessionTime at, const Eigen::Quaterniond& attitude) noexcept;
   /// Discards all samples.
   void forget() noexcept;
-  /// The attitude at `now`; nullopt: no sample in the last second.
+  /// The predicted attitude at `now`, as in update(); nullopt: no sample was accepted in the last second.
   [[nodiscard]] std::optional<Eigen::Quaterniond> predict(SessionTime now) const noexcept;
 
  private:

@@ -7,7 +7,7 @@
 namespace telepalp::tracking {
 
 /// Stands in for a tracker when the person grips the end-effector: the hand's position is the device's position,
-/// sampled 100 times a second. A silent device gives no samples.
+/// sampled 100 times a second. A device that has been silent for 50 ms gives no samples.
 class GripTracker final : public ports::Tracker {
  public:
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,

@@ -5,10 +5,10 @@
 
 namespace telepalp::tracking {
 
-/// The attitude of the hand's axes from two directions that a tracker measures: along the fingers, and out of the palm.
-/// The hand's axes: x to the little finger of a right hand, y along the fingers, z out of the back of the hand. The two
-/// directions need not be unit or exactly perpendicular. nullopt: one is not finite or shorter than 0.1, or they are
-/// parallel within 6 degrees.
+/// The rotation from the hand's axes to a tracker's frame, from two directions that the tracker measures: along the
+/// fingers, and out of the palm. The hand's axes: x to the little finger of a right hand, y along the fingers, z out of
+/// the back of the hand. The directions need not be unit or exactly perpendicular. nullopt: one is not finite or
+/// shorter than 0.1, or they are parallel within 6 degrees.
 [[nodiscard]] inline std::optional<Eigen::Quaterniond> hand_axes(const Eigen::Vector3d& fingers,
                                                                  const Eigen::Vector3d& out_of_palm) noexcept {
   constexpr double kLeast = 0.1;

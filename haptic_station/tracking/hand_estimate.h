@@ -18,16 +18,16 @@ struct HandEstimateSettings {
   double longest_prediction_s = 0.05;  ///< at a greater age the predicted position no longer changes
   double restart_after_s = 0.2;        ///< the filter restarts after a longer gap between samples
   double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is a jump and is rejected
-  double believed_after_s = 0.5;       ///< after a jump, samples that agree with each other for so long are accepted
+  double believed_after_s = 0.5;       ///< after a jump, samples that agree with each other for this time are accepted
 };
 
-/// The hand's predicted state at an instant, from the samples before it.
+/// The hand's state at an instant, predicted from the samples before this instant.
 struct HandPrediction {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
-  double sigma_m = 0.0;         ///< standard deviation per axis
+  double sigma_m = 0.0;         ///< standard deviation of `at` per axis
   double age_s = 0.0;           ///< age of the newest sample that was accepted
-  double implausible_s = 0.0;   ///< for how long samples have been impossibly fast; 0: the newest one is plausible
+  double implausible_s = 0.0;   ///< how long samples have implied an impossible speed; 0: the newest one is plausible
   bool valid = false;           ///< false: no sample yet
 };
 
@@ -37,10 +37,10 @@ enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Jump };
 /// Adaptive Kalman filter over samples of the hand at about 100 Hz, predicted at 2 kHz (paper S1, docs/sources.md,
 /// II.D). The measurement noise follows from the samples (SampleNoise), the process noise from the newest innovations,
 /// and the velocity's time constant from the recent movements (VelocityPersistence). With a tracker that smooths its
-/// samples, the filter extrapolates the straight line through the last two samples, at a velocity that decays with that
-/// time constant; with a noisy tracker it averages. It uses the time stamp of each sample, so jitter, gaps and bursts
-/// cause no model error. After a gap longer than restart_after_s it restarts, so its covariance stays bounded. A sample
-/// that implies an impossible speed is rejected, and the estimate continues from the accepted ones. Axes are
+/// samples, the filter extrapolates the straight line through the last two samples, at a velocity that decays with this
+/// time constant; with a noisy tracker the filter averages. It uses the time stamp of each sample, so jitter, gaps and
+/// bursts cause no model error. After a gap longer than restart_after_s it restarts, so its covariance stays bounded. A
+/// sample that implies an impossible speed is rejected, and the estimate continues from the accepted samples. Axes are
 /// independent and share one covariance. No allocation. Owner: haptic thread.
 class HandEstimate {
  public:

@@ -17,11 +17,11 @@ namespace telepalp::tracking {
 struct TraceSample {
   SessionTime at;  ///< time since the trace's first sample
   Point<HandTracker> palm;
-  Vector<HandTracker> velocity;  ///< as the tracker measured it [m/s]; zero when the file has no velocity columns
+  Vector<HandTracker> velocity;  ///< as the tracker measured it [m/s]; zero when the row has no velocity
   std::optional<Eigen::Quaterniond> attitude = {};  ///< from the hand's axes (hand_axes.h) to the tracker's frame
 };
 
-/// A recorded hand, in time order, at least two samples.
+/// The samples of a recorded hand, in time order; at least two.
 struct HandTrace {
   std::vector<TraceSample> samples;
   std::size_t skipped = 0;  ///< number of rows left out: invalid, out of time order, or of another hand
@@ -37,14 +37,14 @@ struct HandTrace {
 [[nodiscard]] Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name);
 
 /// A simulated person who repeats a recorded movement, alternately forwards and backwards, so that the path is
-/// continuous. `haptic_from_tracker` transforms the movement to the haptic base's frame H. The movement is then shifted
-/// so that its mean position lies on the vertical through `skin` and its lowest point is `depth_m` lower than `skin`.
+/// continuous. `haptic_from_tracker` transforms the movement to the haptic base's frame H. The movement is then
+/// shifted: its mean position is on the vertical through `skin`, and its lowest point is `depth_m` lower than `skin`.
 class RecordedIntention {
  public:
   RecordedIntention(const HandTrace& trace, const Transform<HapticBase, HandTracker>& haptic_from_tracker,
                     const Point<HapticBase>& skin, double depth_m);
 
-  /// `time_s` since the start. No allocation.
+  /// The intended position and velocity, `time_s` since the start. No allocation.
   [[nodiscard]] device::Intention at(double time_s) const noexcept;
   /// Rotation from the hand's axes to H, `time_s` since the start; nullopt: the trace has no attitude. No allocation.
   [[nodiscard]] std::optional<Eigen::Quaterniond> attitude(double time_s) const noexcept;

@@ -9,16 +9,16 @@
 namespace telepalp::tracking {
 
 /// How long the hand keeps its velocity, learnt from its recent movements: the distance covered in 30 to 80 ms is
-/// compared with the velocity at the beginning of that time. A hand that pokes and stops has a short memory of its
-/// velocity; a hand that sweeps keeps it. No allocation.
+/// compared with the velocity at the beginning of that time. The time is short for a hand that pokes and stops, and
+/// long for a hand that sweeps. No allocation.
 class VelocityPersistence {
  public:
   /// `expected_s`: the velocity's time constant before any movement was seen. `memory_s`: time over which it is learnt.
   VelocityPersistence(double expected_s, double memory_s) noexcept;
 
-  /// Call before the add() of a state that does not continue the last movement. What was learnt is kept.
+  /// Call before the add() of a state that does not continue the last movement. The learnt time constant is kept.
   void begin_movement() noexcept { count_ = 0; }
-  /// The estimated state of the hand at a sample.
+  /// Adds the estimated state of the hand at the sample of the time `at`, `dt_s` after the sample before.
   void add(SessionTime at, const Eigen::Vector3d& hand_m, const Eigen::Vector3d& velocity_m_per_s,
            double dt_s) noexcept;
 

@@ -5,8 +5,8 @@
 
 namespace telepalp::trials {
 
-/// Fig. 7 of paper S1 (docs/sources.md): the end-effector's path seen from the side while it presses an inner object's
-/// upper and lateral area, with the force as lines of 2 mm per newton. The chart has no series if no object is pressed.
+/// Fig. 7 of paper S1 (docs/sources.md): the end-effector's path seen from the side (x, y) in the phases ObjectUpper
+/// and ObjectLateral, with the force as lines of 2 mm per newton. The chart has no series without these phases.
 [[nodiscard]] plot::Chart cylinder_paths(const TrialResult& result);
 
 }  // namespace telepalp::trials

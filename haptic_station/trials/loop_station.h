@@ -6,8 +6,8 @@
 
 namespace telepalp::trials {
 
-/// The live loop on a simulated device, in virtual time: surface snapshots, hand samples and ticks as at the station,
-/// without its clock and threads. The caller supplies the skin and the person.
+/// The station's haptic loop on a simulated device, in virtual time: surface snapshots, hand samples and ticks, without
+/// the station's clock and threads. The caller supplies the person, and the skin, which must outlive this object.
 class LoopStation {
  public:
   LoopStation(const VirtualStationSettings& settings, TrialSkin& skin)
@@ -36,7 +36,7 @@ class LoopStation {
   [[nodiscard]] double time_s() const noexcept { return static_cast<double>(tick_) * settings_.tick_s; }
   [[nodiscard]] double tick_s() const noexcept { return settings_.tick_s; }
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
-  /// Depth of the device below the true skin.
+  /// Depth of the device below the true skin [m]; negative outside.
   [[nodiscard]] double true_depth_m() const { return skin_.true_depth_m(pair_.true_device(), time_s()); }
 
  private:

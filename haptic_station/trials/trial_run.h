@@ -8,13 +8,13 @@
 
 namespace telepalp::trials {
 
-/// One point of plots like Fig. 5 to 8 of paper S1 (docs/sources.md), taken every 5 ms.
+/// One point of plots like Fig. 5 to 8 of paper S1 (docs/sources.md); a trial has one every 5 ms.
 struct TrialSample {
   double time_s;
   control::Phase phase;
-  Point<HapticBase> hand;  ///< true position, without tracker noise
-  Point<HapticBase> device;
-  Point<HapticBase> shown;  ///< displayed hand
+  Point<HapticBase> hand;    ///< true position, without tracker noise
+  Point<HapticBase> device;  ///< true position
+  Point<HapticBase> shown;   ///< position of the displayed hand
   Force<HapticBase> force;
   double indentation_m;
 };
@@ -28,15 +28,15 @@ struct Transition {
 
 /// Measures of a trial's smoothness and safety.
 struct TrialFigures {
-  std::array<int, control::kPhaseCount> entries{};
-  double worst_force_step_N = 0.0;  ///< largest change of force between two ticks
-  double worst_jump_m = 0.0;        ///< largest end-effector motion in a transition's tick beyond velocity × tick
-  double worst_speed_jump_m_per_s = 0.0;  ///< largest change of the end-effector's speed in the tick of a transition
+  std::array<int, control::kPhaseCount> entries{};  ///< number of entries into each phase, at the index phase - 1
+  double worst_force_step_N = 0.0;                  ///< largest change of force between two ticks
+  double worst_jump_m = 0.0;              ///< largest end-effector motion in a transition's tick, less velocity × tick
+  double worst_speed_jump_m_per_s = 0.0;  ///< largest change of the end-effector's velocity in a transition's tick
   double worst_shown_step_m = 0.0;        ///< largest displacement of the displayed hand in one tick
   double most_force_N = 0.0;
   double contact_s = 0.0;
-  double unfelt_s = 0.0;           ///< time deeper than 2 mm in the true skin without a contact
-  double least_passivity_J = 0.0;  ///< least balance of the passivity controller; negative: active
+  double unfelt_s = 0.0;           ///< time in which the device was over 2 mm deep in the true skin without a contact
+  double least_passivity_J = 0.0;  ///< least PassivityController::balance_J(); negative: the display was active
 
   [[nodiscard]] int entered(control::Phase phase) const noexcept {
     return entries[static_cast<std::size_t>(phase) - 1];
@@ -51,7 +51,7 @@ struct TrialResult {
   std::vector<Transition> transitions;
 };
 
-/// Runs one of S1's trials in virtual time on the live haptic loop over `skin`.
+/// Runs one of S1's trials in virtual time on the station's haptic loop over `skin`.
 [[nodiscard]] TrialResult run_trial(device::Trial trial, const VirtualStationSettings& settings, TrialSkin& skin);
 
 /// S1's scene: the skin with the paper's stiffness and the cylinder 0.03 m below it.

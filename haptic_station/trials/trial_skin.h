@@ -12,28 +12,28 @@ namespace telepalp::trials {
 /// camera.
 [[nodiscard]] Transform<HapticBase, DepthCamera> trial_camera(double height_m = 0.8) noexcept;
 
-/// A simulated patient. The haptic loop gets snapshots of the skin at 30 Hz; the caller can also ask for the true skin.
+/// A simulated patient. The haptic loop gets snapshots of the skin at 30 Hz; the caller can also query the true skin.
 class TrialSkin {
  public:
   virtual ~TrialSkin() = default;
-  /// Hands the loop the snapshot that a camera has made by `time_s`. `device`: centre of the region that the hand can
-  /// reach.
+  /// Gives `loop` a new snapshot if a camera has made one by `time_s`. Call it at each tick. `device`: centre of the
+  /// region that the hand can reach; the snapshot need cover only this region.
   virtual void show(double time_s, const Point<HapticBase>& device, loop::HapticLoop& loop) = 0;
   /// Depth of `point` below the true skin [m]; negative outside.
   [[nodiscard]] virtual double true_depth_m(const Point<HapticBase>& point, double time_s) const = 0;
 };
 
-/// A level skin that rises and falls as a sine. The snapshots are exact, so that a trial tests the controller alone.
-/// `begins_s`: time of the sine at the trial's start.
+/// A level skin that rises and falls as a sine. The snapshots and their predictions are exact, so that a trial tests
+/// the controller alone. `begins_s`: time of the sine at the trial's start [s].
 [[nodiscard]] std::unique_ptr<TrialSkin> level_skin(const device::BreathingPlane& plane, double begins_s = 0.0);
 
-/// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps, made into a surface by
-/// SurfaceBuilder, as in the station.
+/// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps. As in the station, SurfaceBuilder
+/// makes the surface from the camera's images.
 struct BellySettings {
   double breathing_m = 0.0;  ///< amplitude of the belly's rise and fall, a sine
   double rate_hz = 0.25;
-  double begins_s = 0.0;        ///< time of the breath at the trial's start
-  double along_radius_m = 0.6;  ///< radius of curvature from head to feet
+  double begins_s = 0.0;        ///< time of the sine at the trial's start
+  double along_radius_m = 0.6;  ///< radius of curvature in the direction from head to feet
   double across_radius_m = 0.25;
   std::uint64_t seed = 1;
 };

@@ -19,7 +19,7 @@ struct VirtualStationSettings {
   double tick_s = 0.0005;
 };
 
-/// Runs tracker, hand estimate, controller and simulated device in virtual time: the tick of the 2 kHz loop without
+/// Runs tracker, hand estimate, controller and simulated device in virtual time: the station's 2 kHz tick without
 /// clock, threads and camera. The caller supplies the surface and the person.
 class VirtualStation {
  public:
@@ -33,7 +33,7 @@ class VirtualStation {
   void place(const Point<HapticBase>& device, const Point<HapticBase>& hand) noexcept { pair_.place(device, hand); }
 
   /// Runs one tick. `SurfaceContact surface(Point<HapticBase> device, double time_s)` gives the contact of the device
-  /// point. `device::Intention person(const device::TrialView&)` gives the hand's intended position.
+  /// point. `device::Intention person(const device::TrialView&)` gives the hand's intended position and velocity.
   /// `spoil(ControlInput&)` may damage the controller's input, for tests.
   template <class Surface, class Person, class Spoil>
   control::ControlOutput step(Surface&& surface, Person&& person, Spoil&& spoil) noexcept {

@@ -22,32 +22,32 @@ struct BModeSettings {
   double width_m = 0.06;
   double depth_m = 0.10;
   double range_dB = 60.0;       ///< dynamic range: difference of echo level between black and white
-  effects::Echo tissue{};       ///< around and between the layers
+  effects::Echo tissue{};       ///< echo properties around and between the layers
   double specular_power = 4.0;  ///< a boundary's echo is proportional to cos(incidence) to this power
 };
 
-/// Brightness of each pixel, rows from the skin down.
+/// Brightness of each pixel, 0 (black) to 255: `side_px` rows of `side_px` pixels, from the skin down.
 struct BModeImage {
   int side_px = 0;
   std::vector<std::uint8_t> gray;
 };
 
-/// A layer and its displacement from its place in the scene. It moves with the skin above it.
+/// A layer, and its displacement from its position in the scene, because the layer moves with the skin above it.
 struct PlacedLayer {
   const effects::SolidLayer* layer = nullptr;
   Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  ///< displacement, in H
 };
 
-/// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is ((Z1 - Z2) / (Z1 +
-/// Z2))^2 with the impedances Z of both sides; each tissue attenuates, so bone casts a shadow; the gain over depth
-/// compensates the attenuation of `tissue`; the speckle is Rayleigh-distributed and fixed to its layer, so it moves
-/// with the layer; between the layers it moves by the mean of their movements. Where layers overlap, the later one in
-/// `layers` counts. Not modelled: refraction, reverberation, the beam's width. Pure: the same input gives the same
+/// The B-mode image of the plane under the probe. Along each scan line: the echo of each boundary is ((Z1 - Z2) /
+/// (Z1 + Z2))^2 with the impedances Z of both sides; each tissue attenuates, so bone casts a shadow; the gain over
+/// depth compensates the attenuation of `tissue`. The speckle is Rayleigh-distributed and moves with its layer;
+/// between the layers it moves by the mean displacement of all layers. Where layers overlap, the last one in
+/// `layers` counts. Not modelled: refraction, reverberation, the beam's width. Pure: equal input gives an equal
 /// image.
 [[nodiscard]] BModeImage b_mode(std::span<const PlacedLayer> layers, const ProbePose& probe,
                                 const BModeSettings& settings = {});
 
-/// The same with all layers where the scene places them.
+/// As above, with each layer at its position in the scene.
 [[nodiscard]] BModeImage b_mode(std::span<const std::shared_ptr<const effects::SolidLayer>> layers,
                                 const ProbePose& probe, const BModeSettings& settings = {});
 

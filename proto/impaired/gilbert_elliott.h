@@ -9,11 +9,11 @@ namespace telepalp::impaired {
 class GilbertElliott {
  public:
   GilbertElliott() = default;
-  /// `loss`: share of packets that are lost, 0 to 1. `mean_burst`: mean number of packets lost in a row. Independent
-  /// losses have the mean 1 / (1 - loss); a smaller `mean_burst` gives independent losses.
+  /// `loss`: share of packets that are lost, 0 to 1. `mean_burst`: mean number of packets lost in a row; if it is below
+  /// 1 / (1 - loss), the mean of independent losses, the losses are independent.
   GilbertElliott(double loss, double mean_burst) noexcept { set(loss, mean_burst); }
 
-  /// Changes both parameters; the state stays.
+  /// Changes both parameters; the model stays in its present state.
   void set(double loss, double mean_burst) noexcept {
     const double passed = std::max(1e-9, 1.0 - loss);
     const double burst = std::max(mean_burst, 1.0 / passed);

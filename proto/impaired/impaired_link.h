@@ -14,35 +14,35 @@ namespace telepalp::impaired {
 
 struct Packet {
   std::vector<std::byte> bytes;
-  std::uint64_t flow = 0;  ///< number that the caller of send() gives its stream or pair of sockets
-  /// True: a segment of a TCP stream. It is neither lost nor damaged nor overtaken. A loss delays this segment, and all
-  /// segments behind it, by the round trip of a retransmission.
+  std::uint64_t flow = 0;  ///< number of its stream or pair of sockets, chosen by the caller of send()
+  /// True: a segment of a TCP stream. A segment is neither lost nor damaged, nor overtaken in its stream. A loss delays
+  /// the segment, and all segments behind it in the stream, by the round trip of a retransmission.
   bool stream = false;
 };
 
-/// Counters since the link's start. Each datagram counts as lost, dropped or delivered, or is still in the link. A TCP
-/// segment is delivered always, and counts as lost too, once for each loss that delays it.
+/// Counters since the link's start. Each datagram is lost, dropped, delivered or still in the link. A TCP segment is
+/// always delivered, and also counts as lost once for each loss that delays it.
 struct LinkStatistics {
   std::uint64_t sent = 0;
   std::uint64_t sent_bytes = 0;
   std::uint64_t delivered = 0;  ///< duplicates included
   std::uint64_t delivered_bytes = 0;
   std::uint64_t lost = 0;     ///< datagrams lost, and TCP segments delayed, by the loss model or an outage
-  std::uint64_t dropped = 0;  ///< did not fit in the queue
+  std::uint64_t dropped = 0;  ///< datagrams that did not fit in the bottleneck's queue
   std::uint64_t reordered = 0;
   std::uint64_t duplicated = 0;
   std::uint64_t corrupted = 0;
   Nanoseconds worst_delay{0};  ///< longest time in the link
 };
 
-/// One direction of an impaired link. Pure: time is an argument. All times count from the link's start, and `now`
-/// never decreases. The same seed and the same packets give the same arrivals on every machine.
+/// One direction of an impaired link. Pure: time is an argument. All times count from the link's start, and `now` never
+/// decreases. Equal seeds and equal packets give equal arrivals on every machine.
 class ImpairedLink {
  public:
   ImpairedLink(const Impairment& impairment, std::uint64_t seed, Trace trace = {});
 
   /// Changes the impairments at `now`. Packets in the link keep their times of arrival. Later packets wait until the
-  /// bytes in the bottleneck's queue have left at the new rate. A link with a trace keeps following the trace.
+  /// bytes in the bottleneck's queue have left at the new rate. The values of a trace still replace those given here.
   void change(Nanoseconds now, const Impairment& impairment) noexcept;
 
   void send(Nanoseconds now, Packet packet);
@@ -53,8 +53,8 @@ class ImpairedLink {
 
   /// Bytes in the bottleneck's queue.
   [[nodiscard]] std::size_t queued_B(Nanoseconds now) const noexcept;
-  /// True if the bottleneck's queue has room for `bytes` more and the link holds at most 64 MiB then. The sender of a
-  /// TCP stream waits while has_room() is false.
+  /// True if the bottleneck's queue has room for `bytes` more and the link would then hold at most 64 MiB. The sender
+  /// of a TCP stream waits while has_room() is false.
   [[nodiscard]] bool has_room(Nanoseconds now, std::size_t bytes) const noexcept;
   /// Forgets a stream that has ended; its segments on the way still arrive.
   void forget_stream(std::uint64_t flow) { last_segment_.erase(flow); }
@@ -63,7 +63,7 @@ class ImpairedLink {
  private:
   struct Arrival {
     Nanoseconds at;
-    std::uint64_t number;  ///< keeps the order of packets that arrive at one instant
+    std::uint64_t number;  ///< order of sending: packets that arrive at one instant keep this order
     Nanoseconds sent_at;
     Packet packet;
     bool operator<(const Arrival& other) const noexcept {

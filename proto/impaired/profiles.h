@@ -21,9 +21,9 @@ struct Profile {
 /// Error: no profile has this name; the error lists the names.
 [[nodiscard]] Result<Profile> profile_named(std::string_view name);
 
-/// Reads a trace: CSV with the header `t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s`, at least two rows, times
-/// from 0 upwards. At most 1 MiB. `where`: the name of the source. An error states this name and, for a
-/// wrong line, the line's number.
+/// Reads a trace: CSV with the header `t_s,delay_ms,jitter_ms,loss_percent,rate_kbit_per_s` and at least two rows; t_s
+/// is 0 in the first row and increases. At most 1 MiB. Error: the text is no such trace; the error states `where`, the
+/// name of the text's source, and the number of the first wrong line.
 [[nodiscard]] Result<Trace> parse_trace(std::string_view text, std::string_view where);
 [[nodiscard]] Result<Trace> read_trace(const std::filesystem::path& file);
 

@@ -12,10 +12,10 @@
 
 namespace telepalp::keys {
 
-/// The validity of a key begins this long before its creation, because the clocks of two machines differ.
+/// The validity of a certificate begins this long before its creation, because the clocks of two machines differ.
 inline constexpr std::chrono::hours kBackdated{1};
 
-/// Issues the keys of one site, and revokes them. The authority's file never leaves the machine that makes the keys.
+/// Issues the keys of one site, and revokes them. The authority's file never leaves the machine on which keys are made.
 /// Each of server_key(), client_key() and token() returns the text of a key file (key_file.h).
 class Authority {
  public:
@@ -32,7 +32,7 @@ class Authority {
   ~Authority();
 
   [[nodiscard]] std::string file_text() const;    ///< text of the authority's file, with its private key
-  [[nodiscard]] std::string certificate() const;  ///< PEM, for browsers and other programs: nothing secret
+  [[nodiscard]] std::string certificate() const;  ///< PEM, for browsers and other programs; it is not secret
   [[nodiscard]] std::string name() const;
 
   /// `hosts`: the names and addresses under which clients reach the server; localhost, 127.0.0.1 and ::1 are added.
@@ -40,7 +40,7 @@ class Authority {
   [[nodiscard]] Result<std::string> client_key(const Issue& issue) const;
   [[nodiscard]] Result<std::string> token(const Issue& issue) const;
 
-  /// The signed list of all `revoked` serial numbers and when each was revoked, in PEM (revocations.h reads it).
+  /// The signed list, in PEM, of `revoked`: the time of revocation by serial number. Revocations::read() reads it.
   [[nodiscard]] Result<std::string> revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now) const;
 
  private:

@@ -18,12 +18,12 @@ struct CertificateRequest {
   WallTime until{};
 };
 
-/// A certificate for `key`, signed by `issuer` with `issuer_key`. `issuer` null: the certificate is self-signed;
-/// `issuer_key` is then `key`.
+/// A certificate for `key`, signed by `issuer` with `issuer_key`. `issuer` null: the certificate is self-signed, and
+/// `issuer_key` must be `key`.
 [[nodiscard]] Result<CertificatePtr> make_certificate(const CertificateRequest& request, EVP_PKEY& key, X509* issuer,
                                                       EVP_PKEY& issuer_key);
 
-/// The person whom a client's certificate names. The caller has verified the certificate. Error: it names no role.
+/// The person whom a client's certificate, verified by the caller, names. Error: the certificate states no known role.
 [[nodiscard]] Result<Identity> identity_of(X509& certificate);
 
 [[nodiscard]] std::string common_name(X509& certificate);

@@ -13,7 +13,7 @@ using WallTime = std::chrono::system_clock::time_point;
 struct Identity {
   std::string name;  ///< "anna"
   Role role = Role::Viewer;
-  /// Serial number of the certificate or token, in hexadecimal. A revocation list contains the revoked ones.
+  /// Serial number of the certificate or token, in hexadecimal. A revocation list names revoked keys by it.
   std::string serial;
   WallTime expires{};
 };

@@ -17,9 +17,9 @@ inline constexpr std::size_t kMaxKeyFileBytes = 64 * 1024;
 /// Beginning of the line that holds the token in a token's file.
 inline constexpr std::string_view kTokenLine = "token: ";
 
-/// A file that a person carries. It begins with a line that describes it to people. Then come either a certificate and
-/// its private key (PEM), or a token; and last the certificate of the authority, against which the peer's certificate
-/// is checked.
+/// The content of a key file, which a person or a server holds. The file begins with a line that describes it to
+/// people. Then come either a certificate and its private key (PEM), or a token; and last the certificate of the
+/// authority, which is needed to check the peer's certificate.
 struct KeyFile {
   enum class Kind { Server, Client, Token };
 
@@ -29,16 +29,16 @@ struct KeyFile {
   std::string authority;    ///< PEM
   std::string authority_name;
   std::string token;               ///< empty for a certificate
-  Identity identity;               ///< for a server's key, the role is meaningless
+  Identity identity;               ///< whom the certificate or token names; for a server's key, the role is meaningless
   std::vector<std::string> hosts;  ///< host names of a server's key; empty for others
 };
 
-/// Reads the text of a key file, and checks that its parts belong together. `file`: its name, for errors. Expiry is not
-/// checked here.
+/// Reads the text of a key file. `file`: its name, for errors. Error: it is no key file, or its parts do not belong
+/// together. Does not check the expiry.
 [[nodiscard]] Result<KeyFile> read_key(std::string_view text, const std::string& file);
 
-/// Reads a key file from the disk. Error: it cannot be read, users other than its owner have access to it, it is no key
-/// file, or it has expired at `now`. If root owns the file, its group may read it.
+/// Reads a key file from the disk. Error: it cannot be read, is no key file, has expired at `now`, or users other than
+/// its owner have access to it. The group of a file that root owns may read it.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
 
 /// The key that a client's `--key FILE` names; null for an empty name. Error: as for load_key(), or the file is a

@@ -14,7 +14,7 @@
 
 namespace telepalp::keys {
 
-/// Deleter of a unique_ptr to an OpenSSL object: calls `kFree`, the function of OpenSSL that frees this type.
+/// Deleter of a unique_ptr to an OpenSSL object. `kFree`: the function of OpenSSL that frees this type.
 template <auto kFree>
 struct Freed {
   template <class T>
@@ -29,13 +29,13 @@ using RevocationListPtr = std::unique_ptr<X509_CRL, Freed<X509_CRL_free>>;
 using BytesPtr = std::unique_ptr<BIO, Freed<BIO_free_all>>;
 
 [[nodiscard]] PrivateKeyPtr new_private_key();  ///< ECDSA on P-256: browsers take no Ed25519 certificates
-[[nodiscard]] std::string random_serial();      ///< 80 random bits in hexadecimal
+[[nodiscard]] std::string random_serial();      ///< 80 bits in hexadecimal, 78 of them random
 
 [[nodiscard]] BytesPtr reader_of(std::string_view text);
 [[nodiscard]] std::string to_pem(X509& certificate);
 [[nodiscard]] std::string to_pem(EVP_PKEY& key);
 [[nodiscard]] std::vector<CertificatePtr> certificates_in(std::string_view pem);  ///< at most 8
-[[nodiscard]] PrivateKeyPtr private_key_in(std::string_view pem);                 ///< null: there is none
+[[nodiscard]] PrivateKeyPtr private_key_in(std::string_view pem);                 ///< null: `pem` has none
 
 [[nodiscard]] std::string serial_of(const ASN1_INTEGER& number);
 [[nodiscard]] WallTime time_of(const ASN1_TIME& time);

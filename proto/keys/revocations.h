@@ -12,8 +12,8 @@ namespace telepalp::keys {
 /// The serial numbers of revoked keys and tokens.
 class Revocations {
  public:
-  /// Reads a revocation list in PEM. `authority`: the certificate in PEM whose key must have signed the list. `file`:
-  /// its name, for errors.
+  /// Reads a revocation list in PEM. `authority`: a certificate in PEM. `file`: the list's name, for errors. Error: the
+  /// list is damaged, or not signed with the key of this certificate.
   [[nodiscard]] static Result<Revocations> read(std::string_view pem, std::string_view authority,
                                                 const std::string& file);
 

@@ -7,16 +7,16 @@
 
 namespace telepalp::keys {
 
-/// The role of a person, which decides the allowed operations. A key or token carries one role. `Local` is a program on
-/// the server's own machine, when the server has no keys and listens only on the loopback interface; no key carries the
-/// role `Local`.
+/// The role of a person, which decides the allowed operations. A key or token states one role. A program on the
+/// server's own machine has the role `Local`, if the server has no keys and listens only on the loopback interface; no
+/// key states the role `Local`.
 enum class Role { Technician, Doctor, Viewer, Qa, Local };
 
 /// An operation that a peer requests from a server. The server checks the peer's role when the request arrives.
 enum class Operation {
   Watch,     ///< subscribe to topics: see the patient, the hand and the statistics
   Touch,     ///< publish /station/..., or move the hand in the web viewer
-  HandOver,  ///< offer one's permission to touch, or to move the hand, to another person
+  HandOver,  ///< offer the permission to touch, or to move the hand, to another person
   Record,    ///< join as a recorder
   Metrics,   ///< read /metrics
   Play,      ///< control the playback of a session: pause, seek, speed
@@ -26,13 +26,13 @@ inline constexpr std::array kRoles{Role::Technician, Role::Doctor, Role::Viewer,
 inline constexpr std::array kOperations{Operation::Watch,  Operation::Touch,   Operation::HandOver,
                                         Operation::Record, Operation::Metrics, Operation::Play};
 
-/// The one table of permissions. A pair that it does not list is denied.
+/// True if the table of permissions lists the pair; every other pair is denied.
 [[nodiscard]] bool allows(Role role, Operation operation) noexcept;
 
 [[nodiscard]] std::string_view name(Role role) noexcept;
 [[nodiscard]] std::string_view name(Operation operation) noexcept;
 
-/// The role that a key may carry, by its name; nullopt: no such role, or `local`.
+/// The role with this name; nullopt: there is no role of this name, or a key cannot state it (`local`).
 [[nodiscard]] std::optional<Role> role_named(std::string_view name) noexcept;
 
 /// The names of the operations that `role` allows: "watch, record, metrics, play" for Technician.

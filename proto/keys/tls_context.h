@@ -22,26 +22,26 @@ struct FreeTlsContext {
 using TlsContextPtr = std::unique_ptr<SSL_CTX, FreeTlsContext>;
 using IsRevoked = std::function<bool(const std::string& serial)>;
 
-/// TLS 1.3 for a server with `key`. A client's certificate is checked if it sends one; `is_revoked` is asked at each
-/// handshake. Session resumption is off, so that each session checks the certificate again.
+/// TLS 1.3 for a server with `key`. A client's certificate is checked if the client sends one, also by `is_revoked`, at
+/// each handshake. Session resumption is off, so that each session checks the certificate again.
 [[nodiscard]] Result<TlsContextPtr> server_context(const KeyFile& key, IsRevoked is_revoked);
 
 /// TLS 1.3 for a server that serves browsers, which are not asked for a certificate.
 [[nodiscard]] Result<TlsContextPtr> web_server_context(const KeyFile& key);
 
-/// TLS 1.3 for a client: it trusts the authority of its key alone, and shows its certificate if it has one.
+/// TLS 1.3 for a client: trusts only the authority of the client's key, and shows the key's certificate if it has one.
 [[nodiscard]] Result<TlsContextPtr> client_context(const KeyFile& key);
 
 /// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address.
 void expect_host(SSL& session, const std::string& host);
 
-/// The person whom the peer's verified certificate names; nullopt: it sent no certificate, or one without a role.
+/// The person whom the peer's verified certificate names; nullopt: the peer sent none, or one without a role.
 [[nodiscard]] std::optional<Identity> identity_of_peer(SSL& session);
 
-/// 32 bytes that both ends of a session share and nobody else knows (RFC 8446, 7.5). nullopt before the handshake ends.
+/// 32 bytes that only both ends of a session know (RFC 8446, 7.5), per `label`; nullopt before the handshake ends.
 [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label);
 
-/// Explains why a client's handshake or read failed, if each further attempt to connect would fail too; nullopt:
+/// Explains why a client's handshake or read failed, if every further attempt to connect would fail, too; nullopt:
 /// another attempt may succeed. `code`: OpenSSL's error code. `host`: as for expect_host().
 [[nodiscard]] std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile& key,
                                               const std::string& host);

@@ -16,7 +16,7 @@ enum class End { Client, Server };
 
 struct DatagramLinkSettings {
   SealSettings seal;
-  /// A frame is repaired until `deadline` after its capture, and assembled until `deadline` after its first fragment.
+  /// A frame is repaired until `deadline` after its capture; its fragments are kept for `deadline` after the first one.
   Nanoseconds deadline = std::chrono::milliseconds(100);
   bool takes_frames = true;  ///< false: fragments from the peer are ignored, and take no memory
   std::size_t most_assembling_B = FrameReceiver::kMostAssembling_B;  ///< bound on the memory of incomplete frames [B]
@@ -29,26 +29,26 @@ class DatagramLink {
  public:
   DatagramLink(const DatagramLinkSettings& settings, End end);
 
-  /// Queues a frame; returns the number of the frame that it replaces. If a frame was replaced and frames of its
-  /// channel depend on each other, the next frame that is offered must be a key frame.
+  /// Queues a frame; returns the number of the waiting frame that it replaces; nullopt: none. If a frame was replaced
+  /// and frames of its channel depend on each other, the next frame that is offered must be a key frame.
   std::optional<std::uint32_t> offer(Frame frame) { return sender_.offer(std::move(frame)); }
 
-  /// True when a frame that is offered now starts at once: no other waits, and the path has room. A caller with a queue
-  /// of its own offers only then, so that its newest frame goes out.
+  /// True when a frame that is offered now starts at once: no other frame waits, and the path has room. A caller with a
+  /// queue of its own offers a frame only then, so that it can still replace a queued frame by a newer one.
   [[nodiscard]] bool ready_for_frame(SessionTime now) noexcept { return sender_.idle() && path_.has_room(now); }
 
-  /// Lets next() return a report (Feedback in format/fragment.h) although nothing arrived. Reports in both directions
-  /// keep a NAT's mapping and show that the path works.
+  /// Lets next() return a report (Feedback in format/fragment.h) although nothing was received. Reports in both
+  /// directions keep a NAT's mapping and show that the path works.
   void want_report() noexcept { unreported_ = true; }
 
-  /// When to call next() again if nothing arrives; nullopt: only after offer() or want_report().
+  /// When to call next() again if nothing is received; nullopt: only after offer() or want_report().
   [[nodiscard]] std::optional<SessionTime> due(SessionTime now) const noexcept;
 
-  /// The next datagram to send now; nullopt: nothing to send. Ask again later, or after received().
+  /// The next datagram to send now; nullopt: nothing to send. Call again at due(), and after offer() or received().
   [[nodiscard]] std::optional<Datagram> next(SessionTime now);
 
-  /// Processes a received datagram. nullopt: it is not from the peer, and the caller must not answer it. True: no newer
-  /// datagram of the peer came before, so its source address may become the peer's address. False: it is older.
+  /// Processes a received datagram. nullopt: it is forged, damaged or repeated; the caller must not answer. True: it is
+  /// the peer's newest so far, so its source address may become the peer's address. False: it is older.
   std::optional<bool> received(std::span<const std::byte> datagram, SessionTime now);
 
   /// The next complete frame; nullopt: none.

@@ -25,7 +25,7 @@ class ByteStream {
 
   virtual ~ByteStream() = default;
   virtual void async_read_some(boost::asio::mutable_buffer into, Done done) = 0;
-  /// Writes all of `from`. The caller keeps its memory valid until `done` is called.
+  /// Writes all of `from`. The caller keeps the memory of these buffers valid until `done` is called.
   virtual void async_write(const std::vector<boost::asio::const_buffer>& from, Done done) = 0;
   /// Shuts down the sending direction. Reading continues, so that the peer's last messages are not lost to a TCP reset.
   virtual void end_writing() noexcept = 0;
@@ -39,7 +39,7 @@ class ByteStream {
   [[nodiscard]] virtual bool is_sealed() const { return false; }
   /// The person whom the peer's certificate names; nullopt: TLS has not verified a certificate.
   [[nodiscard]] virtual std::optional<keys::Identity> identity() { return std::nullopt; }
-  /// Secret bytes that both ends of a TLS session share; nullopt before the handshake has ended, and without TLS.
+  /// The TLS exporter's secret for `label` (RFC 8446 §7.5), equal at both ends; nullopt while is_sealed() is false.
   [[nodiscard]] virtual std::optional<std::array<std::byte, 32>> keying_material(std::string_view label);
   /// Explains the failed operation if each further attempt to connect would fail the same way; nullopt: another attempt
   /// may succeed.

@@ -37,7 +37,7 @@ enum class LinkState {
 
 /// A client's link to the server, for station, recorder and tools. It connects, subscribes, synchronises the session
 /// clock, publishes the client's topics, and reconnects when the server returns. It runs on the io_context's one
-/// thread; all methods are called there, except clock(), which any thread may call.
+/// thread; the caller uses that thread for all methods except clock(), which any thread may call.
 ///
 ///   wire::ClientLink link(io, {.port = 4711, .name = "telepalp-record", .subscribes = {"*"}},
 ///                         {.on_message = [&](const wire::Message& message) { … }});
@@ -60,8 +60,8 @@ class ClientLink : private ConnectionOwner {
     std::function<void(const Message&)> on_message{};
     /// `detail`: text for a log line with the peer's address, or the reason why there is no connection.
     std::function<void(LinkState, const std::string& detail)> on_state{};
-    /// Called when the images change between datagrams (phase Up) and TCP (phase Blocked). `detail`: text for a log
-    /// line.
+    /// Called when the phase becomes Up (the images come by datagram) or Blocked (the images come over TCP). `detail`:
+    /// text for a log line.
     std::function<void(DatagramPhase, const std::string& detail)> on_datagrams{};
     /// The server's answer to hand_over(). `done` is false if the server refuses or the connection ends first.
     std::function<void(bool done, const std::string& outcome)> on_hand_over{};
@@ -78,7 +78,7 @@ class ClientLink : private ConnectionOwner {
   ClientLink& operator=(const ClientLink&) = delete;
 
   void start();
-  /// Sends queued messages and a Goodbye, and closes the link, within 0.5 s; then no work is left in the io_context.
+  /// Sends queued messages and a Goodbye, and closes the link, within 0.5 s; then it leaves no work in the io_context.
   void stop(const std::string& reason = "the program ends");
 
   void subscribe(std::vector<std::string> topics);  ///< replaces the subscription; persists over reconnections
@@ -95,7 +95,7 @@ class ClientLink : private ConnectionOwner {
   /// Offers the touch, the permission to publish as a station, which this station holds, to the doctor named `to`. An
   /// empty name withdraws the offer. The answer comes to on_hand_over. Returns false without a connection.
   bool hand_over(const std::string& to);
-  /// The next connection accepts the touch if its holder offers it to this doctor.
+  /// The next connection, not the current one, accepts the touch if the touch is offered to this doctor.
   void accept_touch();
 
   /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
@@ -108,7 +108,7 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] Nanoseconds clock_stepped() const noexcept { return clock_sync_.stepped(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
-  /// In LinkState::Refused: the reason, the place and the fix.
+  /// In LinkState::Refused: the reason, the server's host and port, and the fix.
   [[nodiscard]] const Error& refusal() const noexcept { return refusal_; }
   /// Connection::keying_material() of the current connection; nullopt without one.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
@@ -166,7 +166,7 @@ class ClientLink : private ConnectionOwner {
   std::shared_ptr<Connection> connection_;              // shared with pending operations; null without a connection
   std::optional<msg::DatagramOffer> offered_;           // nullopt: the server offers no datagrams
   std::unique_ptr<ClientDatagrams> datagrams_;          // null before the clock is synchronised, and without an offer
-  boost::asio::ip::tcp::endpoint server_;               // where the connection goes
+  boost::asio::ip::tcp::endpoint server_;               // address and TCP port
   std::deque<boost::asio::ip::tcp::endpoint> untried_;  // further addresses of the host's name
   std::string peer_name_;
   boost::asio::ip::tcp::resolver resolver_;
@@ -177,7 +177,7 @@ class ClientLink : private ConnectionOwner {
   ClockSync clock_sync_;
   Nanoseconds stepped_before_datagrams_{0};              // clock_stepped() when datagrams_ began
   std::atomic<std::int64_t> offset_target_ns_;           // SlewedOffset::target (clock_sync.h); stored last
-  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // SlewedOffset::line_at_zero; any thread loads it last
+  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // SlewedOffset::line_at_zero; readers load it last
   bool accepts_once_ = false;                            // accept_touch() was called, and no connection came since
   bool hands_over_ = false;                              // the server's answer to hand_over() has not come
   int probes_ = 0;                                       // number of clock probes sent on this connection

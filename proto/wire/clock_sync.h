@@ -51,12 +51,12 @@ class ClockSync {
   /// The slewed estimate of session minus local time; nullopt before the first sample.
   [[nodiscard]] const std::optional<SlewedOffset>& offset() const noexcept { return given_; }
   /// Bound on the error of offset()->at(local_now), whether or not the path is symmetric: the bound from requests and
-  /// replies, widened by the largest oscillator drift since then, plus the correction that is not yet slewed. Without
-  /// samples Nanoseconds::max().
+  /// replies, widened by an oscillator drift of 200 ppm since each sample, plus the correction that is not yet slewed.
+  /// Without samples Nanoseconds::max().
   [[nodiscard]] Nanoseconds uncertainty(Nanoseconds local_now) const noexcept;
   /// Number of corrections of 1 s or more, upward or downward. The first estimate does not count.
   [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
-  /// Sum of these corrections, upward ones positive.
+  /// Sum of the corrections that steps() counts; upward corrections are positive.
   [[nodiscard]] Nanoseconds stepped() const noexcept { return stepped_; }
 
  private:

@@ -56,8 +56,8 @@ struct ReceivedCount {
 };
 
 /// One connection to one peer with the protocol of WIRE.md, over any ByteStream. Owner: the stream's thread; no locks.
-/// It is held by shared_ptr because pending Asio operations may outlive the owner's reference; each keeps the
-/// connection alive until it ends.
+/// It is held by shared_ptr because pending Asio operations may outlive the owner's reference; each operation keeps the
+/// connection alive until the operation ends.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   struct Options {
@@ -69,7 +69,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: wants no datagrams
     bool accepts_touch = false;                        ///< of a station: accepts an offered touch (on_hand_over())
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
-    std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< limit for this peer after its Hello
+    std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< largest payload from this peer after its Hello
     /// Limit on the rate of reading; 0: no limit. Bytes above it stay in the kernel's receive buffer until they are
     /// due, so that TCP's flow control slows this peer alone.
     std::size_t max_read_bytes_per_s = 0;
@@ -81,7 +81,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void start();                                            ///< sends Hello, reads, and checks the deadlines
   void wake();                                             ///< call it when next_to_send() has a message again
   void subscribe(const std::vector<std::string>& topics);  ///< replaces the earlier subscription
-  void probe_clock();
+  void probe_clock();                                      ///< the reply comes to on_clock()
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void request_key_frame(const Message& unreadable);
   void offer_datagrams(const msg::DatagramOffer& offer);
@@ -102,7 +102,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] std::string peer() const { return stream_->peer(); }
   [[nodiscard]] bool is_sealed() const { return stream_->is_sealed(); }
   [[nodiscard]] std::optional<keys::Identity> identity() const { return stream_->identity(); }
-  /// Secret bytes that both ends of this TLS session share, from on_ready() on; nullopt without TLS.
+  /// The TLS exporter's secret for `label`, equal at both ends, from on_ready() on; nullopt without TLS.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const {
     return stream_->keying_material(label);
   }
@@ -134,7 +134,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void write();
   void write_control(msg::Control control);
   void write_frame(FrameHeader header, std::shared_ptr<const std::string> payload);
-  void leave(const std::string& reason);  ///< sends only a Goodbye and closes: the peer has violated the protocol
+  void leave(const std::string& reason);  ///< sends the owner's messages if drains_, then a Goodbye, and closes
   void watch(std::chrono::steady_clock::duration patience, std::string reason);
   void finish(const std::string& reason) noexcept;
   void on_lost(const boost::system::error_code& code) noexcept;

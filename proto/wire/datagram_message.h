@@ -27,7 +27,7 @@ inline constexpr std::array kDeadlineTopics{kCameraDepth, kCameraColor, kStation
 /// a second or more ago: a stamp in the future would make the frame never late, and an old one late at once.
 [[nodiscard]] link::Frame frame_of(const Message& message, SessionTime now);
 
-/// nullopt: no deadline topic has the frame's channel, or the frame is too short.
+/// The message that frame_of() packed into `frame`; nullopt: no topic has its channel, or it is shorter than 16 bytes.
 [[nodiscard]] std::optional<Message> message_of(const link::Frame& frame);
 
 }  // namespace telepalp::wire

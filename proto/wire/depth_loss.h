@@ -16,8 +16,8 @@ struct DepthFidelity {
   std::optional<DepthErrorBound> within{};  ///< nullopt while `moved`: the bound is not stated
 };
 
-/// Reads what the message states. A bound that is negative, not finite, or beyond one metre counts as not stated;
-/// `moved` stays true.
+/// Reads what the message states. A bound counts as not stated if its least_m or per_m is not in 0 … 1; `moved` stays
+/// true.
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::DepthImage& image);
 [[nodiscard]] DepthFidelity depth_fidelity(const msg::SurfaceReport& report);
 

@@ -40,8 +40,8 @@ using HeaderBytes = std::array<std::byte, kFrameHeaderBytes>;
 
 [[nodiscard]] HeaderBytes encode_header(const FrameHeader& header) noexcept;
 
-/// Decodes a header. Error: another protocol version, an unknown kind, flags, a channel that does not fit the kind, or
-/// a declared payload above `max_payload_bytes` (control frames: above kMaxControlBytes, too).
+/// Decodes a header. Error: another protocol version, an unknown kind, flags that are not 0, a control frame with a
+/// channel or a data frame without one, or a payload above `max_payload_bytes` (control: above kMaxControlBytes, too).
 [[nodiscard]] Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes);
 
 /// Splits a byte stream into frames; the stream may arrive in pieces of any size. Buffers at most one frame. Memory for
@@ -59,7 +59,7 @@ class FrameParser {
   /// True once a frame of another protocol version has come. next() then returns its error.
   [[nodiscard]] bool met_other_version() const noexcept;
 
-  /// Changes the limit for later frames.
+  /// Changes the payload limit for later frames [B].
   void set_max_payload_bytes(std::size_t most) noexcept { max_payload_bytes_ = most; }
 
  private:

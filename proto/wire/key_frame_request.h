@@ -34,7 +34,7 @@ class KeyFrameRequest {
 
 /// Position of one of the hub's subscribers in a topic with groups.
 struct GroupPosition {
-  std::uint64_t last = 0;  ///< sequence number of the newest queued message; 0: it needs a key frame
+  std::uint64_t last = 0;  ///< sequence number of the newest queued message; 0: the subscriber needs a key frame
 };
 
 /// True when a subscriber at `position` can decode message `sequence`.

@@ -17,8 +17,8 @@ struct QueueLimit {
   std::size_t bytes;
 };
 
-/// The limits of a topic that TCP carries: two messages for images, whose older frames are worthless; 256 messages and
-/// 1 MiB for other topics, as a short history. Each topic that datagrams carry has the limits of images.
+/// The limits of a topic that TCP carries: two messages for images, because a newer image makes older ones worthless;
+/// 256 messages and 1 MiB for other topics, as a short history. A topic that datagrams carry has the limits of images.
 [[nodiscard]] QueueLimit queue_limit(std::string_view topic) noexcept;
 
 /// The queue of messages to one peer. It is bounded by topic, in messages and bytes: at a topic's limit its own oldest
@@ -32,7 +32,7 @@ class SendQueue {
   std::vector<Message> push(const Message& message);
 
   /// While `on`, datagrams carry the deadline topics (datagram_message.h): pop() skips their messages, and pop_newest()
-  /// takes them. Call it while no such message is queued.
+  /// takes them. Call it while no message of these topics is queued.
   void send_by_datagram(bool on) noexcept { by_datagram_ = on; }
 
   /// The next message to send. Messages of /camera/... go first, oldest first. The other topics, oldest first, get a

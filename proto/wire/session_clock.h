@@ -9,7 +9,7 @@ namespace telepalp::wire {
 /// steady clock plus the offset that ClockSync estimates.
 class SessionClock {
  public:
-  /// The server's clock; it reads the wall clock now and never again.
+  /// The wall clock at this call, continued by the steady clock: the server's clock, or a client's before it connects.
   [[nodiscard]] static SessionClock anchored_to_wall_clock();
 
   /// A client's clock. `offset` is session time minus this machine's steady clock.

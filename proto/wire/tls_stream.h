@@ -19,7 +19,7 @@ using TlsSettings = std::shared_ptr<boost::asio::ssl::context>;
 /// not begin a TLS handshake gets plain text, so that the server can send it a Goodbye; is_sealed() is then false.
 [[nodiscard]] std::unique_ptr<ByteStream> tls_at_server(boost::asio::ip::tcp::socket socket, TlsSettings settings);
 
-/// A stream over TLS 1.3, at a client of the server `host`. Its refusal() may name the authority of `key`.
+/// A stream over TLS 1.3, at a client. The server's certificate must name `host`. `key`: for the text of refusal().
 [[nodiscard]] std::unique_ptr<ByteStream> tls_at_client(boost::asio::ip::tcp::socket socket, TlsSettings settings,
                                                         std::string host, std::shared_ptr<const keys::KeyFile> key);
 

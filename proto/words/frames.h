@@ -7,7 +7,7 @@ namespace telepalp {
 /// Frames of reference, each an empty tag type. All are right-handed, in metres.
 ///
 /// DepthCamera (K)  origin at the depth sensor's pinhole; x right, y down in the image, z into the scene.
-/// HandTracker (L)  origin at the tracker; as its maker defines it (Leap: x right, y away from it, z to the user).
+/// HandTracker (L)  origin at the tracker; axes as the maker defines them (Leap: x right, y away from it, z to user).
 /// HapticBase  (H)  origin at the haptic device's base; y up, away from the patient; x and z span the plane
 ///                  above the body in which the end-effector waits (paper S1 in docs/sources.md, II.D).
 /// Viewer      (V)  the viewpoint of the person who looks at the scene.

@@ -5,8 +5,8 @@
 
 namespace telepalp {
 
-/// Remembers a function's last argument and result. For a function like exp() whose argument stays the same over many
-/// ticks, because it depends only on the time between ticks. Always use one object with the same function.
+/// Remembers a function's last argument and result: for a slow function, such as exp(), whose argument is constant over
+/// many ticks because it depends only on the time between ticks. Always pass the same function to one object.
 class LastResult {
  public:
   /// `function(x)`, which is called only if `x` differs from the last argument.
@@ -24,7 +24,7 @@ class LastResult {
   double result_ = 0.0;
 };
 
-/// exp(x) by LastResult: the share that is left of a value after a step of its exponential decay.
+/// exp(x), remembered by LastResult. For x = -dt / tau: the factor of an exponential decay over one tick of length dt.
 class LastExp {
  public:
   [[nodiscard]] double of(double x) noexcept {

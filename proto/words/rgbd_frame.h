@@ -49,11 +49,11 @@ struct Intrinsics {
 struct CameraModel {
   Intrinsics depth;
   Intrinsics color;              ///< equal to `depth` when colour is registered to depth
-  bool color_registered = true;  ///< colour pixel (u, v) and depth pixel (u, v) show one point
+  bool color_registered = true;  ///< colour pixel (u, v) and depth pixel (u, v) show the same point of the scene
 };
 
 /// The error bound of near-lossless depth: a depth z [m] differs from the measurement by at most
-/// max(least_m, per_m * z²).
+/// max(least_m, per_m * z²) [m]; per_m is in 1/m.
 struct DepthErrorBound {
   double least_m = 0.0;
   double per_m = 0.0;

@@ -10,7 +10,7 @@ namespace telepalp {
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// The cubic smooth step from 0 at `from` to 1 at `to`. `to` may be less than `from`.
+/// The cubic smooth step from 0 at `from` to 1 at `to`. `to` may be less than `from`, but not equal.
 [[nodiscard]] inline double smooth_step(double from, double to, double at) noexcept {
   return smooth_step((at - from) / (to - from));
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Put before a function to compile it twice, for every x86-64 and for x86-64-v3 (AVX2); the dynamic loader selects the
-/// version for the processor. With the thread sanitizer it is compiled once: the sanitizer's runtime is not initialised
-/// yet when the loader runs the selection.
+/// Put before a function to compile it twice, for the x86-64 baseline and for x86-64-v3 (AVX2); the dynamic loader
+/// selects the version for the processor. With the thread sanitizer the function is compiled once: the sanitizer's
+/// runtime is not initialised yet when the loader runs the selection.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 #define TELEPALP_VECTORISED __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else

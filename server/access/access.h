@@ -31,7 +31,7 @@ class Access : public std::enable_shared_from_this<Access> {
   };
 
   [[nodiscard]] static std::shared_ptr<Access> without_keys();
-  /// Error: the key cannot be read or has expired, or another authority issued the revocation list.
+  /// Error: the key is unreadable, expired or a person's; the revocation list is invalid; or the audit log is unusable.
   [[nodiscard]] static Result<std::shared_ptr<Access>> with_key(Options options);
 
   [[nodiscard]] bool has_keys() const noexcept { return key_.has_value(); }
@@ -46,7 +46,7 @@ class Access : public std::enable_shared_from_this<Access> {
   /// uses TLS. `address`: without the port. Error: no TLS, or neither names a person. Without keys: always `local`.
   [[nodiscard]] Result<keys::Identity> who(bool is_sealed, const std::optional<keys::Identity>& certificate,
                                            std::string_view token, const std::string& address);
-  /// The person whom `token` names. After wrong tokens from an `address`, further attempts from there must wait.
+  /// The person whom `token` names. After five wrong tokens, `address` must wait (TokenBackOff).
   [[nodiscard]] Result<keys::Identity> bearer(std::string_view token, const std::string& address);
 
   /// Checks that the role of `who` allows `operation`. Each operation is checked where it enters the server.

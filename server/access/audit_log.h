@@ -36,7 +36,7 @@ enum class AuditEvent {
 class AuditLog {
  public:
   /// Opens `file` and continues its chain. A file whose chain is broken is renamed to FILE.damaged-N, and `say` gets a
-  /// message. Error: such a file cannot be renamed, `file` cannot be written, or it is no regular file.
+  /// message. Error: the broken file cannot be renamed, `file` cannot be written, or it is no regular file.
   [[nodiscard]] static Result<std::unique_ptr<AuditLog>> open(const std::filesystem::path& file,
                                                               const std::function<void(const std::string&)>& say);
 

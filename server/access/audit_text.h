@@ -5,8 +5,8 @@
 
 namespace telepalp::access {
 
-/// A text of a peer as the value of one field of the audit log: in quotes, without quotes inside, at most 200 bytes. So
-/// a peer's name cannot imitate another field.
+/// A text that a peer sent, as the value of one field of the audit log: its first 200 bytes in double quotes, with each
+/// double quote inside replaced by an apostrophe. So a peer's name cannot imitate another field.
 [[nodiscard]] inline std::string audit_text(std::string_view text) {
   std::string safe(text.substr(0, 200));
   for (char& letter : safe)

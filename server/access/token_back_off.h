@@ -6,9 +6,9 @@
 
 namespace telepalp::access {
 
-/// Slows down guessing: after five wrong tokens from an address, tokens from there are refused unchecked for a second.
-/// The time doubles with each further wrong token, up to a minute. A right token resets the count of its address.
-/// Bounded memory; pure.
+/// Slows down guessing: after five wrong tokens from an address, its tokens are refused unchecked for a second. The
+/// time doubles with each further wrong token, up to a minute. A right token resets the count of its address. Memory is
+/// bounded. Pure.
 class TokenBackOff {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

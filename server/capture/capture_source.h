@@ -49,7 +49,7 @@ struct SourceOptions {
   wire::SessionClock clock{Nanoseconds{0}};
   bool loop = true;              ///< a recording restarts at its end
   bool paced = true;             ///< a recording plays in real time; false: as fast as next() is called
-  bool keep_compressed = false;  ///< a session also gives its compressed images, and does not decode colour
+  bool keep_compressed = false;  ///< a session file fills compressed(), and leaves RgbdFrame::color empty
 };
 
 /// Opens `spec`: openni2[:URI], oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL], session:FILE.mcap.

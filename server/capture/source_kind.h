@@ -16,7 +16,7 @@ struct SourceKind {
   bool needs_rest;  ///< a file or directory must follow the colon
 };
 
-/// Opens `spec`, KIND or KIND:REST, by the kind of this name. `forms`: the syntax of all kinds, for errors.
+/// Opens `spec` (KIND or KIND:REST) by the entry of `kinds` named KIND. `forms`: the syntax of all kinds, for errors.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec,
                                                                   std::span<const SourceKind> kinds,
                                                                   std::string_view forms, const SourceOptions& options);

@@ -26,10 +26,10 @@
 
 namespace telepalp::gateway {
 
-/// A state that visitors read with GET and change with POST, as JSON of Protobuf messages.
+/// A state of the server that browsers read by GET and change by POST. The bodies are Protobuf messages as JSON.
 struct JsonResource {
-  std::function<std::string()> state{};  ///< unset: the server has no such state
-  /// Carries out `command` for the visitor `who`, and returns the new state; set if `state` is set.
+  std::function<std::string()> state{};  ///< unset: the server does not have this state
+  /// Carries out `command` (JSON) for the person `who`, and returns the new state; set if `state` is set.
   std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
 };
 
@@ -68,10 +68,10 @@ struct GatewayContext {
   HandHolder holder{};
   WebSessions sessions{};
   hub::Hub views{};                                ///< topics of server/views/view_topics.h, for viewers alone
-  std::unique_ptr<views::ViewMaker> view_maker{};  ///< null once the gateway is gone
+  std::unique_ptr<views::ViewMaker> view_maker{};  ///< null after the gateway's destruction
 };
 
-/// One accepted socket. Its pending reads and writes keep it alive.
+/// One accepted socket. Pending reads and writes keep the object alive.
 class Connection {
  public:
   explicit Connection(std::shared_ptr<GatewayContext> context);
@@ -80,12 +80,12 @@ class Connection {
   virtual ~Connection();
   /// Closes the connection at once; it does not use the hub afterwards.
   virtual void close() = 0;
-  /// Ends the connection if its key or session has ended; called each second.
+  /// Closes the connection if its key or its sign-in has ended; called each second.
   virtual void check_access() {}
   /// Sends the client the state of the played session; called each second.
   virtual void send_playback_state() {}
-  /// True when the connection is a viewer that has subscribed to nothing and does not hold the hand, so that it may be
-  /// closed to make room for a new connection.
+  /// True when the connection is a viewer that has subscribed to nothing and does not control the viewer hand, so that
+  /// it may be closed to make room for a new connection.
   [[nodiscard]] virtual bool is_idle() const { return false; }
 
  protected:

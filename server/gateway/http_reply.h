@@ -11,8 +11,8 @@ namespace telepalp::gateway {
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using HttpReply = boost::beast::http::response<boost::beast::http::string_body>;
 
-/// Path of the session clock, served as decimal nanoseconds. The viewer estimates the offset of its own
-/// clock from the round trip of this request, to show the age of its data.
+/// Path of the session clock, served as decimal nanoseconds. The viewer estimates the offset between the browser's
+/// clock and the session clock from the round trip of this request, to show the age of the displayed data.
 inline constexpr std::string_view kClockTarget = "/session_clock";
 
 /// Answers a request that is not a WebSocket upgrade. `now`: the current session time. Pure.

@@ -24,16 +24,16 @@ inline constexpr std::string_view kNotOurHost =
     "key names";
 
 /// Checks that `origin` has the form that a browser sends: scheme://host or scheme://host:port, in lower case. "*" and
-/// "null" are errors: any web page, or any file, could then read the patient.
+/// "null" are errors: they would let any web page, or any local file, read the patient's data.
 [[nodiscard]] Result<void> check_origin(std::string_view origin);
 
 /// True for an IP address, "localhost" and the policy's host names, with or without a port. Another name may belong to
 /// a foreign web page whose DNS name was made to resolve to this machine (DNS rebinding).
 [[nodiscard]] bool host_is_ours(const RequestPolicy& policy, std::string_view host);
 
-/// True when a page from `origin` may open a WebSocket: `origin` names `host`, and `host` is a name of this server, or
-/// the policy allows `origin`. A request without an origin does not come from a browser's page; it is accepted only if
-/// `is_trusted_program`: it comes from this machine, or brought a valid token.
+/// True when a page from `origin` may open a WebSocket: the host in `origin` equals `host` and is a name of this
+/// server, or the policy allows `origin`. A request without an origin does not come from a browser's page; it is
+/// accepted only if `is_trusted_program`: the request comes from this machine, or has a valid token.
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
                                      bool is_trusted_program);
 

@@ -17,19 +17,19 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 [[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, std::string_view problem);
 /// The page with a button that signs out.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);
-/// A redirect to `target` that sets our cookie to `cookie`; an empty `cookie` removes it.
+/// A redirect to `target` that sets the cookie kCookieName to `cookie`; an empty `cookie` removes it.
 [[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie);
 
 /// `target` without its query.
 [[nodiscard]] std::string_view path_of(std::string_view target) noexcept;
-/// The path of the viewer's page with the query of `target`, which names the view or the moment that was requested
-/// before signing in. The path is "/" without a query if the query has more than 200 characters, or characters
-/// other than letters, digits and =&._-
+/// The viewer's page, "/", with the query of `target`, such as ?view=doctor, which the browser requested before signing
+/// in. The query is left out if it has more than 200 characters, or characters other than letters, digits and
+/// =&._-
 [[nodiscard]] std::string page_asked(std::string_view target);
 
 /// The value of the field `token` in a posted form.
 [[nodiscard]] std::string token_in_form(std::string_view body);
-/// The value of our cookie in a Cookie header.
+/// The value of the cookie kCookieName in a Cookie header; empty: the header does not have it.
 [[nodiscard]] std::string_view our_cookie(std::string_view cookies) noexcept;
 /// The token of an Authorization header `Bearer TOKEN`; empty: the header has no token.
 [[nodiscard]] std::string_view bearer_token(std::string_view authorization) noexcept;

@@ -34,9 +34,9 @@ class StaticFiles {
   /// Without files: every request gets "not found".
   StaticFiles() = default;
 
-  /// Reads all regular files of known types below `folder`; links and hidden files are left out. NAME.br is the Brotli
-  /// form of NAME, and is left out when it is older than NAME. Error: no such folder, no index.html, or over kMaxFiles
-  /// or kMaxBytes.
+  /// Reads all regular files of the types of content_type_of() below `folder`; links and hidden files are left out.
+  /// NAME.br is the Brotli form of NAME, and is left out when it is older than NAME. Error: no such folder, no
+  /// index.html, or over kMaxFiles or kMaxBytes.
   [[nodiscard]] static Result<StaticFiles> read(const std::filesystem::path& folder);
 
   /// The file for a request target: "/" is index.html, a query is ignored. nullptr when there is no such file.

@@ -27,13 +27,13 @@ class ViewerCommands {
   /// The viewer to which the viewer's binary message hands over the hand; nullopt: it does not.
   [[nodiscard]] std::optional<std::uint64_t> hands_over_to(std::string_view bytes) const;
 
-  /// Converts a viewer's binary message to a message of /viewer/hand with a time stamp and the id `viewer`. nullopt: it
-  /// came within 2 ms of the last one; a hand needs no higher rate. Error: an unknown channel, or an invalid hand.
+  /// Converts a viewer's binary message to one of /viewer/hand with a time stamp and the id `viewer`. nullopt: the
+  /// last one came less than 2 ms ago. Error: an unknown channel, no ViewerHand, or a hand over 10 m from the camera.
   [[nodiscard]] Result<std::optional<wire::Message>> hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now);
 
  private:
-  /// Parses a ViewerHand on an advertised channel, without a check of the hand's position. nullopt: not such a message.
+  /// Parses a ViewerHand without a check of its position. nullopt: `bytes` is no ViewerHand on an advertised channel.
   [[nodiscard]] std::optional<msg::ViewerHand> read(std::string_view bytes) const;
 
   std::set<std::uint32_t> channels_;

@@ -34,7 +34,7 @@ inline constexpr std::string_view kComparisonTarget = "/playback/comparison";
 /// Path of the recording at the server's machine: GET returns its state; POST begins or ends it.
 inline constexpr std::string_view kRecordingTarget = "/recording";
 
-/// A person who is signed in at the web port.
+/// A person who is signed in at the gateway.
 struct Visitor {
   keys::Identity who;
   std::string cookie;  ///< of the browser's session; empty: the request has a token, or the server has no keys
@@ -47,7 +47,7 @@ struct CommandRight {
   std::string_view pages;   ///< reply to a page of a foreign origin
 };
 
-/// One request of the web port: finds the person who sends it, and makes the replies that need permission, such as
+/// One HTTP request to the gateway: finds the person who sends it, and makes the replies that need permission, such as
 /// signing in and out.
 class Visit {
  public:
@@ -80,7 +80,7 @@ class Visit {
   bool is_on_this_machine_;
   std::optional<Visitor> visitor_;
   bool brought_token_ = false;
-  std::string problem_;  // why the request's token was refused, for the sign-in page; empty: it was not
+  std::string problem_;  // why the request's token was refused, for the sign-in page; empty: not refused
 };
 
 }  // namespace telepalp::gateway

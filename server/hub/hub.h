@@ -26,8 +26,8 @@ using SubscriberId = std::uint64_t;
 /// requests from the publisher. Owner: the server's network thread; no locks, no sockets, no clock.
 class Hub {
  public:
-  /// Limit of the queued bytes of all topics outside /camera/..., over all subscribers. A payload that is queued for
-  /// several subscribers counts once for each.
+  /// Limit of the bytes that wait for TCP on all topics outside /camera/..., over all subscribers. A payload that is
+  /// queued for several subscribers counts once for each.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
   /// Adds a subscriber. `wake` is called when the subscriber's empty queue gets a message, and at each message while
@@ -53,15 +53,15 @@ class Hub {
     key_frame_requested_ = std::move(handler);
   }
 
-  /// Takes the next message from the subscriber's queue: those of /camera/... first, while the other topics get a
-  /// quarter of the camera's bytes (SendQueue::pop()). nullopt when the queue is empty.
+  /// Takes the next message from the subscriber's queue. /camera/... goes first; while both wait, the other topics get
+  /// a quarter of the bytes of /camera/... (SendQueue::pop()). nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
   /// While `on`, datagrams carry the deadline topics (camera images, station state, viewer's hand: a late message is of
   /// no use) to the subscriber: next_for_datagram() takes them, and next() the other topics. A change drops the queued
   /// messages of the deadline topics, and the next message of a topic with predicted frames is a key frame.
   void send_by_datagram(SubscriberId subscriber, bool on);
-  /// Takes the newest message of a deadline topic (send_by_datagram()); older ones of its topic are dropped.
+  /// Takes a deadline topic's newest key frame, else its oldest message; drops older ones (SendQueue::pop_newest()).
   [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber);
   /// The subscriber cannot decode the predicted frames of `topic`: the next one that it gets is a key frame.
   void restart_group(SubscriberId subscriber, const wire::Topic& topic);

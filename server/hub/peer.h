@@ -51,7 +51,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   /// yet, or refused.
   [[nodiscard]] std::optional<PlaceKind> place() const noexcept { return place_; }
 
-  /// Ends the connection when its key has expired or been revoked meanwhile.
+  /// Ends the connection when the peer's key has expired or is revoked.
   void check_key() {
     if (!who_ || access().still_holds(*who_)) return;
     const bool expired = who_->expires <= std::chrono::system_clock::now();
@@ -208,7 +208,7 @@ class PeerListener::Peer : public wire::ConnectionOwner {
   void end_datagrams() {
     if (!datagrams_) return;
     datagrams_->close();
-    boost::asio::post(listener_.io_, [ended = std::move(datagrams_)] {});  // it may be on the call stack
+    boost::asio::post(listener_.io_, [ended = std::move(datagrams_)] {});  // *datagrams_ may be on the call stack
   }
   void leave_hub() {
     if (!subscriber_) return;

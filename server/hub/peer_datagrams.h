@@ -11,8 +11,8 @@
 
 namespace telepalp::hub {
 
-/// The datagrams of one peer. While the peer answers them, they carry the topics whose late messages are of no use
-/// (wire::kDeadlineTopics), in both directions; TCP carries the other topics. Owner: the network thread.
+/// The datagrams of one peer. While the peer answers datagrams, they carry the deadline topics, whose late messages are
+/// of no use (wire::kDeadlineTopics), in both directions; TCP carries the other topics. Owner: the network thread.
 class PeerDatagrams : private DatagramPort::Session {
  public:
   struct Peer {
@@ -32,7 +32,7 @@ class PeerDatagrams : private DatagramPort::Session {
   /// The offer to send to the peer over TCP, once.
   [[nodiscard]] const msg::DatagramOffer& message() const noexcept { return offer_.message; }
   void start() { end_->start(); }
-  /// Leaves the port and calls no handler afterwards. The closed object may outlive port and hub. A handler must not
+  /// Leaves the port; afterwards no handler is called. The closed object may outlive port and hub. A handler must not
   /// destroy the object that calls it.
   void close() noexcept;
   /// True if the depth images for this peer may be predicted from each other: they go over TCP, or the path of their

@@ -21,8 +21,8 @@
 
 namespace telepalp::hub {
 
-/// Parses an address to listen on. Error: not a loopback address, and `has_keys` is false: without TLS such an
-/// address would expose the patient to the network.
+/// Parses an IP address to listen on, or "localhost". Error: not an IP address, or not a loopback address while
+/// `has_keys` is false: without TLS, every machine of the network could read the patient's data.
 [[nodiscard]] Result<boost::asio::ip::address> listening_address(const std::string& address, bool has_keys);
 
 class DatagramPort;
@@ -58,7 +58,7 @@ class PeerListener {
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
   [[nodiscard]] std::size_t peers() const noexcept { return peers_.size(); }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
-  /// Connected peers that may publish /station/...
+  /// Number of connected peers that occupy a place for stations (places.h).
   [[nodiscard]] std::size_t stations() const { return taken(PlaceKind::Station); }
   [[nodiscard]] DatagramCounts datagram_counts() const noexcept;
   /// True if depth images may depend on each other: each peer gets them over TCP, or by a path that loses hardly any

@@ -26,18 +26,18 @@ class PeerTouch {
 
   struct Taken {
     bool may_touch = false;
-    std::optional<std::uint64_t> from;  ///< the peer that lost the touch by handing it over
+    std::optional<std::uint64_t> from;  ///< number of the peer that lost the touch by handing it over
   };
-  /// Asks for the touch for `who`. `accepts`: the peer takes it from a holder that offers it to `who`.
+  /// Takes the touch for `who` if it is free. `accepts`: also takes it from a holder that offers it to `who`.
   [[nodiscard]] Taken take(const keys::Identity& who, bool accepts);
-  /// The peer has published. Returns false if it has lost the touch meanwhile.
+  /// Call it at each message of the peer; it extends the lease. False: the peer held the touch and has lost it.
   [[nodiscard]] bool renew();
   /// Another peer, of doctor `who`, has accepted the touch, so this peer loses it. Returns the reason for this peer's
   /// Goodbye.
   std::string lose_to(const keys::Identity& who);
-  void leave(bool on_purpose);
+  void leave(bool on_purpose);  ///< `on_purpose`: the peer sent a Goodbye, which frees the touch at once
 
-  /// Answers the peer's request to offer the touch, or to withdraw its offer.
+  /// Offers the touch to the doctor named `to`; an empty `to` withdraws the offer. Returns the answer for the peer.
   [[nodiscard]] msg::HandOver offer(const keys::Identity& who, const std::string& to);
 
   /// Text for `who`, who may not take the touch now: who holds the touch, and how `who` can get it.

@@ -8,8 +8,8 @@
 
 namespace telepalp::hub {
 
-/// The server limits the number of connections of each role (its places), so that many viewers cannot keep a station
-/// out.
+/// The server limits the number of connections of each kind, so that many viewers cannot keep a station out. A place is
+/// one connection that counts against this limit.
 enum class PlaceKind { Station, Recorder, Viewer };
 inline constexpr std::array kPlaceKinds{PlaceKind::Station, PlaceKind::Recorder, PlaceKind::Viewer};
 

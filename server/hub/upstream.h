@@ -22,8 +22,8 @@ inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 [[nodiscard]] bool may_publish_upstream(const wire::Topic& topic) noexcept;
 
 /// True if a peer may publish the topic of `message`, its payload is at most kMaxUpstreamBytes and parses as the
-/// topic's type, and the values of an ultrasound image or of structures inside the body are possible. If the server
-/// passed on other messages, every subscriber and every recording would get an unreadable message.
+/// topic's type, and the values of an ultrasound image or of structures inside the body are valid (wire::is_valid()).
+/// If the server passed on other messages, every subscriber and every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 
 /// The largest rate at which a peer may publish `topic`: more than twice a station's rate, with a burst for the

@@ -23,10 +23,10 @@ class CaptureThread {
 
   CaptureThread(boost::asio::io_context& network, std::unique_ptr<capture::CaptureSource> source,
                 std::string source_name, EncodeOptions options, wire::SessionClock clock, Handlers handlers);
-  /// Stops the thread; this takes at most as long as one wait for a frame.
+  /// Stops the thread and waits until it ends: at most 0.1 s and the encoding of one frame.
   ~CaptureThread();
 
-  void stop();
+  void stop();  ///< as the destructor; may be called more than once
   /// Requests a key frame; at most one of four frames becomes a requested key frame. Any thread.
   void request_key_frame() noexcept { key_frame_requested_ = true; }
   /// False: from the next image on, each depth image is a key frame. Any thread.

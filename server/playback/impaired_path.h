@@ -14,8 +14,8 @@
 namespace telepalp::playback {
 
 /// The messages of a played session on their way through an impaired network. Those of the deadline topics
-/// (datagram_message.h) cross it as sealed datagrams, with the repair of telepalp's own link; the other messages cross
-/// it as segments of one TCP stream. Pure: time is an argument and never decreases. Owner: the network thread.
+/// (datagram_message.h) cross it as sealed datagrams, with the loss repair of link::DatagramLink; the other messages
+/// cross it as segments of one TCP stream. Pure: time is an argument and never decreases. Owner: the network thread.
 class ImpairedPath {
  public:
   /// Limit for the bytes of the TCP stream's messages that have not arrived; further messages are dropped.

@@ -8,8 +8,8 @@
 
 namespace telepalp::playback {
 
-inline constexpr double kSlowest = 0.1;
-inline constexpr double kFastest = 10.0;
+inline constexpr double kSlowest = 0.1;   ///< smallest speed, as a factor of the recorded pace
+inline constexpr double kFastest = 10.0;  ///< largest speed, as a factor of the recorded pace
 
 /// Parses a PlaybackCommand from JSON. Error: the text is not JSON, has an unknown field, or a value is out of its
 /// range.

@@ -26,9 +26,9 @@ struct TimeMap {
 inline constexpr std::uint32_t kRecordedSenders = 1000;
 
 /// `recorded` with each instant in it (a field NAME_ns of type fixed64 that is not 0, or a Timestamp) mapped by `map`.
-/// kRecordedSenders is added to a sender's number. All other content is kept, compressed images to the byte.
-/// `key_frame` of a depth message is true for a key frame and false for a predicted one. nullopt: the payload is not of
-/// its topic's type.
+/// kRecordedSenders is added to a sender's number. All other content is kept, compressed images to the byte. In the
+/// result, `key_frame` of a depth message is false for a predicted frame. nullopt: the payload is not of its topic's
+/// type.
 [[nodiscard]] std::optional<wire::Message> retimed(const wire::Message& recorded, const TimeMap& map);
 
 }  // namespace telepalp::playback

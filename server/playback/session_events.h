@@ -10,13 +10,13 @@
 
 namespace telepalp::playback {
 
-/// The station's events of a whole session file, for an overview before it is played. A thread of its own reads them;
-/// the mutex guards the list, which the network thread copies. At most kMostEvents are kept: the first ones.
+/// The station's events of a whole session file, for an overview before it is played. A separate thread reads them; the
+/// mutex guards the list, which the network thread copies. At most kMostEvents are kept: the first ones.
 class SessionEvents {
  public:
   static constexpr int kMostEvents = 5000;
 
-  /// Begins to read. `begin`: the session's first instant, from which times count.
+  /// Begins to read. `begin`: session time of the session's first message, from which the events' times count.
   SessionEvents(std::filesystem::path file, SessionTime begin);
   ~SessionEvents();
   SessionEvents(const SessionEvents&) = delete;

@@ -13,15 +13,15 @@
 
 namespace telepalp::playback {
 
-/// Stands between a played session and its publication, and impairs its messages as a network would. Without a network
-/// it passes them on at once. Owner: the network thread, whose timer it uses.
+/// Stands between a played session and its publication, and impairs its messages as a network would. While no
+/// impairment is chosen, it passes them on at once. Owner: the network thread, whose timer it uses.
 class SessionNetwork {
  public:
   /// `publish` takes each message that has arrived.
   SessionNetwork(boost::asio::io_context& io, wire::SessionClock clock, std::function<void(wire::Message)> publish);
 
   void send(wire::Message message);
-  /// Carries out the JSON of a msg::NetworkCommand, and returns the new state as JSON.
+  /// Carries out the JSON of a msg::NetworkCommand, and returns the new state as JSON. Error: the command is wrong.
   [[nodiscard]] Result<std::string> apply(const std::string& json);
   [[nodiscard]] std::string state() const;  ///< msg::NetworkState as JSON
   void stop();

@@ -19,7 +19,7 @@
 namespace telepalp::playback {
 
 /// Publishes a recorded session again: images as recorded, times mapped to the present session time, a pause of more
-/// than 2 s cut to 2 s. A thread of its own reads the file and waits until each message is due; commands wake it. It
+/// than 2 s cut to 2 s. A separate thread reads the file and waits until each message is due; commands wake it. It
 /// uses a mutex and a condition variable, because it must sleep until the next message or command; no real-time thread
 /// waits for it.
 class SessionPlayer {
@@ -42,11 +42,11 @@ class SessionPlayer {
   /// Carries the command out as soon as possible. Error: a position beyond the session's end, or the session is over:
   /// it has reached its end while playing without `loop`. Any thread.
   [[nodiscard]] Result<void> apply(const msg::PlaybackCommand& command);
-  /// While paused, publishes the present picture and the camera models again, for a subscriber that joined after their
-  /// publication. At most once a second. Any thread.
+  /// While paused, publishes the present depth image, the images from which it is predicted and the camera models
+  /// again, for a subscriber that joined later. At most once a second. Any thread.
   void show_again();
   [[nodiscard]] msg::PlaybackState state() const;  ///< any thread
-  /// The first instant of the session file.
+  /// Session time of the first message of the session file.
   [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
   [[nodiscard]] std::uint64_t depth_images() const noexcept { return depth_images_; }  ///< published; any thread
 
@@ -80,8 +80,8 @@ class SessionPlayer {
   double speed_ = 1.0;
   bool color_registered_ = true;
   bool ended_ = false;
-  bool picture_shown_ = false;  // since the last seek
-  TimeMap picture_map_;         // map of times with which the newest picture was published
+  bool picture_shown_ = false;  // a depth image was published since the last seek
+  TimeMap picture_map_;         // the map with which the newest depth image was published
   SessionTime status_at_{};
   std::optional<std::string> status_;  // text of the status published last
   SessionTime repeated_at_{};

@@ -7,8 +7,8 @@
 
 namespace telepalp::recording {
 
-/// Parses a RecordingCommand from JSON. Error: the text is not JSON or has an unknown field, it says neither begin nor
-/// end, or it begins without a consent of 1 to 200 bytes in one line.
+/// Parses a RecordingCommand from JSON. Error: the text is not JSON, has an unknown field or lacks the field `record`;
+/// `record` is true and the consent is blank; or the consent is not one line of at most 200 bytes.
 [[nodiscard]] Result<msg::RecordingCommand> read_command(const std::string& json);
 
 }  // namespace telepalp::recording

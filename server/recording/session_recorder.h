@@ -32,8 +32,8 @@ class SessionRecorder {
   /// Ends a recording and waits for at most 3 s until its file is complete.
   ~SessionRecorder();
 
-  /// Begins session_YYYYMMDD_HHMMSS.mcap, named after `now` in UTC, or completes the present file. Error: a recording
-  /// begins while one is under way, or ends while none is under way; or the recorder cannot be started.
+  /// Begins session_YYYYMMDD_HHMMSS.mcap, named after `now` in UTC, or lets the recorder complete its file. Error: a
+  /// recording begins while one is under way, or ends while none is under way; or the recorder cannot be started.
   [[nodiscard]] Result<void> apply(const msg::RecordingCommand& command, std::chrono::system_clock::time_point now);
 
   /// The present state. The call also checks whether the recorder process has ended.

@@ -29,7 +29,7 @@ using AnyImage = std::variant<GrayImage16, ColorImage>;
 [[nodiscard]] Result<AnyImage> decode_png(std::span<const std::byte> bytes, const std::string& name);
 [[nodiscard]] Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string& name);
 
-/// Reads a PNG or TIFF file, recognised by its first bytes. Error: the file is larger than 256 MiB.
+/// Reads a PNG or TIFF file, recognised by its first bytes. Error: over 256 MiB, unreadable, damaged or another format.
 [[nodiscard]] Result<AnyImage> read_image(const std::filesystem::path& file);
 
 /// read_image() for a file that must contain depth, or colour. Error: it contains the other kind of image.

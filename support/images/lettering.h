@@ -24,11 +24,11 @@ void fill(ColorImage& image, const Rectangle& where, const Rgb& rgb);
 inline constexpr int kLetterWidth_dots = 6;   ///< including the gap to the next letter
 inline constexpr int kLetterHeight_dots = 8;  ///< including the descender, as in p
 
-/// Writes a line of text; (x, y) is its upper left corner. A dot of a letter is `dot_px` pixels wide. Letters that are
-/// not ASCII are shown as a question mark; dots outside the image are left out.
+/// Writes a line of text; (x, y) is its upper left corner. Each dot of a letter is a square with sides of `dot_px`
+/// pixels. Letters that are not ASCII are shown as a question mark; dots outside the image are left out.
 void write_text(ColorImage& image, int x, int y, std::string_view text, const Rgb& rgb, int dot_px);
 
-/// Width of write_text() in pixels.
+/// Width [px] of the line that write_text() writes.
 [[nodiscard]] int width_of(std::string_view text, int dot_px) noexcept;
 
 }  // namespace telepalp::images

@@ -4,7 +4,7 @@
 
 namespace telepalp::models {
 
-/// Error of the PLY and OBJ readers. `name`: of the file. `what`: its defect.
+/// Error of the PLY and OBJ readers. `name`: the file's name. `what`: the file's defect.
 [[nodiscard]] inline Error bad_mesh(const std::string& name, const std::string& what) {
   return {.what = what, .where = name, .fix = "export the model again, as ascii or binary_little_endian PLY, or OBJ"};
 }
@@ -14,7 +14,7 @@ inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model
   for (std::size_t k = 2; k < corners.size(); ++k) model.triangles.push_back({corners[0], corners[k - 1], corners[k]});
 }
 
-/// Returns the model. Error: a face refers to a missing vertex, or the model has too many points.
+/// Returns `model`. Error: a face refers to a missing vertex, or the model has more than kMostModelPoints points.
 [[nodiscard]] inline Result<PointModel> checked_mesh(PointModel model, const std::string& name) {
   for (const auto& triangle : model.triangles)
     for (const std::uint32_t corner : triangle)

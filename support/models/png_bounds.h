@@ -6,14 +6,14 @@
 
 namespace telepalp::models {
 
-/// Stops libpng from inflating data after the last row of an image. libpng decompresses the whole stream even when the
-/// last row is complete, so a file of 400 KB can inflate to 400 MB behind a small image.
+/// Counts the compressed bytes after the last row of an image; check_png_bytes() limits them. libpng decompresses the
+/// whole stream even when the last row is complete, so a file of 400 KB can inflate to 400 MB behind a small image.
 struct PngBounds {
   std::size_t bytes_after_last_row = 0;
 };
 
-/// Call before png_read_info. Ancillary chunks (text, profiles, …) are skipped, and libpng reports data after the last
-/// row as an error instead of a warning.
+/// Limits width and height to `most_pixels_a_side`. libpng skips ancillary chunks (text, profiles, …), and reports data
+/// after the last row as an error instead of a warning. Call this before png_read_info.
 inline void bound_png(png_structp png, png_uint_32 most_pixels_a_side) {
   png_set_user_limits(png, most_pixels_a_side, most_pixels_a_side);
   png_set_chunk_malloc_max(png, 1U << 22U);
@@ -21,8 +21,8 @@ inline void bound_png(png_structp png, png_uint_32 most_pixels_a_side) {
   png_set_benign_errors(png, 0);
 }
 
-/// The read callback calls this before it delivers `count` bytes. Calls png_error when more than 1 KiB of compressed
-/// data follows the last row. Until this call libpng buffers at most 8 KiB, which inflate to at most 8 MiB.
+/// The read callback calls check_png_bytes() before it delivers `count` bytes. More than 1 KiB of compressed data after
+/// the last row ends in png_error. libpng requests at most 8 KiB at once, which inflate to at most 8 MiB.
 inline void check_png_bytes(png_structp png, png_infop info, PngBounds& bounds, std::size_t count) {
   constexpr png_uint_32 kImageData = 0x49444154;  // "IDAT"
   constexpr std::size_t kMostBytes = 1024;        // the end of a zlib stream takes about ten bytes

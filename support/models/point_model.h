@@ -16,11 +16,11 @@ namespace telepalp::models {
 /// The content of a PCD, PLY or OBJ file that haptic rendering needs. Coordinates are in the unit and frame of the
 /// file.
 struct PointModel {
-  std::vector<Eigen::Vector3f> points;              ///< NaN in the holes of an organised cloud
-  std::vector<Eigen::Vector3f> normals;             ///< one per point, of any length; or empty
-  std::vector<std::array<std::uint8_t, 3>> colors;  ///< RGB, one per point, or empty; only from PCD files
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  int width = 0;  ///< width of an organised cloud; 0: unorganised
+  std::vector<Eigen::Vector3f> points;                  ///< NaN in the holes of an organised cloud
+  std::vector<Eigen::Vector3f> normals;                 ///< one per point, of any length; or empty
+  std::vector<std::array<std::uint8_t, 3>> colors;      ///< RGB, one per point, or empty; only from PCD files
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of points; empty: a cloud
+  int width = 0;                                        ///< width of an organised cloud; 0: unorganised
 };
 
 inline constexpr std::size_t kMostModelPoints = 20'000'000;

@@ -8,7 +8,7 @@
 
 namespace telepalp::models {
 
-/// Reads text by lines and words without copying. Numbers have a decimal point in every locale.
+/// Reads text by lines and words without copying. number(): a decimal point in every locale; nullopt: not a number.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) noexcept : text_(text) {}

@@ -13,7 +13,7 @@ struct Bar {
   std::string color;
 };
 
-/// Horizontal bars on a common scale that starts at zero; both numbers are printed beside each bar.
+/// Horizontal bars on a common scale that starts at zero; p50 and p99 are printed beside each bar.
 struct BarChart {
   std::string title;
   std::string unit;  ///< "ms"
@@ -21,7 +21,7 @@ struct BarChart {
   double width_px = 960.0;
 };
 
-/// The chart as a self-contained SVG element. A value that is not finite gives an empty bar with a note.
+/// The chart as a self-contained SVG element. A value that is not finite gives no bar but the text "not measured".
 [[nodiscard]] std::string to_svg(const BarChart& chart);
 
 }  // namespace telepalp::plot

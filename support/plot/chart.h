@@ -23,7 +23,7 @@ enum class Style {
   Step,    ///< like Line, each value held until the next
   Path,    ///< any curve in the plane; thinned by distance
   Area,    ///< a step curve, filled down to the axis
-  Dots     ///< one disc for each sample, thinned by distance
+  Dots     ///< discs at the samples, thinned by distance
 };
 
 /// A curve; non-finite samples are gaps. `x` and `y` have equal length.
@@ -44,7 +44,7 @@ struct Band {
   std::string mark;  ///< short text in the band if it fits, so that the chart can be read without colour
 };
 
-/// A line across the plot, for example a budget.
+/// A line across the plot at y = `at`, or at x = `at` if `vertical`, for example a budget.
 struct Rule {
   double at = 0.0;
   std::string label;

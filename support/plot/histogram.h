@@ -11,8 +11,8 @@ struct Histogram {
   std::vector<double> counts;
 };
 
-/// A histogram with `per_decade` logarithmic bins per decade that cover all values from 1e-6 to 1e12. Smaller values,
-/// also those <= 0, are counted in the lowest bin, larger ones as 1e12. Empty when no value is finite.
+/// A histogram of the finite values. Its logarithmic bins, `per_decade` in a decade, reach from the least value above
+/// 1e-6 to the greatest. Values up to 1e-6 count in the lowest bin, values over 1e12 as 1e12. Empty if none is finite.
 [[nodiscard]] Histogram logarithmic_histogram(std::span<const double> values, int per_decade);
 
 }  // namespace telepalp::plot

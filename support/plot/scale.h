@@ -12,7 +12,7 @@ struct Range {
   double most = 1.0;
 };
 
-/// The smallest range with all finite values; `otherwise` when no value is finite.
+/// The smallest range that contains all finite values; `otherwise` when no value is finite.
 [[nodiscard]] Range range_of(std::span<const double> values, Range otherwise);
 
 /// The smallest range that contains both ranges.
@@ -24,7 +24,7 @@ struct Tick {
   std::string label;
 };
 
-/// About `wanted` ticks at 1, 2 or 5 times a power of ten, all within `range`.
+/// About `wanted` ticks within `range`, at the multiples of a step that is 1, 2 or 5 times a power of ten.
 /// Source: Heckbert, "Nice numbers for graph labels", Graphics Gems, 1990.
 [[nodiscard]] std::vector<Tick> nice_ticks(Range range, int wanted);
 

@@ -19,7 +19,7 @@ enum class Anchor { Start, Middle, End };
 /// Escapes XML's reserved characters and replaces each control character by a space.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// Writes an SVG document element by element. Coordinates have two decimals.
+/// Writes an SVG document element by element. Lengths are in pixels; numbers have at most two decimals.
 class Svg {
  public:
   Svg(double width, double height, std::string_view title);

@@ -13,8 +13,8 @@ struct Address {
   std::uint16_t port = 0;
 };
 
-/// Parses `HOST:PORT`, with an IPv6 host in brackets. `where`: the option's name, for errors. `default_port`: the port
-/// of an address that states none; empty: an address must state its port.
+/// Parses `HOST:PORT`, with an IPv6 host in brackets and a port from 1 to 65535. `where`: option's name, for errors.
+/// `default_port`: the port of an address that states none; empty: an address must state its port.
 [[nodiscard]] Result<Address> parse_address(std::string_view text, std::string_view where,
                                             std::string_view default_port = {});
 

@@ -8,11 +8,11 @@ namespace telepalp::program {
 /// Time limit for a program to end after a signal.
 inline constexpr std::chrono::seconds kTimeToEnd{5};
 
-// A terminal sends Ctrl-C to every program of a script, and the script then signals each program again. So a second
-// signal does not end the program sooner: only the time limit ends it early.
+// A terminal sends Ctrl-C to every program of a script, and the script then signals each program again. A second
+// signal therefore has no effect: the program ends when its work is done, or at the time limit.
 
-/// Makes the process print `last_words` and exit with kFailed after `limit`, unless it has ended before. Only the first
-/// call has an effect.
+/// Makes the process print `last_words` to stderr and exit with kFailed after `limit`, unless it has ended before. Only
+/// the first call has an effect.
 void end_within(std::chrono::seconds limit, std::string_view last_words);
 
 /// Installs handlers of SIGINT and SIGTERM that only call end_within(limit, last_words).

@@ -24,7 +24,7 @@ struct Command {
   std::string_view name;      // "info"
   std::string_view argument;  // "FILE"; empty: no argument, or the command has its own help
   std::string_view help;
-  int (*run)(int argc, const char* const* argv) = nullptr;  // argv[0] is the command's name
+  int (*run)(int argc, const char* const* argv) = nullptr;  // argv[0] is the command's name; returns the exit code
 };
 
 /// The parts of the help text. `--help` prints them and ends with `example`, a command line to paste.

@@ -8,7 +8,7 @@
 
 namespace telepalp::program {
 
-/// Writes indented JSON member by member. A number that is not finite is written as null, because JSON has no NaN.
+/// Writes indented JSON. `key`: empty in a list. Doubles have 9 significant digits, or are null if they are not finite.
 class Json {
  public:
   void begin_object(std::string_view key = {}) { begin(key, '{'); }

@@ -15,7 +15,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kAskedWrongly = 2;
 
-/// The parsed command line. number() and whole() check a value against bounds.
+/// The parsed command line with defaults. text(): empty if absent. number(), whole(): error outside [least, most].
 class Arguments {
  public:
   [[nodiscard]] bool has(std::string_view flag) const;
@@ -36,12 +36,12 @@ class Arguments {
   std::vector<std::string> positional_;
 };
 
-/// Reads argv. Error: an unknown option, an empty value, or an option given twice that is not `repeatable`. nullopt:
-/// `--help` or `--version` was given, and its text has been printed to stdout; exit with kDone.
+/// Reads argv. Error: an unknown option or word, an empty value, or an option given twice that is not `repeatable`.
+/// nullopt: `--help` or `--version` was given, and its text has been printed to stdout; exit with kDone.
 [[nodiscard]] Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv);
 
-/// Runs the command of argv's first word if that command has its own help, and returns its exit code; otherwise
-/// nullopt.
+/// Runs the command that argv[1] names and returns the command's exit code; nullopt: argv[1] names no command whose
+/// Command::run is set.
 [[nodiscard]] std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv);
 
 /// Prints `error: …` to stderr and returns `code`, for `return fail(error)` in main.

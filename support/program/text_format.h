@@ -11,8 +11,8 @@
 
 namespace telepalp::program {
 
-/// Line and column of each number, text and nested message in a text-format file, so that an error about a value can
-/// state its position.
+/// Line and column of each number, text and nested message in a text-format file, for errors about a value. Numbers and
+/// texts of repeated fields are left out.
 class NumberPlaces {
  public:
   struct Place {
@@ -38,21 +38,21 @@ class NumberPlaces {
                         std::string source = {})
       : places_(std::move(places)), texts_(std::move(texts)), parts_(std::move(parts)), source_(std::move(source)) {}
 
-  /// `file:line:column` of the first field of that name with that value; `file` alone when there is no such field. Of a
-  /// path such as `cylinder.radius_m` only the last name is compared.
+  /// `file:line:column` of the first number whose field is named `field` and whose value is `value`; `file` alone when
+  /// no number matches. Of a path such as `cylinder.radius_m` only the last name is compared.
   [[nodiscard]] std::string where(const std::string& file, std::string_view field, double value) const;
 
-  /// `file:line:column` of the character `offset` of the first text of that field with that value; `file` alone when
-  /// there is no such field.
+  /// `file:line:column` of byte `offset`, from 0, of the first text whose field is named `field` and whose value is
+  /// `value`; `file` alone when no text matches.
   [[nodiscard]] std::string where(const std::string& file, std::string_view field, std::string_view value,
                                   std::size_t offset) const;
 
   /// `file:line:column` of the name of `part`, a message inside the parsed message. The parsed message must not have
-  /// moved in memory since. `file` alone if `part` is not inside the parsed message.
+  /// moved in memory since it was parsed. `file` alone if `part` is not inside the parsed message.
   [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part) const;
 
-  /// `file:line:column` of the first field of that name with that value inside `part`; the place of `part` when it has
-  /// no such field. A `part` outside the parsed message: as where(file, field, value).
+  /// As where(file, field, value), for the numbers inside `part`; the position of `part` when no number inside it
+  /// matches. For a `part` outside the parsed message, all numbers of the file are compared.
   [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part,
                                   std::string_view field, double value) const;
 
@@ -62,7 +62,7 @@ class NumberPlaces {
   std::vector<Place> places_;
   std::vector<Text> texts_;
   std::vector<Part> parts_;
-  std::string source_;  // of the file; at most 1 MiB
+  std::string source_;  // the parsed text
 };
 
 /// Reads a Protobuf text-format file (a scene, a camera) into `message`. Error: an unknown field, a wrong type or a

@@ -7,31 +7,31 @@
 
 namespace telepalp::sensor {
 
-/// The noise of the depth along a ray. It is independent between frames and between pixels.
+/// The noise of a depth z, along the optical axis. It is independent between frames and between pixels.
 enum class DepthNoise {
   None,
   Gaussian,  ///< sigma = gaussian_sigma_m everywhere
   Kinect,    ///< sigma = 1.2 mm + 1.9 mm (z - 0.4)^2, z in metres (Nguyen, Izadi, Lovell 2012, axial noise)
 };
 
-/// A simulated depth sensor. The default is Kinect-like.
+/// A simulated depth sensor. The default resembles a Kinect v1.
 struct DepthSensorSettings {
   DepthNoise noise = DepthNoise::Kinect;
   double gaussian_sigma_m = 0.001;  ///< of DepthNoise::Gaussian
   bool disparity_steps = true;      ///< depth takes levels 2.85 mm z^2 apart (z in metres), as on a Kinect v1
-  double unit_m = 0.001;            ///< metres for one step of a sample
+  double unit_m = 0.001;            ///< metres per unit of a sample
   std::uint64_t seed = 1;
 };
 
 /// The noise of one frame. Pixels can be sampled in any order.
 class Exposure {
  public:
-  /// The random bits that determine the noise of `pixel`. The noise uses the lowest twelve bits only; a caller may use
-  /// the highest eight for another purpose.
+  /// The random bits that determine the noise of `pixel`, an index in row-major order. The noise uses the lowest twelve
+  /// bits only; a caller may use the highest eight for another purpose.
   [[nodiscard]] std::uint32_t bits(std::uint32_t pixel) const noexcept { return noise_.bits(pixel); }
 
-  /// The sample [unit_m] for a depth of `z_m` > 0, with the noise of `bits`. Out of range, it is 0 (no measurement): for
-  /// a depth beyond 65535 units, and with disparity steps also for one nearer than the nearest level, 0.343 m.
+  /// The sample, in units of `unit_m`, for a depth `z_m` > 0 with the noise of `bits`. It is 0 (no measurement) if the
+  /// noisy depth is beyond 65535 units or, with disparity steps, nearer than the nearest level, 0.343 m.
   [[nodiscard]] std::uint16_t sample_of(float z_m, std::uint32_t bits) const noexcept {
     const float far_m = z_m - 0.4F;
     const float sigma_m = base_m_ + growth_per_m_ * far_m * far_m;
@@ -59,8 +59,8 @@ class Exposure {
   float beyond_ = 0.0F;                    ///< the first step, in units or levels, that a sample cannot hold
 };
 
-/// The one model of a depth sensor's error: noise, then rounding to a disparity level or to a whole unit. A pure
-/// function of settings, frame instant and pixel.
+/// Models the error of a depth sensor: noise, then rounding to a disparity level or to a whole unit. A sample is a pure
+/// function of settings, instant of the frame, pixel and true depth.
 class DepthSensor {
  public:
   explicit DepthSensor(const DepthSensorSettings& settings);

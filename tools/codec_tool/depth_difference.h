@@ -18,15 +18,15 @@ class DepthDifference {
   /// Compares two images of equal size.
   void add(const DepthImage& original, const DepthImage& other);
 
-  [[nodiscard]] std::size_t measured() const noexcept { return measured_; }  ///< pixels that both measured
-  [[nodiscard]] std::size_t flips() const noexcept { return flips_; }        ///< pixels that only one of them measured
+  [[nodiscard]] std::size_t measured() const noexcept { return measured_; }  ///< pixels measured in both images
+  [[nodiscard]] std::size_t flips() const noexcept { return flips_; }        ///< pixels measured in one image only
   [[nodiscard]] double worst_mm() const noexcept { return worst_mm_; }
   [[nodiscard]] double rms_mm() const;
 
-  /// Number of pixels beyond the bound, including pixels that only one image measured; 0 without a bound.
+  /// Number of pixels beyond the bound, including pixels measured in one image only; 0 without a bound.
   [[nodiscard]] std::size_t beyond() const noexcept { return beyond_; }
   /// Position and difference of the first pixel beyond the bound: "frame 3, column 17, row 20 at 800.000 mm: off by
-  /// 4.000 mm, 2.850 mm allowed".
+  /// 4.000 mm, 2.850 mm allowed". Frames, columns and rows count from 0.
   [[nodiscard]] const std::string& first_beyond() const noexcept { return first_beyond_; }
 
  private:

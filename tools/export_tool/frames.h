@@ -22,8 +22,8 @@ class Frames {
   /// Error: the error that `take` returned.
   [[nodiscard]] Result<void> for_each(const std::function<Result<bool>(const RgbdFrame&)>& take);
 
-  /// The last frame that was published up to `at_s` after the session's first message. Error: no depth image in
-  /// the 10 s before that time, or it cannot be decoded.
+  /// The last frame that was published up to `at_s` seconds after the session's first message. Error: no depth image in
+  /// the 10 s before that time, or the last depth image cannot be decoded.
   [[nodiscard]] Result<RgbdFrame> at(double at_s);
 
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }

@@ -11,7 +11,7 @@
 
 namespace telepalp::keys_tool {
 
-/// The values of the command line. Each command returns the text for stdout.
+/// The values of telepalp-keys' command line. Each function below runs one command and returns its text for stdout.
 struct Asked {
   std::filesystem::path folder;
   std::string file;  ///< the file that the command names, or for revoke a serial number; empty: none

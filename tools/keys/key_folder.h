@@ -9,8 +9,8 @@
 
 namespace telepalp::keys_tool {
 
-/// The folder in which a site's keys are made: authority.key (secret), authority.crt (public), issued.txt (all that was
-/// issued), revoked.crl (for the server) and the keys.
+/// The folder in which a site's keys are made: authority.key (secret), authority.crt (public), issued.txt (one line
+/// for each issued key or token), revoked.crl (the revocation list, for the server), and the keys and tokens.
 class KeyFolder {
  public:
   /// Creates the folder with a new authority. Error: the folder already has an authority.
@@ -24,7 +24,7 @@ class KeyFolder {
   /// Writes a new key to `file` and notes it in issued.txt. Error: `file` exists and `replace` is false.
   [[nodiscard]] Result<void> keep(const std::string& key_text, const std::filesystem::path& file, bool replace) const;
 
-  /// Adds `serial` to revoked.crl; returns the number of revoked keys.
+  /// Adds `serial` to revoked.crl; returns the number of serials in revoked.crl.
   [[nodiscard]] Result<std::size_t> revoke(const std::string& serial, keys::WallTime now) const;
 
   /// The text of issued.txt, with "REVOKED" after each revoked entry.
@@ -40,7 +40,7 @@ class KeyFolder {
   keys::Authority authority_;
 };
 
-/// The whole file. Error: it cannot be read, or is larger than `most` bytes.
+/// The content of `file`. Error: the file cannot be read, or is larger than `most` bytes.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace telepalp::keys_tool

@@ -10,8 +10,8 @@
 
 namespace telepalp::link_proxy {
 
-/// One direction of the proxy in real time: all flows share one impaired link, and so its bottleneck. Owner: the thread
-/// of `io`. Calls the sink of a packet's flow when the packet has passed the link.
+/// One direction of the proxy in real time: all flows (TCP connections and UDP clients) share one impaired link. When a
+/// packet has passed the link, the sink of the packet's flow is called. Owner: the thread of `io`.
 class ImpairedLine {
  public:
   using Sink = std::function<void(std::vector<std::byte> bytes)>;

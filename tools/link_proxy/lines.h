@@ -4,7 +4,7 @@
 
 namespace telepalp::link_proxy {
 
-/// Both directions of the proxy. It numbers the flows: TCP connections and UDP clients.
+/// Both directions of the proxy, and the numbering of its flows. A flow is a TCP connection or a UDP client.
 struct Lines {
   ImpairedLine to_server;
   ImpairedLine to_client;

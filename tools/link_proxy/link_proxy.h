@@ -28,7 +28,7 @@ class LinkProxy {
   ~LinkProxy();
 
   [[nodiscard]] std::uint16_t port() const;
-  /// One line with the traffic since the last call and the bytes that wait.
+  /// One line with the traffic since the last call and the bytes in the queues of the bottlenecks.
   [[nodiscard]] std::string live_line();
   /// Counters since the start, as JSON.
   [[nodiscard]] std::string totals_json() const;

@@ -11,7 +11,7 @@
 
 namespace telepalp::link_proxy {
 
-/// A client's connection, and the connection to the server over which its bytes are forwarded.
+/// Forwards bytes in both directions between a client's connection and a new connection to the server.
 class TcpPair : public std::enable_shared_from_this<TcpPair> {
  public:
   using Socket = boost::asio::ip::tcp::socket;

@@ -13,7 +13,7 @@ class TcpPair;
 
 /// Accepts TCP connections and joins each to a new connection to the server, through the impaired lines. The proxy
 /// terminates both connections: a simulated loss delays a stream by a round trip, and does not shrink a TCP congestion
-/// window.
+/// window. While 256 connections are open, a further one is closed at once.
 class TcpProxy {
  public:
   TcpProxy(boost::asio::io_context& io, Lines& lines, boost::asio::ip::tcp::endpoint server);

@@ -11,7 +11,7 @@
 namespace telepalp::link_proxy {
 
 /// Forwards datagrams between clients and the server through the impaired lines (lines.h). Each client address gets a
-/// socket of its own towards the server, as a NAT does, and loses it after a minute of silence.
+/// socket of its own towards the server, as a NAT does, until the client has sent nothing for a minute.
 class UdpProxy {
  public:
   UdpProxy(boost::asio::io_context& io, Lines& lines, boost::asio::ip::udp::endpoint server);

@@ -16,8 +16,8 @@ namespace telepalp::ar {
 /// True if the state has a position of the device point in front of the camera.
 [[nodiscard]] bool is_drawable(const msg::StationState& state);
 
-/// The touch to draw; where the state has no proxy or hand, the device point stands in for it. Call it only for a state
-/// for which is_drawable() is true.
+/// The touch to draw. The device point replaces a missing proxy, and the proxy replaces a missing hand. Call touch_of()
+/// only for a state for which is_drawable() is true.
 [[nodiscard]] Touch touch_of(const msg::StationState& state);
 
 /// Lines of the panel: state, force, indentation, age of the surface, and the time since `start_ns` (session time), if

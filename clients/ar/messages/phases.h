@@ -7,7 +7,7 @@
 
 namespace telepalp::ar {
 
-/// How clients show a state of the controller, from Fig. 4 of paper S1 (docs/sources.md).
+/// Names, position and colour with which clients show a state of the controller (paper S1, Fig. 4; docs/sources.md).
 struct PhaseWords {
   msg::Phase phase;
   std::string_view key;    ///< name in report.json

@@ -7,7 +7,7 @@
 
 namespace telepalp::record {
 
-/// A message of a session file with its own copy of the data: it stays valid when the reader reads on.
+/// A message of a session file, with a copy of its data: valid while its reader exists, even after the reader reads on.
 class KeptMessage {
  public:
   explicit KeptMessage(const wire::mcap::StoredMessage& stored)

@@ -22,7 +22,7 @@ struct SessionFacts {
     double rate_Hz = 0.0;            ///< mean over the whole session; 0: fewer than two messages
     double longest_gap_s = 0.0;      ///< between two messages
     std::uint64_t lost = 0;          ///< missing sequence numbers: lost between publisher and file
-    std::uint64_t back_in_time = 0;  ///< messages older than an earlier one of the topic in the file
+    std::uint64_t back_in_time = 0;  ///< messages with an earlier time than a message before them in the file
     std::uint64_t unreadable = 0;    ///< messages that do not parse as `type`
     bool is_ours = false;            ///< a topic of telepalp, with its type
     bool has_other_version = false;  ///< the type's definition differs from this program's
@@ -30,7 +30,7 @@ struct SessionFacts {
   /// A peer that published through the server, or read from it.
   struct Peer {
     std::uint32_t sender = 0;  ///< number in its messages; 0: it published nothing
-    std::string name;          ///< from /server/stats; empty: not there
+    std::string name;          ///< from /server/stats; empty: not listed in /server/stats
     std::string address;
     std::uint64_t messages = 0;           ///< published by it, in the file
     std::uint64_t dropped_before_it = 0;  ///< messages that the server dropped for the peer, which read too slowly
@@ -50,7 +50,7 @@ struct SessionFacts {
   std::string version;
   std::string commit;
   std::string source;       ///< the recorded server or file
-  std::string recorded_by;  ///< "doctor anna"; empty: not stated
+  std::string recorded_by;  ///< for example "doctor anna"; empty: not stated
   std::string consent;      ///< the patient's consent, as the operator stated it; empty: not stated
   std::string depth;        ///< bound on the depth error, as text; empty: no depth
   std::map<std::string, std::string> recording;  ///< the recorder's notes: gaps, dropped messages, clock
@@ -67,13 +67,13 @@ inline constexpr std::size_t kMostDamages = 100;
 /// Reads the whole file once, one chunk at a time. Error: the file has no readable index.
 [[nodiscard]] Result<SessionFacts> inspect(const std::filesystem::path& file);
 
-/// The description as text for a terminal.
+/// The facts as text for a terminal, with the texts of the file escaped.
 [[nodiscard]] std::string in_words(const SessionFacts& facts);
 
-/// The description as JSON.
+/// The facts as JSON.
 [[nodiscard]] std::string in_json(const SessionFacts& facts);
 
-/// Notes for a reader of the session, one line each: lost messages, time that goes back, other versions.
+/// Warnings about the session, one line each, not escaped: lost messages, times that go back, other versions.
 [[nodiscard]] std::vector<std::string> notes_on(const SessionFacts& facts);
 
 }  // namespace telepalp::record

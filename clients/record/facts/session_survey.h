@@ -11,7 +11,7 @@
 
 namespace telepalp::record {
 
-/// Collects the facts of a session's messages, in the order of the file.
+/// Collects the facts of a session's messages. The caller add()s all messages in the order of the file.
 class SessionSurvey {
  public:
   void add(const wire::mcap::StoredMessage& message);

@@ -8,13 +8,13 @@
 
 namespace telepalp::record {
 
-/// Watches the room on the disk of a recording.
+/// Watches the free space on the disk of a recording.
 class DiskRoom {
  public:
   explicit DiskRoom(const std::filesystem::path& file);
 
   /// `stored_bytes`: size of the recording until now. Returns an alarm when the disk will be full within a minute at
-  /// the average rate so far. It returns another alarm only if there was room for over a minute in between.
+  /// the average rate so far, and another alarm only after the disk had space for over a minute again. Else nullopt.
   [[nodiscard]] std::optional<std::string> alarm(std::uint64_t stored_bytes);
 
  private:

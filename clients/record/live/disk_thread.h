@@ -19,7 +19,7 @@ namespace telepalp::record {
 /// Storage for messages. Both functions are called only on the disk thread and may block.
 struct Store {
   std::function<Result<void>(const wire::Message&)> write;
-  std::function<Result<void>()> flush;  ///< called within 0.2 s of a write: written data shall survive a crash
+  std::function<Result<void>()> flush;  ///< called within 0.2 s of a write: the data then survive the program's crash
 };
 
 /// Takes messages from the network thread and stores them on a separate thread, so that a slow disk never blocks the
@@ -34,17 +34,17 @@ class DiskThread {
   DiskThread(const DiskThread&) = delete;
   DiskThread& operator=(const DiskThread&) = delete;
 
-  /// Queues a message. Network thread only. False: no room, or the store has failed.
+  /// Queues a message. Network thread only. False: the queue is full, or the store has failed.
   bool offer(const wire::Message& message);
 
-  /// Stores the queued messages and ends the thread. Error: the first error of the store.
+  /// Stores the queued messages without a last flush, and ends the thread. Error: the first error of the store.
   [[nodiscard]] Result<void> finish();
 
   struct Counts {
     std::uint64_t stored = 0;
     std::uint64_t stored_bytes = 0;  ///< sum of the payloads
     std::uint64_t waiting_bytes = 0;
-    std::map<std::string_view, std::uint64_t> dropped;
+    std::map<std::string_view, std::uint64_t> dropped;  ///< messages that found the queue full, by topic
     std::optional<Error> failed;
   };
   [[nodiscard]] Counts counts() const;

@@ -44,9 +44,9 @@ struct RecordingReport {
 };
 
 /// Subscribes and writes the received messages until the time is up or SIGINT or SIGTERM arrives. The files are then
-/// complete and indexed, even after an error if the server had answered before. A full disk raises an alarm and ends
-/// nothing: the recording goes on in a new file when there is room again, and the result is an error. Further signals
-/// have no effect. Five seconds after the first signal the process ends, even if the disk has not stored everything.
+/// complete and indexed; after an error, too, if the server had answered before. A full disk is logged and does not end
+/// the recording: it goes on in a new file when there is space again, and its result is an error. Further signals have
+/// no effect. Five seconds after the first signal the process ends, even if the disk has not stored everything.
 [[nodiscard]] Result<RecordingReport> record(const RecordingOptions& options);
 
 /// The report as text: "12.0 s from connecting to the server to the end of the recording, 3210 messages, …".

@@ -7,8 +7,8 @@
 
 namespace telepalp::record {
 
-/// The plan of a recording, made before it begins: names, origin, consent and attachments. Error: a file to attach
-/// cannot be read.
+/// The plan of a recording, made before it begins: file name, server, recording person, consent and attachments. Error:
+/// a file to attach cannot be read or is larger than 16 MiB.
 [[nodiscard]] Result<SessionFiles::Plan> plan_of(const RecordingOptions& options);
 
 }  // namespace telepalp::record

@@ -19,16 +19,16 @@ namespace telepalp::record {
 
 /// When a recording begins a new file, and which files it keeps.
 struct Splitting {
-  std::optional<std::uint64_t> bytes;    ///< a file of this size ends at the next depth key frame, or after 2 s
-  std::optional<Nanoseconds> time;       ///< likewise a file of this duration
-  std::optional<Nanoseconds> keep_last;  ///< a file is removed when its last message is older than this
+  std::optional<std::uint64_t> bytes;    ///< at this size, a file ends at the next depth key frame, or 2 s later
+  std::optional<Nanoseconds> time;       ///< likewise at this duration of the file
+  std::optional<Nanoseconds> keep_last;  ///< files last a tenth of this, at least 1 s; removed when their end is older
 };
 
-/// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session. It
-/// repeats the last message of each latched topic (such as camera model and status), and continues with a depth key
+/// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session. A
+/// later part begins with the last message of each latched topic (such as camera model and status) and with a depth key
 /// frame, unless none comes within 2 s. When a write fails, the part is completed with the messages that it holds.
-/// Messages are then dropped and counted until a new part begins, for which there must be room on the disk. Owner: the
-/// disk thread, except where a comment says otherwise.
+/// Messages are then dropped and counted until a new part begins, for which 256 MiB of the disk must be free. Owner:
+/// the disk thread, except where a comment says otherwise.
 class SessionFiles {
  public:
   struct Plan {
@@ -86,7 +86,7 @@ class SessionFiles {
   std::optional<wire::McapWriter> writer_;  // nullopt: the disk has failed
   std::deque<Part> parts_;                  // completed
   std::map<std::string_view, wire::Message> latched_;
-  /// The first messages, all of latched topics, until a newer message tells the present time. nullopt: written.
+  /// The first message of each latched topic, perhaps hours old, until any newer message arrives. nullopt: written.
   std::optional<std::vector<wire::Message>> held_back_{std::in_place};
   int part_number_ = 0;
   std::uint64_t messages_ = 0;

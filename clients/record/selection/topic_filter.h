@@ -13,7 +13,7 @@ class TopicFilter {
   explicit TopicFilter(const std::string& comma_separated);
 
   [[nodiscard]] bool matches(std::string_view topic) const;
-  /// The names to subscribe to at a server, which knows only full names and prefixes ("/station/*").
+  /// The names and prefixes ("/station/*") to subscribe to at a server. They may cover topics that do not match.
   [[nodiscard]] std::vector<std::string> subscription() const;
 
  private:

@@ -15,8 +15,8 @@ namespace telepalp::report {
 
 /// The likely cause of a difference at `instant`, from what both stations published until then. It is the first of
 /// these that is true: the hands are more than 1 mm apart; one station alone has let go (released or faulted), while
-/// both or neither have a surface; only one run has a surface; the ages of the surfaces differ by more than 5 ms. If
-/// none is true, the text says so.
+/// surface_age_ms() has a value for both runs or for neither; it has a value for one run only; its values differ by
+/// more than 5 ms. If none is true, the text says so.
 [[nodiscard]] std::string cause_in_words(const Run& a, const Run& b, const Instant& instant);
 
 /// Age [ms] of the surface from which the force at `tick` was computed; NaN (kUnknown) if no state message lies within

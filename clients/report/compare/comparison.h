@@ -18,25 +18,25 @@ struct Comparison {
   std::vector<Setting> settings;
   TickComparison ticks;
   bool messages_compared = false;              ///< true: session times overlap, so messages are comparable
-  std::optional<std::string> first_message{};  ///< the first message in which they differ, in words
+  std::optional<std::string> first_message{};  ///< first differing message, in words; nullopt: none, or not compared
   std::vector<MetricPair> metrics;
   std::vector<MetricPair> replay_metrics;
 
-  /// Every message is equal.
+  /// True if the messages were compared and are all equal.
   [[nodiscard]] bool equal() const noexcept { return messages_compared && !first_message; }
 };
 
-/// Reads and compares two sessions, or folders of telepalp-replay. Error: one of them cannot be read.
+/// Reads and compares two session files, or folders that telepalp-replay wrote. Error: one of them cannot be read.
 [[nodiscard]] Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// "The hand first feels a difference 3.100 s after the start: …"
+/// The result in one sentence: "The hand first feels a difference 3.100 s after the start: …"
 [[nodiscard]] std::string headline(const Comparison& comparison);
 
-/// The likely cause of the first felt difference, the settings that differ, and how large the differences are.
+/// The likely cause of the first felt difference, the settings that differ, and the sizes of the force differences.
 [[nodiscard]] std::string account(const Comparison& comparison);
 
 /// Time since the runs' origins (common_origins(), tick_comparison.h) [s] at which the page shows pictures of both
-/// runs: the largest difference of force; for equal forces, the deepest touch of the first run.
+/// runs: at the largest difference of force; without a difference, at the deepest indentation of the first run.
 [[nodiscard]] double pictured_s(const Comparison& comparison);
 
 }  // namespace telepalp::report

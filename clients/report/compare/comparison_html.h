@@ -6,7 +6,7 @@
 
 namespace telepalp::report {
 
-/// The pictures of both runs at one time, as PNG; empty: the session has no images.
+/// The pictures of both runs at pictured_s() (comparison.h), as PNG; empty: no image of the session can be drawn.
 struct PicturePair {
   std::string a;
   std::string b;

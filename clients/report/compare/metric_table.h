@@ -15,7 +15,7 @@ struct MetricPair {
   double b = kUnknown;
   enum class Better { Less, More, Neither } better = Better::Less;
 
-  /// True if B is worse than A by more than a thousandth of the larger value.
+  /// True if b is worse than a by more than a thousandth of the larger magnitude. False if one is unknown.
   [[nodiscard]] bool worse() const noexcept;
 };
 

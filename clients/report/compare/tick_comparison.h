@@ -24,24 +24,24 @@ struct Origins {
 
 /// Both runs at an equal time since their origins.
 struct Instant {
-  double at_s = 0.0;
-  std::size_t tick_a = 0;  ///< index in the ticks of the first run
-  std::size_t tick_b = 0;
+  double at_s = 0.0;           ///< time since the origins
+  std::size_t tick_a = 0;      ///< index in the ticks of the first run
+  std::size_t tick_b = 0;      ///< index in the ticks of the second run
   double force_apart_N = 0.0;  ///< length of the difference of the force vectors
-  double hands_apart_m = 0.0;
+  double hands_apart_m = 0.0;  ///< distance between the tracked hands
 };
 
 /// Two runs, tick by tick. Without common ticks, `common` is 0 and the other members are empty or 0.
 struct TickComparison {
   std::size_t common = 0;              ///< ticks of the first run with a tick of the second within half a period
-  double force_rms_N = 0.0;            ///< of the difference, over the common ticks
+  double force_rms_N = 0.0;            ///< of the force difference, over the common ticks
   std::size_t phase_other = 0;         ///< common ticks at which the phases differ
   std::optional<Instant> first_phase;  ///< the first tick at which the phases differ
-  /// The first tick with contact in one of the runs at which the forces differ by more than kFelt_N. Out of contact,
+  /// The first tick with contact in at least one run at which the forces differ by more than kFelt_N. Out of contact,
   /// the force moves the free device and is not felt.
   std::optional<Instant> first_felt;
   std::optional<Instant> largest;  ///< the tick of the largest force difference; nullopt: the forces are equal
-  std::vector<double> at_s;        ///< of each common tick
+  std::vector<double> at_s;        ///< time since the origins of each common tick
   std::vector<double> apart_N;     ///< force difference at each common tick
 };
 

@@ -8,11 +8,11 @@
 
 namespace telepalp::report {
 
-/// The instant to be pictured, in session time [ns]: the greatest indentation; without contact, the last state; without
-/// a station, the middle of the session.
+/// The instant to be pictured, in session time [ns]: the greatest indentation; without contact, the last state
+/// for which ar::is_drawable() is true; without such a state, the middle of the session.
 [[nodiscard]] std::int64_t deepest_moment_ns(const Session& session);
 
-/// Renders the augmented view at session time `at_ns` over `frame`.
+/// Renders the augmented view: `frame`, and the drawable state nearest to session time `at_ns` [ns].
 [[nodiscard]] ColorImage draw_view(const Session& session, const RgbdFrame& frame, std::int64_t at_ns);
 
 }  // namespace telepalp::report

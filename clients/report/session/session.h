@@ -23,13 +23,13 @@ using Axes = std::array<std::vector<float>, 3>;
 /// The recorded ticks of the 2 kHz loop, as columns of equal length.
 struct Ticks {
   std::vector<std::int64_t> at_ns;  ///< session time of the tick's deadline
-  std::vector<float> work_us;
-  std::vector<float> late_us;
+  std::vector<float> work_us;       ///< computing time of the tick
+  std::vector<float> late_us;       ///< delay of the wake-up after the deadline
   std::vector<msg::Phase> phase;
-  Axes hand, device, proxy;  ///< [m]
-  Axes force;                ///< [N]
-  std::vector<float> indentation_m;
-  std::vector<float> distance_m;
+  Axes hand, device, proxy;          ///< [m]
+  Axes force;                        ///< [N]
+  std::vector<float> indentation_m;  ///< norm of the indentation; 0 outside the body
+  std::vector<float> distance_m;     ///< of the device point from the surface; negative inside the body
   std::uint32_t period_ns = 500'000;
 
   [[nodiscard]] std::size_t size() const noexcept { return at_ns.size(); }
@@ -48,9 +48,9 @@ class Growth {
   std::optional<std::uint64_t> last_;
 };
 
-/// The messages on the topics of a station that one sender published.
+/// The messages of one sender on the topics of a station (/station/…).
 struct SenderRecord {
-  std::uint32_t sender = 0;  ///< number that the server gave the sender; 0: none known
+  std::uint32_t sender = 0;  ///< number that the server gave the sender; 0: unknown
   std::uint64_t sent_messages = 0;
   Ticks ticks;
   std::vector<msg::StationState> states;
@@ -68,7 +68,7 @@ struct Subscription {
   std::string name, address;
   bool was_there_first = false;  ///< true: the connection existed when the recording began
   Growth depth_sent, depth_dropped;
-  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< in the first /server/stats that lists it
+  std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< counts in the first /server/stats that lists it
 };
 
 /// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),
@@ -76,7 +76,7 @@ struct Subscription {
 struct Session : SenderRecord {
   std::string name;         ///< file name without folders
   std::string origin;       ///< the recorded server or file, from the metadata; empty: not stated
-  msg::SessionNotes notes;  ///< what people noted while they watched it; from the file beside the session
+  msg::SessionNotes notes;  ///< notes of people who watched the session, from SESSION.mcap.notes.json
   std::map<std::uint32_t, SenderRecord> others;                               ///< of the other senders, by their number
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;

@@ -8,7 +8,7 @@ namespace telepalp::report {
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  ///< not measured; written as null in JSON
 
-/// Quantiles of a distribution; kUnknown without samples.
+/// Quantiles of a distribution (p999: 99.9 %) and its largest sample (most); kUnknown without samples.
 struct Quantiles {
   double p50 = kUnknown;
   double p99 = kUnknown;

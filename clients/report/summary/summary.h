@@ -10,7 +10,7 @@
 
 namespace telepalp::report {
 
-/// Total duration and number of entries of one state.
+/// Total duration of one state of the controller, and how often it was entered.
 struct Dwell {
   std::uint64_t entries = 0;
   double seconds = 0.0;
@@ -25,7 +25,7 @@ struct SenderSummary {
   std::optional<std::uint64_t> frames_sent, frames_received, frames_dropped;
 };
 
-/// Timer statistics of the station's computer, measured while idle before the run.
+/// Wake-ups of a thread that only waits, measured on the station's computer before the run.
 struct IdleTimer {
   std::uint64_t wakeups = 0, missed = 0;  ///< missed: wake-ups that came after the next one was due
   [[nodiscard]] double missed_share() const noexcept {
@@ -56,9 +56,9 @@ struct Summary {
 
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
   Quantiles capture_to_touchable_ms;
-  double object_unseen_share = 0.0;        ///< share of time: an inner object stays put, as the skin above is not seen
-  double object_slide_unseen_share = 0.0;  ///< share of time: an inner object ignores a slide that cannot be measured
-  double unmodelled_share = 0.0;           ///< share of time with reduced prediction: the patient moves unlike before
+  double object_unseen_share = 0.0;        ///< share of time: an inner object stands still: the skin above it is unseen
+  double object_slide_unseen_share = 0.0;  ///< share of time: an inner object cannot follow the skin's tangential slide
+  double unmodelled_share = 0.0;           ///< share of time: prediction reduced after an unusual motion of the patient
   Quantiles surface_carried_mm, hand_carried_mm;  ///< magnitude of the predicted displacement
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;
@@ -72,10 +72,10 @@ struct Summary {
   double force_max_N = kUnknown;  ///< largest in any state; out of contact, it moves the free device
   double force_in_contact_max_N = kUnknown;
   double indentation_max_mm = kUnknown;
-  double display_least_mJ = kUnknown;     ///< least of: energy from the hand minus energy stored; below 0: active
+  double display_least_mJ = kUnknown;     ///< least balance, energy from the hand minus stored; < 0: energy was created
   double hand_excess_most_mJ = kUnknown;  ///< largest in a contact: work on the hand minus the measured skin's work
   std::uint64_t heat_warnings = 0;        ///< announcements that warm motors will lower the force
-  std::uint64_t non_finite = 0;           ///< forces, positions or depths that are not finite
+  std::uint64_t non_finite = 0;           ///< forces, positions, indentations and distances that are not finite
   std::uint64_t damaged_messages = 0;
   std::vector<msg::EffectCost> bill;  ///< computing time per tick of each haptic effect
 };

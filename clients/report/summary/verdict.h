@@ -26,8 +26,8 @@ struct Check {
 /// The overall assessment of a run.
 struct Verdict {
   bool good = false;     ///< exactly one station took part, and no check misses its budget
-  std::string headline;  ///< "The run was good."
-  std::string account;   ///< what happened, in two or three sentences
+  std::string headline;  ///< for example "The run was good: every measured figure meets its requirement."
+  std::string account;   ///< what happened, in a few sentences
   std::vector<Check> checks;
 };
 

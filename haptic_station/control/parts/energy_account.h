@@ -13,11 +13,11 @@ class EnergyAccount {
   /// Starts the balance of a new contact at zero.
   void begin() noexcept;
 
-  /// Returns the force to display over the next tick [N], damping included. `asked_N`: the force that the effects ask
-  /// for, which EffectBank has relaxed to `bound_N`. It can exceed `bound_N` slightly at a stiff region's rim, through
-  /// the virtual coupling, and with friction on an anchored skin; step() then scales it down to `bound_N`. `share`: the
-  /// displayed share of `asked_N`, 0 to 1; below 1 while the contact is released gradually. `exchange`: energy and
-  /// motion between the effects and the hand over the last tick. `bound_N`: the largest force that the skin may give.
+  /// Returns the force to display over the next tick [N], damping included. `asked_N`: the force of the effects, whose
+  /// springs EffectBank has relaxed (spring.h) to `bound_N`. It can exceed `bound_N` slightly at a stiff region's rim,
+  /// through the virtual coupling, and with friction on a skin that pushes to its anchor; step() then scales it down.
+  /// `share`: displayed share of `asked_N`, 0 to 1; below 1 while the contact is released gradually. `exchange`: energy
+  /// and motion between effects and hand in the last tick. `bound_N`: upper bound of the force of all effects together.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
                                      double bound_N, double dt_s) noexcept;
 

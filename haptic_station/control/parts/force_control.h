@@ -18,9 +18,9 @@ class ForceControl {
   ForceControl(const effects::EffectBank& effects, const CouplingSettings& coupling, double most_N) noexcept
       : effects_(effects), coupling_(coupling, effects.stiffest_N_per_m(most_N)) {}
 
-  /// Computes one tick. `touching`: the hand is in contact with the skin. `bound_N`: upper bound of the skin's force
-  /// now: the present peak force of the limiter or, in the phases Released and Faulted, the magnitude of the force that
-  /// the device still gives. Returns the force for the device [N]; zero without contact.
+  /// Computes one tick. `touching`: the hand is in contact with the skin. `bound_N`: upper bound of the effects' force,
+  /// without the damping: the limiter's present peak force or, in the phases Released and Faulted, the magnitude of the
+  /// force that the device still gives. Returns the force for the device [N]; zero without contact.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept;
 
   /// Call after the limiter. `wanted`: the parts of the limiter's input. `given_N`: the limiter's output, which the

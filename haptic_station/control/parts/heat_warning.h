@@ -11,11 +11,11 @@ namespace telepalp::control {
 /// vibration along the force. Owner: haptic thread.
 class HeatWarning {
  public:
-  /// The vibration to add to the contact force `force_N` for the next tick [N]. Its amplitude falls to zero while
-  /// yields_in_s() is at least 4 s.
+  /// The vibration to add to the contact force `force_N` for the next tick [N]. Its amplitude rises gradually while
+  /// yields_in_s() is below 4 s, and else falls to zero.
   [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& force_N, const ForceLimiter& limiter, double dt_s) noexcept;
 
-  /// Time until the limiter would lower the low-pass filtered contact force, if the hand held it [s]; infinite: never.
+  /// Time until the limiter would lower the low-pass filtered contact force if it stayed constant [s]; infinite: never.
   [[nodiscard]] double yields_in_s() const noexcept { return yields_in_s_; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace telepalp::control {
 
-/// True when the numbers of `in` are finite. `hand` and `contact` count only while they are valid, and
+/// True when all numbers of `in` are finite. `hand` and `contact` count only while they are valid, and
 /// `contact.anchor_velocity` only while the anchor is seen. Not checked: the ages of tracker and surface, because an
 /// age that is NaN counts as too old.
 [[nodiscard]] bool is_finite(const ControlInput& in) noexcept;
@@ -16,8 +16,8 @@ namespace telepalp::control {
 [[nodiscard]] ControlInput blank_input(const ControlInput& in, const Point<HapticBase>& device) noexcept;
 
 /// The reason why the station must fault at this tick, or FaultCause::None. While the hand is `touching` the skin, the
-/// force does not depend on the tracker, so implausible tracker samples are then no fault: they are not used, and the
-/// hand ages until hand_is_lost().
+/// force does not depend on the tracker, so implausible tracker samples are then no fault: HandEstimate drops them, and
+/// the age of its newest sample grows until hand_is_lost().
 [[nodiscard]] FaultCause standing_fault(const ControlInput& in, bool touching, const AgeLimits& ages) noexcept;
 
 /// True when the surface is older than its limit. An age that is NaN counts as too old.

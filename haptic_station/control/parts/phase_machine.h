@@ -6,8 +6,8 @@
 
 namespace telepalp::control {
 
-/// Holds the phase, its duration and the cause of a fault. Applies the transition table of phase.h. A transition that
-/// waits for the dwell happens only after the phase has lasted the dwell time. Owner: haptic thread.
+/// Holds the phase, its duration and the cause of a fault; applies the transition table of phase.h. For the dwell, In
+/// body and the phases at inner objects count as one, and Released counts from valid inputs. Owner: haptic thread.
 class PhaseMachine {
  public:
   /// `dwell_s`: the dwell time, 0.3 s in paper S1 (docs/sources.md).

@@ -37,8 +37,8 @@ class PositionControl {
 };
 
 /// The force of the phase Body to plane [N]: "a force is applied to the end-effector in order to go farther from the
-/// body" (S1). It controls the velocity: a bounded rise that stops 2 mm above `target_height_m`. So an end-effector
-/// without a hand does not fly off while the phase waits for its dwell time.
+/// body" (S1). The force controls the velocity: a bounded rise that stops 2 mm above `target_height_m`, so that an
+/// end-effector without a hand does not fly off while the phase waits for its dwell time.
 [[nodiscard]] Eigen::Vector3d lift_force_N(const ControlInput& in, double target_height_m,
                                            const PositionControlSettings& settings) noexcept;
 

@@ -7,20 +7,20 @@ namespace telepalp::control {
 
 /// Handles a contact that begins below the skin, because the skin rose or the station was not ready. The hand has done
 /// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
-/// along the skin's normal, and rises to its true place at 50 mm/s or less. While a gap is between it and the
-/// end-effector, it may rise at up to 150 mm/s. Its speed and that of the displayed surface's own approach to the
-/// measured one are together 100 mm/s or less, 150 mm/s in a gap. When the contact's support grows, for example because
-/// the camera sees the skin again, the body is lowered so far that the indentation times the support stays the same: a
-/// skin that stiffened under a deep hand would give it energy. Owner: haptic thread.
+/// along the skin's normal, and rises to its true place at 50 mm/s or less; with a gap between skin and end-effector,
+/// at 150 mm/s or less. The displayed surface also moves towards the measured one; both rises together are 100 mm/s or
+/// less, 150 mm/s in a gap. When the contact's support grows, for example because the camera sees the skin again, the
+/// body is lowered so far that the indentation times the support stays the same: otherwise a skin that stiffens under a
+/// deep hand would give the hand energy. Owner: haptic thread.
 class SinkIn {
  public:
-  /// `contact` begins, with the skin at its true place.
+  /// Begins a contact. `contact`: the contact with the body at its true place, where it is not lowered.
   void begin(const ports::SurfaceContact& contact) noexcept;
-  /// Lowers the displayed body where the support has grown, and lets it rise towards its true place for one tick.
-  /// `contact`: with the skin at its true place.
+  /// Lowers the displayed body if the support has grown, and lets the body rise towards its true place for one tick.
+  /// `contact`: as in begin().
   void step(const ports::SurfaceContact& contact, double dt_s) noexcept;
 
-  /// How far the last step lowered the displayed body because the support grew. At constant force nothing moved.
+  /// How far the last step lowered the displayed body because the support grew [m]; this does no work on the hand.
   [[nodiscard]] double sank_m() const noexcept { return sank_m_; }
 
   /// `contact`, converted to the contact with the lowered body.
@@ -34,7 +34,7 @@ class SinkIn {
 
  private:
   double lowered_m_ = 0.0;       ///< how much lower the displayed body lies than the true one
-  double rising_m_per_s_ = 0.0;  ///< speed of the displayed body
+  double rising_m_per_s_ = 0.0;  ///< speed of the displayed body towards its true place
   double sank_m_ = 0.0;
   double support_ = 0.0;  ///< of the contact at the last step
 };

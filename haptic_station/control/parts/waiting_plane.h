@@ -12,8 +12,8 @@ class WaitingPlane {
  public:
   explicit WaitingPlane(const PlaneSettings& settings) noexcept : settings_(settings) {}
 
-  /// Moves the plane for one tick, to the skin's height plus the clearance, or to its least height if that is greater.
-  /// The first call sets the height at once; later calls move it by at most PlaneSettings::speed_m_per_s * dt_s.
+  /// Moves the plane for one tick, to the skin's height plus the clearance, but at least to PlaneSettings::height_m;
+  /// without a skin, to height_m. The first call sets it at once; later calls move it by at most speed_m_per_s * dt_s.
   void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact, double dt_s) noexcept;
 
   [[nodiscard]] double height_m() const noexcept { return height_m_; }

@@ -7,7 +7,7 @@
 namespace telepalp::control {
 
 /// The phases of Fig. 4 of paper S1 (docs/sources.md), and two phases without force that S1 does not have. The values
-/// are those of telepalp.msg.Phase. The numbers in brackets are the values of S1's state variable s_f.
+/// are those of telepalp.msg.Phase. The numbers in parentheses are the values of S1's state variable s_f.
 enum class Phase : std::uint8_t {
   InBody = 1,         ///< force control: the hand feels the skin (0)
   BodyToPlane = 2,    ///< a gentle lift carries the end-effector away from the body (1)
@@ -17,12 +17,12 @@ enum class Phase : std::uint8_t {
   AroundObject = 6,   ///< in the body, beside an inner object (-2)
   ObjectUpper = 7,    ///< in the body, pressing an inner object's upper face (-3)
   Released = 8,       ///< no force until tracker and surface have been valid for the dwell time, or the hand has met
-                      ///< the skin while they were valid
+                      ///< the skin from outside while they were valid
   Faulted = 9,        ///< no force until an operator re-arms; then Released
 };
 
 enum class Event : std::uint8_t {
-  FromBody,    ///< the device point has left the body, to any distance from the surface: S1's i_b becomes false
+  FromBody,    ///< the device point has left the body, however little: S1's i_b becomes false
   ToPlane,     ///< S1: the end-effector has reached its target height, just above the waiting plane
   UnderPlane,  ///< S1: the hand has pushed the end-effector below the plane
   HandRose,    ///< the hand left the waiting end-effector and is above the plane
@@ -59,7 +59,7 @@ inline constexpr std::size_t kPhaseCount = 9;
 inline constexpr std::size_t kEventCount = 13;
 [[nodiscard]] std::span<const Row> transitions() noexcept;
 
-/// The row of the transition table for this pair; nullptr: the event does not change this phase.
+/// The row of the transition table for `phase` and `event`; nullptr: the event does not change this phase.
 [[nodiscard]] const Row* transition(Phase phase, Event event) noexcept;
 
 /// True for In body and the three phases at an inner object.

@@ -15,7 +15,7 @@ struct Seen {
   bool inputs_stale = false;   ///< tracker or surface older than its limit
   bool in_body = false;        ///< the device point is in the body: i_b of paper S1 (docs/sources.md)
   bool outside = false;        ///< the surface at the device point is known, and the device point is not in the body
-  bool was_outside = false;    ///< in Released: the device point came from outside the body; PhaseMachine sets it
+  bool was_outside = false;    ///< set by PhaseMachine: in Released, the device point came from outside the body
   bool below_plane = false;    ///< the end-effector is below the plane
   bool at_plane = false;       ///< the end-effector is at or above the target height of S1 eq. (5)
   bool hand_rose = false;      ///< the hand is over hand_rose_m (TransitionSettings) above both plane and end-effector
@@ -38,7 +38,7 @@ struct Seen {
 }
 
 /// The event that `seen` triggers in this phase; nullopt: no event. Safety events have priority over those of S1 Fig.
-/// 4. If two events are possible, only the first one is returned; the other one can follow at the next tick.
+/// 4. If several events are possible, the first in the order of the tests below is returned; the next tick tests again.
 [[nodiscard]] constexpr std::optional<Event> event_in(Phase phase, const Seen& seen) noexcept {
   const auto when = [](bool condition, Event event) noexcept {
     return condition ? std::optional<Event>(event) : std::nullopt;

@@ -14,7 +14,7 @@ struct HeldForce {
 /// Compares the work of the device on the hand since the contact began with the work that a reference skin would have
 /// done on the same path. In the station, the reference is the newest captured surface, predicted to now; in a
 /// simulation, it is the true surface. The ledger of PassivityController counts motion relative to the displayed
-/// surface; this one counts motion in H, the haptic base's frame. It therefore includes the energy that the display
+/// surface; HandLedger counts motion in H, the haptic base's frame. It therefore includes the energy that the display
 /// adds by its own motion, its delay and its fades. Owner: haptic thread.
 class HandLedger {
  public:

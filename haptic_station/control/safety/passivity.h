@@ -32,9 +32,9 @@ struct Exchange {
 /// effects; F: force on the hand, v: velocity of the device, v_displayed: velocity of the displayed surface. A
 /// breathing patient may lift the hand, so the work of the moving surface is not counted. The effects may store energy
 /// but must never return more than they took. This ledger detects the energy that sampling, stiffness and friction
-/// create. It cannot detect a wrong motion of the displayed surface.
+/// create. It cannot detect the energy from a displayed surface that moves differently from the patient.
 ///
-/// The ledger at the hand (HandLedger) detects a wrong motion: it compares the work on the hand with the work that the
+/// The ledger at the hand (HandLedger) detects that energy: it compares the work on the hand with the work that the
 /// newest measured surface would have done. Its damping acts on the device's velocity in H, so a resting hand feels
 /// none.
 ///

@@ -20,7 +20,7 @@ struct ControlInput {
   double hand_implausible_s = 0.0;     ///< how long the tracker has reported impossibly fast movements; 0: plausible
   ports::SurfaceContact contact;       ///< contact of `device`; its age_s is valid even if no surface is near
   effects::Placements placements{};    ///< displacements of the objects inside the body
-  bool interacts = true;               ///< false: the body gives no force, because workspace indexing shifts it
+  bool interacts = true;               ///< false: the hand is beyond the touch cylinder, so the body gives no force
   Force<HapticBase> recall;            ///< force of workspace indexing; added to the force of the phase
   Vector<HapticBase> reindexed;  ///< shift by workspace indexing in this tick, contained in the motion of `device` [m]
   bool rearm = false;            ///< true on the tick at which an operator asks to re-arm

@@ -13,7 +13,7 @@ struct ControlOutput {
   Force<HapticBase> force;           ///< force for the device, after the limiter
   Point<HapticBase> target;          ///< in Out body: S1's target p_t, eq. (5); else: the end-effector's position
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
-  Vector<HapticBase> indentation;    ///< S1's d, eq. (8): depth in the skin [m]; zero out of contact
+  Vector<HapticBase> indentation;    ///< S1's d, eq. (8), the depth in the skin as a vector [m]; zero out of contact
   double plane_height_m = 0.0;       ///< y of the plane on which the device waits above the skin
   double passivity_J = 0.0;          ///< PassivityController::balance_J(); negative: the display is active
   double hand_excess_J = 0.0;  ///< work on the hand in this contact minus the measured skin's; HandLedger::excess_J()
@@ -22,7 +22,7 @@ struct ControlOutput {
   double yields_in_s = 0.0;             ///< time until heat lowers the contact force; infinite: never, or no contact
   Force<HapticBase> damping;            ///< the part of `force` that the passivity controller added
   double surface_speed_m_per_s = 0.0;   ///< speed of the displayed skin along its normal
-  bool limited = false;                 ///< the limiter changed the force, or the contact fades
+  bool limited = false;                 ///< limiter, relaxed springs (spring.h) or a gradual release changed the force
   FaultCause fault = FaultCause::None;  ///< why the phase is Faulted
   FaultCause fault_stands = FaultCause::None;  ///< present cause of a fault; re-arming waits until it ends
 };

@@ -18,7 +18,7 @@ struct PlaneSettings {
 struct TransitionSettings {
   double dwell_s = 0.3;              ///< least duration of a phase before a transition marked waits_for_dwell (phase.h)
   double offset_fade_s = 0.15;       ///< decay time constant of S1's Delta p (eq. 5), and of the drawn hand's offset
-  double hand_rose_m = 0.02;         ///< a hand this far above both the plane and the end-effector has left it
+  double hand_rose_m = 0.02;         ///< a hand this far above the plane and the end-effector has left the end-effector
   double force_fade_N_per_s = 40.0;  ///< rate at which the force difference from a transition decreases to zero
   double contact_release_s = 2.0;    ///< time of the force's fade to 0 after tracker_in_contact_s without a hand sample
 };
@@ -38,7 +38,7 @@ struct PositionControlSettings {
 /// (phase Released); when the device's reading is older, it faults.
 struct AgeLimits {
   double tracker_s = 0.1;             ///< limit out of contact, where the end-effector follows the tracked hand
-  double tracker_in_contact_s = 3.0;  ///< limit in contact, where the skin's force needs no tracker; then it fades
+  double tracker_in_contact_s = 3.0;  ///< limit in contact, where the force needs no tracker; beyond it the force fades
   double surface_s = 1.0;
   double device_s = 0.1;
   double implausible_s = 0.008;      ///< longest run of impossibly fast device readings; a longer one is a fault
@@ -55,8 +55,8 @@ struct IndexingSettings {
   double recall_N_per_m = 150.0;  ///< force for each metre beyond the cylinder
   double recall_most_N = 3.0;
   double shift_m_per_s_per_N = 0.05;  ///< speed of the patient's shift for each newton of the recall
-  double most_shift_x_m = 0.3;
-  double most_shift_z_m = 0.9;
+  double most_shift_x_m = 0.3;        ///< largest shift along x of H, in either direction
+  double most_shift_z_m = 0.9;        ///< largest shift along z of H, in either direction
 };
 
 struct ControlSettings {

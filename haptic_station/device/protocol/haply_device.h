@@ -17,8 +17,8 @@ namespace telepalp::device {
 /// Default address of the Haply Inverse service.
 [[nodiscard]] inline WebSocketUrl standard_haply_url() { return {"127.0.0.1", 10001, "/"}; }
 
-/// Middle of an Inverse3's workspace, in the Inverse3's frame. The origin of the haptic base's frame H, a point of the
-/// skin, is placed there.
+/// Middle of an Inverse3's workspace, in the Inverse3's frame [m]. The origin of the haptic base's frame H, a point of
+/// the skin, is at this middle.
 [[nodiscard]] inline Point<haply::InverseBase> middle_of_inverse3() { return {{0.04, -0.17, 0.16}}; }
 
 /// A Haply Inverse3, driven over the WebSocket of its service on a separate thread. Each text message from the service
@@ -26,7 +26,7 @@ namespace telepalp::device {
 /// 50 ms is replaced by zero.
 class HaplyDevice final : public ports::Device {
  public:
-  using Say = std::function<void(const std::string&)>;  ///< called on this device's thread
+  using Say = std::function<void(const std::string&)>;  ///< gets a message for the operator, on this device's thread
 
   HaplyDevice(WebSocketUrl url, const Point<haply::InverseBase>& origin, Say say);
   ~HaplyDevice() override;

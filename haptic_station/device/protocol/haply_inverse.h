@@ -24,9 +24,9 @@ inline constexpr std::size_t kMostTextBytes = 64U << 10U;
 
 /// Reads one text message of the service: the state of the Inverse3 with the id `wanted_id`, or of the first Inverse3
 /// if `wanted_id` is empty. nullopt: the text is well-formed but does not contain this device (it is unplugged) or its
-/// state. Error: invalid JSON, over 64 KiB, a field of the wrong type, an id of over 64 bytes or with characters other
-/// than letters, digits, `-`, `_` and `:`, over 16 devices, a position beyond 2 m, a speed beyond 50 m/s, or a number
-/// that is not finite.
+/// state. Error: invalid JSON, over 64 KiB, a field of the wrong type, over 16 devices, an id that is not 1 to 64
+/// letters, digits, `-`, `_` or `:`, or a component that is missing, not finite, beyond 2 m in the position or beyond
+/// 50 m/s in the velocity.
 [[nodiscard]] Result<std::optional<State>> parse_text(std::string_view text, std::string_view wanted_id = {});
 
 /// The text that sets the force at the cursor and requests the next state; the service answers each text with one text.

@@ -12,8 +12,8 @@
 
 namespace telepalp::device {
 
-/// Runs one io_context on its own thread, for the protocol of a device or a tracker. Readings go to the haptic thread
-/// through a LatestValue. The mutex serves the start only: the starting thread waits for the first answer.
+/// Runs one io_context on a separate thread, for the protocol of a device or a tracker. Readings go to the haptic
+/// thread through a LatestValue. The haptic thread never locks the mutex, which serves the wait for the first answer.
 class ProtocolThread {
  public:
   ~ProtocolThread() { stop(); }

@@ -18,7 +18,7 @@ struct Command {
   bool in_body = false;        ///< the device point is inside the body; the flag of paper S1 (docs/sources.md) II.C
   bool surface_valid = false;
   bool let_go = false;        ///< the device must neither push nor hold a position
-  Point<HapticBase> proxy{};  ///< S1 II.C: the device point outside the body, else on the surface; at rims between both
+  Point<HapticBase> proxy{};  ///< outside: the device point; in the body: on the surface, at rims in between (S1 II.C)
   double distance_m = 0.0;    ///< of the device point from the surface, negative in the body; S1 II.C
   Vector<HapticBase> normal{};
   Force<HapticBase> force{};  ///< after the station's force limiter
@@ -49,7 +49,7 @@ inline constexpr std::size_t kPoseBytes = 80;
 
 /// Decides which poses are new. A pose is newer when its sequence number is greater within the current session, or when
 /// it begins a session other than the current and the previous one. A pose whose clock does not advance while its
-/// sequence number rises is stale: a hung device must not look alive. Pure.
+/// sequence number rises is stale (ClockStands): a hung device must not look alive. Pure.
 class PoseOrder {
  public:
   enum class Verdict { Newest, Repeated, OldSession, ClockStands };

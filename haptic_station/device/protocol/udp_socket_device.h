@@ -21,13 +21,13 @@ class UdpDevice final : public ports::Device {
   /// Error: the address is not a loopback address, or the socket cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<UdpDevice>> open(const program::Address& address);
 
-  /// Waits for the device's first pose and commands it to let go meanwhile. Error: no pose came within `limit`.
+  /// Commands the device to let go, and waits for a valid pose with its motors on. Error: none came within `limit`.
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
-  /// Number of damaged, old or repeated datagrams received so far.
+  /// Number of datagrams received so far that were damaged, old, repeated or stale (see udp::PoseOrder).
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
 
  private:

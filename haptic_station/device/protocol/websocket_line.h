@@ -19,8 +19,8 @@ struct WebSocketUrl {
   std::string path = "/";
 };
 
-/// Parses a ws:// URL. A missing port or path is taken from `standard`. `where`: the option's name, for error messages.
-/// Error: another scheme, an invalid port, or invalid characters.
+/// Parses a ws:// URL. A missing port, and a missing path or the path `/`, come from `standard`. `where`: the option's
+/// name, for errors. Error: another scheme, over 512 characters, no host, an invalid port, or invalid characters.
 [[nodiscard]] Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketUrl& standard,
                                                        std::string_view where);
 [[nodiscard]] std::string to_string(const WebSocketUrl& url);
@@ -31,7 +31,7 @@ class WebSocketLine {
  public:
   struct Settings {
     std::size_t most_text_bytes = 64U << 10U;
-    std::chrono::milliseconds silence{1000};     ///< without a message for so long: reconnect
+    std::chrono::milliseconds silence{1000};     ///< time without a message after which to reconnect
     std::chrono::milliseconds again_after{250};  ///< pause between attempts
   };
   struct Handlers {

@@ -8,10 +8,10 @@
 
 namespace telepalp::solids {
 
-/// Value and gradient of a node, in the frame of the operator that contains it.
+/// Value and gradient of node `index` at `p`, both in the frame of the operator that contains the node.
 [[nodiscard]] SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Eigen::Vector3d& p) noexcept;
 
-/// Converts a value and gradient from a node's own frame to that of the operator that contains it.
+/// Converts a value and gradient from a node's own frame to the frame of the operator that contains the node.
 [[nodiscard]] inline SolidAt placed(const TreeNode& node, SolidAt at) noexcept {
   at.m *= node.scale;
   if (node.turned) at.gradient = node.turn * at.gradient;
@@ -25,9 +25,9 @@ namespace telepalp::solids {
   return node.turned ? Eigen::Vector3d(node.turn.transpose() * moved) : moved;
 }
 
-/// `at`, or the distance from `p` to the node's box if this is greater. An operator's value may be only a lower bound
-/// of the distance; with this function it is never lower than the distance to the node's box. A part whose box is
-/// farther than the least value so far can thus be skipped without a change of the result.
+/// `at`, or the distance from `p` to the node's box, with its gradient, if this distance is greater. An operator's
+/// value may be a mere lower bound of the distance; this function raises it to at least the distance to the node's box.
+/// So a part whose box is farther away than the least value so far can be skipped without a change of the result.
 [[nodiscard]] SolidAt at_least_the_box(const TreeNode& node, const Eigen::Vector3d& p, const SolidAt& at) noexcept;
 
 using Lanes = std::array<double, BoxNode::kWidth>;
@@ -46,7 +46,7 @@ using Lanes = std::array<double, BoxNode::kWidth>;
   return sum;
 }
 
-/// The least of the values so far; a tie gives the mean gradient.
+/// The least of the values taken so far; on an exact tie, with the mean of their gradients.
 class Least {
  public:
   explicit Least(std::uint32_t part) noexcept
@@ -58,7 +58,7 @@ class Least {
     best_ = tie ? SolidAt{at.m, best_.gradient + at.gradient, std::min(at.part, best_.part)} : at;
     ties_ = tie ? ties_ + 1 : 1;
   }
-  /// True when a part at this squared distance cannot have a value as low as the least.
+  /// True when a part whose box is at this squared distance cannot have a value as low as the least so far.
   [[nodiscard]] bool beats(double squared_m2) const noexcept {
     return best_.m < 0.0 ? squared_m2 > 0.0 : squared_m2 > best_.m * best_.m;
   }

@@ -6,12 +6,12 @@
 
 namespace telepalp::solids {
 
-// Signed distances of shapes in their own frame, most of them centred at its origin, each with its exact gradient:
-// negative inside, in metres. The gradient has length 1, also where the nearest point of the surface is not unique:
-// there a fixed rule chooses one of the nearest. Each distance is 1-Lipschitz. Exception: mesh_at, see there. No
-// function allocates or throws. "Exact" means: the value is the true distance to the surface, on both sides of it.
+// Signed distances of shapes [m], negative inside, with exact gradients, in the shape's own frame; most shapes are
+// centred at the frame's origin. The gradient has length 1; where several surface points are equally near, a fixed rule
+// chooses one of them. Each distance is 1-Lipschitz. Exception to length 1 and to 1-Lipschitz: mesh_at(). No
+// function allocates or throws. "Exact" means: the value is the true distance to the surface, inside and outside.
 
-/// Distance and outward direction.
+/// Signed distance [m] and its gradient, which points outwards.
 struct ShapeAt {
   double m;
   Eigen::Vector3d gradient;
@@ -23,17 +23,17 @@ struct ShapeAt {
 /// Exact; inside where normal . p < offset. `normal`: unit.
 [[nodiscard]] ShapeAt plane_at(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double offset_m) noexcept;
 
-/// Exact. A segment of length zero is a sphere. On the segment the gradient is perpendicular to it.
+/// Exact. A segment of length zero gives a sphere. On the segment the gradient is perpendicular to the segment.
 [[nodiscard]] ShapeAt capsule_at(const Eigen::Vector3d& p, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                  double radius_m) noexcept;
 
-/// A torus about the axis x, y or z (0, 1, 2). Exact. If the tube's radius exceeds the ring's, the shape is the union
-/// of all balls centred on the ring, and the distance is that to its outer surface. On the axis, the part of the ring
-/// towards the next axis (y for x) counts as the nearest; at a tube's centre the gradient points away from the axis.
+/// A torus about the axis x, y or z (0, 1, 2). Exact. `ring_m`, `tube_m`: radii. If the tube's radius exceeds the
+/// ring's, the shape is the union of all balls centred on the ring, and its outer surface counts. On the axis, the
+/// ring's point towards the next axis (y for x) counts; at a tube's centre the gradient points away from the axis.
 [[nodiscard]] ShapeAt torus_at(const Eigen::Vector3d& p, int axis, double ring_m, double tube_m) noexcept;
 
-/// A part of a torus with round ends. Angles are counted from the next axis (y for x) towards the one after it.
-/// Exact outside; inside too while the tube is narrower than the ring. `half_sweep_rad`: 0 to pi.
+/// Part of a torus, with round ends. Angles go from the next axis to the one after it (for axis x, from y to z).
+/// `half_sweep_rad`: 0 to pi. arc_at() is exact outside; inside too if the tube is narrower than the ring.
 struct ArcSpan {
   double middle_rad;
   double half_sweep_rad;
@@ -50,10 +50,10 @@ struct ArcSpan {
 /// A cylinder about the axis x, y or z (0, 1, 2). Exact.
 [[nodiscard]] ShapeAt cylinder_at(const Eigen::Vector3d& p, int axis, double radius_m, double half_length_m) noexcept;
 
-/// The distance to a closed mesh: the lattice's spline. The spline is defined on a box, one node spacing inside the
-/// lattice's border. Outside the box the distance is sqrt(gap^2 + d^2), with the distance gap to the nearest point of
-/// the box and the spline's value d there. It is continuous and never more than the true distance, because the mesh
-/// lies inside the box. Not 1-Lipschitz where the spline is not: its slope is at most sqrt(3).
+/// The distance to a closed mesh: the spline of distance_at(), which is defined on a box, one node spacing inside the
+/// lattice's border. Outside this box the value is sqrt(gap^2 + d^2), with gap the distance to the nearest point of the
+/// box and d the spline's value at that point. It is continuous, and no more than the true distance if d is not,
+/// because the mesh lies inside the box. Not 1-Lipschitz where the spline is not: its slope is at most sqrt(3).
 [[nodiscard]] ShapeAt mesh_at(const Eigen::Vector3d& p, const DistanceLattice& lattice) noexcept;
 
 }  // namespace telepalp::solids

@@ -6,14 +6,14 @@
 
 namespace telepalp::solids {
 
-/// A word of the text and its position, from 1.
+/// A word of the text and its position; lines and columns (bytes) count from 1.
 struct Token {
   std::string_view text;
   int line = 1;
   int column = 1;
 };
 
-/// Splits text at white space; `#` begins a comment that ends with the line. Owner: one reader.
+/// Splits text at white space; `#` begins a comment that ends with the line. `text` must outlive the tokens.
 class Tokens {
  public:
   explicit Tokens(std::string_view text) noexcept : text_(text) {}
@@ -30,7 +30,7 @@ class Tokens {
   int column_ = 1;
 };
 
-/// The number that a word spells, with a decimal point in every locale; nullopt: it is not a number.
+/// The number that the whole word spells, with a decimal point in every locale; nullopt: the word is not a number.
 [[nodiscard]] std::optional<double> number_of(std::string_view word) noexcept;
 
 }  // namespace telepalp::solids

@@ -2,7 +2,7 @@
 
 namespace telepalp::station {
 
-/// `telepalp-station scene check|bill|show|image|mesh FILE`: what a scene holds, costs and looks like. See docs/cli.md.
+/// `telepalp-station scene check|bill|show|image|mesh SCENE`; see docs/cli.md. Returns the program's exit code.
 int scene_command(int argc, const char* const* argv);
 
 }  // namespace telepalp::station

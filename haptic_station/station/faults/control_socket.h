@@ -42,17 +42,17 @@ class ControlSocket {
   std::optional<std::string> bind_in(const OwnFolder& folder, const std::string& name);
 
   boost::asio::local::stream_protocol::acceptor acceptor_;
-  std::shared_ptr<Handler> handler_;  // shared: pending replies hold a weak_ptr and are dropped when the socket is gone
+  std::shared_ptr<Handler> handler_;  // pending reads hold a weak_ptr; commands after the socket's end are dropped
   std::filesystem::path path_;
   std::optional<OwnFolder> folder_;        // the folder of path_ while the socket listens
-  std::optional<OwnFolder::Entry> bound_;  // file status of the socket, to recognise it later
+  std::optional<OwnFolder::Entry> bound_;  // file status of the socket: stop() removes no other file
 };
 
-/// Sends a command to the station that listens at `path` and returns its reply.
+/// Sends a command to the station that listens at `path` and returns its reply. `patience`: longest wait for it.
 [[nodiscard]] Result<std::string> ask_station(const std::filesystem::path& path, const std::string& command,
                                               std::chrono::duration<double> patience = std::chrono::seconds(3));
 
-/// The folder of this user's control sockets, and the socket path of this process.
+/// The folder of this user's control sockets, and the path in it of this process's own socket.
 [[nodiscard]] std::filesystem::path control_folder();
 [[nodiscard]] std::filesystem::path own_control_path();
 

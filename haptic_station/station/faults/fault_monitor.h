@@ -20,7 +20,7 @@ class FaultMonitor {
  public:
   struct Handlers {
     std::function<SessionTime()> now;
-    std::function<void()> rearm;  ///< asks the haptic thread to re-arm; its ticks then show the result
+    std::function<void()> rearm;  ///< asks the haptic thread to re-arm; the next ticks show whether it did
     /// Handles each command that is not about faults; returns false for an unknown command.
     std::function<bool(const std::string& command, const ControlSocket::Reply& reply)> other_command{};
   };
@@ -30,14 +30,14 @@ class FaultMonitor {
   FaultMonitor(boost::asio::io_context& io, TelemetryPublisher& telemetry, std::filesystem::path control,
                std::filesystem::path state_folder, std::string scene, Handlers handlers);
 
-  /// Opens the socket for operators' commands. Without it, an operator can only restart the station to re-arm.
+  /// Opens the socket for operators' commands. Without a socket, a fault ends only when the station is restarted.
   [[nodiscard]] Result<void> listen();
 
   /// Takes every tick, in order.
   void add(const loop::TickSample& sample) noexcept;
 
-  /// Announces a new fault. Writes the flight recorder to disk 1000 ticks (0.5 s) after the fault, so that the file
-  /// shows how the force ended; at once if `ending`, because the station stops.
+  /// Announces a new fault. Writes the flight recorder to disk on another thread, 0.5 s after the fault, so that the
+  /// file shows how the force ended. If `ending` (the station stops): at once, and waits for the file.
   void look(bool ending);
 
   void stop();

@@ -28,14 +28,14 @@ class FlightRecorder {
   bool full_ = false;
 };
 
-/// Detects faults among the ticks and keeps the ticks around them. Pure; owner: network thread.
+/// Detects faults among the ticks and keeps the ticks around a fault. Pure; owner: network thread.
 class FaultWatch {
  public:
   void add(const loop::TickSample& sample) noexcept;
   /// The first tick of a new fault; each fault is returned once.
   [[nodiscard]] std::optional<loop::TickSample> begun() noexcept { return std::exchange(begun_, std::nullopt); }
-  /// The ticks around a fault. They are returned 0.5 s after the fault, so that they include the release of the force,
-  /// or immediately when `ending` (the station ends). Each fault is returned once.
+  /// The ticks around a fault, once: 0.5 s after the fault, so that they include the release of the force, or at once
+  /// if `ending` (the station ends). A second fault in these 0.5 s delays them to 0.5 s after itself.
   [[nodiscard]] std::optional<std::vector<loop::TickSample>> due(bool ending);
 
  private:
@@ -47,9 +47,9 @@ class FaultWatch {
   bool faulted_ = false;
 };
 
-/// Writes the ticks around a fault to a session file: every tick, the states at 100 Hz, the phase changes and
-/// each fault with the cause that its first tick states: an operator may have re-armed by the last tick, and a second
-/// fault may have another cause. `samples` is not empty. Returns the file's path. Blocks on the disk.
+/// Writes the ticks around a fault to a session file in `folder`: every tick, the state at 100 Hz, each phase change,
+/// and each fault that begins among the ticks, with the cause that the fault's first tick states. `scene`: the scene's
+/// name. `samples` is not empty. Returns the file's path. Blocks on the disk.
 [[nodiscard]] Result<std::filesystem::path> write_flight_record(const std::filesystem::path& folder,
                                                                 const std::vector<loop::TickSample>& samples,
                                                                 const std::string& scene);

@@ -33,7 +33,7 @@ class OwnFolder {
   /// The entry of this name; nullopt: no such entry.
   [[nodiscard]] std::optional<Entry> entry(const std::string& name) const;
   void remove(const std::string& name) const noexcept;
-  /// Locks the folder against other telepalp processes until unlock().
+  /// Waits until no other telepalp process has locked the folder, and locks it until unlock().
   void lock() const noexcept;
   void unlock() const noexcept;
   /// A path to `name` via the descriptor, for system calls that have no parameter for a directory's descriptor.

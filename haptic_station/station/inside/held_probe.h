@@ -8,8 +8,8 @@ namespace telepalp::station {
 
 /// The ultrasound probe that the hand holds.
 struct HeldProbe {
-  bool on_skin = false;        ///< it is pressed on the skin and faces it, so that sound enters the body
-  ultrasound::ProbePose pose;  ///< in H; its face is at the proxy, on the skin
+  bool on_skin = false;        ///< the probe is pressed on the skin and faces it, so that sound enters the body
+  ultrasound::ProbePose pose;  ///< in H; the probe's face is at the proxy, on the skin
 };
 
 /// The probe at a tick. Its face looks out of the palm and its long side lies along the hand's x (paper S1 eq. 1,

@@ -13,15 +13,15 @@
 
 namespace telepalp::station {
 
-/// What clients draw of a scene's layers.
+/// What viewers draw of a scene's layers.
 struct InnerSurfaces {
   msg::InnerStructures drawn;
   std::vector<std::string> left_out;  ///< layers that are not drawn: "layer liver: the solid has no bounds …"
 };
 
-/// The surfaces of the layers by marching cubes, thinned to one point in each cell of a grid and moved onto the true
-/// surface. The cells grow until all layers together have at most 36 000 points. A layer without bounds, or with too
-/// many points after six attempts, is left out. Takes up to some seconds.
+/// The surfaces of the layers by marching cubes, thinned to one point in each cell of a grid; each point is then moved
+/// onto the layer's surface. A layer's cells grow until it has at most its equal share of 36 000 points. A layer
+/// without bounds or surface, or with too many points after six attempts, is left out. Blocks for up to some seconds.
 [[nodiscard]] InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers);
 
 /// Sets the pose of H in the depth camera's frame: the points of `inside` are in H.
@@ -31,7 +31,7 @@ void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCa
 [[nodiscard]] msg::UltrasoundImage probe_message(const HeldProbe& probe, const ultrasound::BModeSettings& settings,
                                                  const Transform<HapticBase, DepthCamera>& haptic_from_camera);
 
-/// Adds the image as JPEG.
+/// Adds the image as JPEG and marks the probe as on the skin.
 void set_image(msg::UltrasoundImage& message, const ultrasound::BModeImage& image);
 
 }  // namespace telepalp::station

@@ -14,12 +14,12 @@
 
 namespace telepalp::station {
 
-/// The thread for what lies inside the body: it makes the surfaces of the scene's layers once, and then the image of
-/// the scene's ultrasound probe. A scene without layers and without a probe has no such thread. No other thread waits
-/// for it.
+/// The thread that makes the pictures from inside the body: first, once, the surfaces of the scene's layers, and then
+/// the images of the scene's ultrasound probe. Station starts it only for a scene with layers or a probe. No other
+/// thread waits for its results.
 class InsideThread {
  public:
-  /// Both are called on this thread.
+  /// Both handlers are called on the thread that this object starts.
   struct Handlers {
     std::function<void(InnerSurfaces)> on_structures;
     std::function<void(msg::UltrasoundImage)> on_image;
@@ -36,9 +36,9 @@ class InsideThread {
   struct View {
     loop::TickSample tick;
     Transform<HapticBase, DepthCamera> haptic_from_camera;
-    loop::ObjectPlacements objects;  ///< one for each effect of the scene, in its order
+    loop::ObjectPlacements objects;  ///< one for each effect, in the scene's order
   };
-  /// Asks for the image of a view; ignored while the last one is computed or without a probe. Network thread only.
+  /// Asks for the image of a view; ignored without a probe, or while an earlier image is computed. Network thread only.
   void offer(const View& view);
 
  private:

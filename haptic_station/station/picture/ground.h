@@ -7,9 +7,9 @@
 
 namespace telepalp::station {
 
-/// A picture of the skin with a grid, without the objects inside the body. `skin`: points of a model's skin. If there
-/// are none, the skin is the plane y = 0 of H: it fills a picture from above, and the part below this plane in a
-/// picture from a side. `line_px`: width of a line.
+/// A picture of the skin with a grid, without the objects inside the body. `skin`: points of a model's skin. If `skin`
+/// is empty, the skin is the plane y = 0 of H: from above, skin fills the picture; from a side, it fills the part below
+/// the plane. `line_px`: width of a line.
 [[nodiscard]] ColorImage ground_of(const solids::PictureView& view, std::span<const SkinPoint> skin, int line_px);
 
 }  // namespace telepalp::station

@@ -10,7 +10,7 @@
 
 namespace telepalp::station {
 
-/// How the haptic base's frame H is seen from a side, and the body's directions at the picture's edges.
+/// The axes of a picture from one side, in H, and the words for the body's directions at its top and right edges.
 struct Directions {
   Eigen::Vector3d towards;  ///< unit, from the eye into the scene
   Eigen::Vector3d up;       ///< unit, upwards in the picture
@@ -20,13 +20,13 @@ struct Directions {
 };
 [[nodiscard]] Directions directions_of(PictureSide side);
 
-/// A view of all points of `skin` and all objects that have bounds, 0.2 to 4 m wide unless `width_m` is given.
+/// A view that shows all of `skin` and all objects that have bounds; 0.2 to 4 m wide unless `width_m` is given.
 [[nodiscard]] solids::PictureView view_of(const std::vector<scenes::SceneObject>& objects,
                                           std::span<const SkinPoint> skin, const Directions& directions,
                                           std::optional<double> width_m, int side_px);
 
-/// Where a point of H is in a picture, from the top left corner [px], and how far it lies in front of the view's
-/// centre, towards the eye [m].
+/// Where a point is in a picture, from the top left corner [px], and how much nearer to the eye it is than the view's
+/// centre [m].
 struct Seen {
   double x;
   double y;

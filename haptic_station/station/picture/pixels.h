@@ -18,7 +18,7 @@ inline constexpr images::Rgb kSkin{246, 221, 203};
   return image;
 }
 
-/// Index of a pixel that lies in the image.
+/// Index of a pixel in row-major order, in pixels. The pixel must lie in the image.
 [[nodiscard]] inline std::size_t index_of(const ColorImage& image, int x, int y) noexcept {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
 }

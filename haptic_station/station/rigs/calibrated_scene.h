@@ -6,8 +6,8 @@
 
 namespace telepalp::station {
 
-/// The scene with its transforms replaced by those of the calibration file. With a measured camera transform, centring
-/// the scene on the visible skin is turned off.
+/// The scene with the transforms that the calibration file holds. A measured camera transform also turns off
+/// Scene::center_on_surface. Error: the file is unreadable, or holds no transform or an invalid one.
 [[nodiscard]] Result<scenes::Scene> calibrated(scenes::Scene scene, const std::filesystem::path& file);
 
 }  // namespace telepalp::station

@@ -8,8 +8,8 @@
 
 namespace telepalp::station {
 
-/// The surface point under the middle of the image: on the central ray, at the median depth of the smallest centred
-/// window in which at least half of the pixels are measured. nullopt when no such window is within the image.
+/// The surface point at the image's middle pixel: on the ray of this pixel, at the median depth of the smallest centred
+/// square (8, 16, 32, … px wide) of which at least half is measured. nullopt: no such square fits into the image.
 [[nodiscard]] std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, const Intrinsics& camera);
 
 /// `haptic_from_camera` shifted, not turned, so that `skin` (a point of the patient's surface, such as the one under
@@ -18,8 +18,8 @@ namespace telepalp::station {
 [[nodiscard]] Transform<HapticBase, DepthCamera> centered_on(
     const Transform<HapticBase, DepthCamera>& haptic_from_camera, const Point<DepthCamera>& skin) noexcept;
 
-/// The transform haptic_from_camera of the scene, or, where the scene asks for centring, the one centred on the visible
-/// skin. nullopt: centring is asked for, and the middle of the image has no measured depth.
+/// The scene's haptic_from_camera; with Scene::center_on_surface, shifted by centered_on() to the surface point of
+/// point_under_center(). nullopt: that point is needed and is not measured.
 [[nodiscard]] std::optional<Transform<HapticBase, DepthCamera>> placed(const scenes::Scene& scene,
                                                                        const DepthImage& depth,
                                                                        const Intrinsics& camera);

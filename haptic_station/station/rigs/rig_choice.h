@@ -49,26 +49,26 @@ inline constexpr const char* kTrackerWords = "simulated|held|leap[:URL]|browser"
 /// real device, or a held end-effector with a simulated device.
 [[nodiscard]] Result<RigChoice> read_rig_choice(const std::string& device, const std::string& tracker);
 
-/// How long a device or tracker may take to answer at the start, unless the operator asks for another time.
+/// Default time limit for the first answer of a device or tracker.
 inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
-/// Connects to the device or tracker. Error: no answer within `within`. Simulated: a device moved by the tracked hand.
+/// Connects to the device or tracker. Simulated gives a device that the tracked hand moves. Error: no answer in time.
 [[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
                                                                     const scenes::Scene& scene,
                                                                     std::chrono::milliseconds within = kAnswerWithin);
 [[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(
     const Leap& choice, const scenes::Scene& scene, std::chrono::milliseconds within = kAnswerWithin);
 
-/// A rig whose device and tracker have answered. `rig` is nullptr when both are simulated; the station then makes the
-/// scene's simulated rig.
+/// A rig whose device and tracker have answered. `rig` is nullptr when device and tracker are both simulated: Station
+/// then makes the scene's simulated rig.
 struct ConnectedRig {
   std::unique_ptr<ports::Rig> rig;
   tracking::ViewerHandTracker* browser = nullptr;  ///< the rig's tracker if it follows a viewer's hand, else nullptr
-  /// The calibration with which the rig's tracker places hands; nullopt: it measures them in H.
+  /// The calibration by which the rig's tracker transforms hands to H; nullopt: it needs none.
   std::optional<Transform<HapticBase, HandTracker>> haptic_from_tracker;
 };
 
-/// Connects the chosen rig. Error: a part does not answer; the error names it and a fix.
+/// Connects the chosen rig. Error: the device or the tracker does not answer; the error names which, and a fix.
 [[nodiscard]] Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene);
 
 }  // namespace telepalp::station

@@ -10,15 +10,15 @@
 
 namespace telepalp::station {
 
-/// The parts of a scene that are not effects: surface setting, recorded hand and patient model.
+/// What a scene names besides its effects: surface setting, recorded hand and patient model.
 struct SceneParts {
   surface::SurfaceSettings surface;
   std::optional<tracking::HandTrace> trace;  ///< nullopt: the scene names no recorded hand
   std::optional<StaticPatient> model;        ///< nullopt: the patient is streamed
 };
 
-/// Reads the scene's recorded hand and patient model, and no other file. Relative paths start at the folder of
-/// `scene_file`. `anyway`: accept a model that open_static_patient() would refuse.
+/// Reads the scene's recorded hand and patient model. A relative path of the model starts at the folder of
+/// `scene_file`. `anyway`: as for open_static_patient(). Error: an unknown surface setting or an unusable file.
 [[nodiscard]] Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file,
                                             bool anyway);
 

@@ -11,15 +11,15 @@
 
 namespace telepalp::station {
 
-/// A scene that was read and checked, and its parts that are not effects.
+/// A scene that was read and checked, with the files that it names.
 struct LoadedScene {
   scenes::Scene scene;
   SceneParts parts;
 };
 
-/// Requests of an operator by signals: SIGINT and SIGTERM end the station; SIGHUP makes it read its scene again, or
-/// ends it if its terminal was closed. This object outlives each Station of the process, so that a signal that comes
-/// between two stations is kept for the second one. Owner: network thread; the scene is read on a thread of its own.
+/// Requests of an operator by signals: SIGINT and SIGTERM end the station; SIGHUP makes the station read its scene
+/// again, or ends it if the process's terminal was closed. This object outlives each Station of the process, so that a
+/// signal between two stations reaches the second one. Owner: network thread; the scene is read on another thread.
 class StationSignals {
  public:
   enum class Asked { Nothing, End, NewScene };
@@ -32,10 +32,10 @@ class StationSignals {
   /// From now on, SIGINT and SIGTERM are kept for asked(); before, they end the process at once.
   void keep_end();
 
-  /// Never waits. NewScene: a scene was read again and is accepted. A refused scene is only logged.
+  /// What the operator asks for; never waits. NewScene: a valid scene was read again. A refused scene is only logged.
   [[nodiscard]] Asked asked();
 
-  /// The scene that asked() announced last; nullopt if it has been taken.
+  /// The scene that asked() announced by NewScene; nullopt if it has been taken.
   [[nodiscard]] std::optional<LoadedScene> take_scene();
 
  private:
@@ -50,7 +50,7 @@ class StationSignals {
   bool end_asked_ = false;
   bool reading_asked_ = false;
   std::future<Result<LoadedScene>>
-      reading_;  // valid: the reading has begun; its destructor waits for the reading's end
+      reading_;  // valid(): a thread reads the scene; the destructor of this future waits for the end of that thread
   std::optional<LoadedScene> accepted_;
 };
 

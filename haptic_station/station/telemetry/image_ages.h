@@ -7,13 +7,13 @@
 
 namespace telepalp::station {
 
-/// Accumulates, for the log, the time from each image's capture at the server to when its surface is ready for touch at
-/// this station. Owner: network thread.
+/// Accumulates, for the log, each image's age when it becomes touchable: the time from its capture at the server to its
+/// surface at this station. Owner: network thread.
 class ImageAges {
  public:
   void add(const msg::SurfaceReport& report);
   /// Such as "843 images: their surfaces were touchable 61 ms (median) and 97 ms (99th percentile) after capture; the
-  /// error of both is at most 3.2 ms", the largest bound on the session clock's error so far; empty without images.
+  /// error of both is at most 3.2 ms". The 3.2 ms: largest bound so far on the clock's error. Empty without images.
   [[nodiscard]] std::string in_words() const;
 
  private:

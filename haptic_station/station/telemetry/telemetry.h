@@ -40,7 +40,7 @@ class RunTotals {
   void set_frames_dropped(std::uint64_t frames) noexcept { frames_dropped_ = frames; }
   void set_telemetry_dropped(std::uint64_t ticks) noexcept { telemetry_dropped_ = ticks; }
 
-  /// The message of the topic /station/stats, without the effects' costs and the time stamp.
+  /// The message of the topic /station/stats, without the fields that TelemetryPublisher::publish_totals() adds.
   [[nodiscard]] msg::StationStats message() const;
 
  private:

@@ -20,10 +20,10 @@ class TelemetryPublisher {
 
   TelemetryPublisher(TickRing& ticks, Publish publish, OnTick on_tick);
 
-  /// Publishes all ticks that wait in the ring. Call it about 100 times a second.
+  /// Publishes what the class comment lists for all ticks in the ring. Call it about 100 times a second.
   void drain(SessionTime now);
 
-  /// Publishes the totals so far. `clock_error_s`: bound on the error of `now`.
+  /// Publishes the totals so far. `clock_error_s`: bound on the error of `now`. `bill`: computing time of each effect.
   void publish_totals(SessionTime now, double clock_error_s, const HapticCounts& counts, std::uint64_t frames_dropped,
                       bool realtime, const std::vector<msg::EffectCost>& bill);
 
@@ -36,8 +36,8 @@ class TelemetryPublisher {
   /// Publishes an event.
   void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
-  /// Publishes a warning 4 s before warm motors lower the contact force. The next warning comes only after the
-  /// contact has ended, or its force has been at a level that the motors hold without time limit.
+  /// Publishes a warning 4 s before the warm motors can no longer hold the contact force. Warns again only after the
+  /// contact has ended, or its force has been one that the motors hold without time limit.
   void watch_heat(SessionTime now);
 
   void frame_received() noexcept { totals_.frame_received(); }

@@ -12,7 +12,7 @@ namespace telepalp::station {
 
 /// The collision detection of paper S1 (docs/sources.md): 100 times a second it finds the surface point nearest to the
 /// device, on a surface whose evaluation is too slow or not real-time safe for the haptic thread, and hands the tangent
-/// plane at this point to the haptic thread. It runs only if the surface settings name such a surface.
+/// plane at this point to the haptic thread. It runs only if the surface settings name a surface of this kind.
 class CollisionThread {
  public:
   CollisionThread(LatestValue<loop::TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,

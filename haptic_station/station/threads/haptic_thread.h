@@ -37,13 +37,13 @@ class HapticThread {
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
 
-  /// Starts the thread and waits until it knows what the operating system granted it. Error: as for enter_realtime().
+  /// Starts the thread and returns what the operating system granted it. Error: as for enter_realtime().
   [[nodiscard]] Result<RealtimeGrant> start(Realtime realtime);
   void stop();
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }
   /// Passes an operator's request to re-arm to the next tick.
   void rearm() noexcept { rearm_.store(true, std::memory_order_relaxed); }
-  /// Costs of the effects, about once a second. Read by the network thread.
+  /// Computing time of each effect, about once a second. Read by the network thread.
   [[nodiscard]] LatestValue<Bill>& bill() noexcept { return bill_; }
   /// The delay compensation, 100 times a second. Read by the network thread.
   [[nodiscard]] LatestValue<loop::Compensation>& compensation() noexcept { return compensation_; }
@@ -62,7 +62,7 @@ class HapticThread {
 
   loop::HapticLoop& loop_;                             // owner: haptic thread
   ports::Rig& rig_;                                    // owner: haptic thread
-  LatestValue<loop::TouchableSurface>& surfaces_;      // written by: surface thread
+  LatestValue<loop::TouchableSurface>& surfaces_;      // written by: surface, collision or network thread
   TickRing& ticks_;                                    // read by: network thread
   LatestValue<Point<HapticBase>>& device_to_surface_;  // read by: surface thread
   HapticCounts counts_;

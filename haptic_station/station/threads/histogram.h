@@ -7,7 +7,7 @@
 
 namespace telepalp::station {
 
-/// A histogram of durations with logarithmic buckets: any quantile is known within 3 %, in 8 kB, without allocation.
+/// A histogram of durations with logarithmic buckets: each quantile is accurate to 3 %; 8 kB, no allocation.
 /// Range: 1 ns to 68 s; longer durations are counted in the last bucket.
 class DurationHistogram {
  public:

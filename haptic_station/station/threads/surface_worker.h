@@ -22,26 +22,26 @@
 
 namespace telepalp::station {
 
-/// The surface thread: makes a touchable surface from the newest depth message. A message that has a newer one waiting
-/// behind it is dropped and counted; it is still decoded when a newer frame is predicted from it. While 300 messages
-/// or 32 MiB wait, further ones are dropped undecoded, and the next predicted frame leads to a key frame request. The
-/// 2 kHz thread never waits for this thread. While depth cannot be decoded because a reference frame is missing, the
-/// last surface stays. After a step back of the session clock by 1 s or more, the surface is made anew from the next
-/// image on.
+/// The surface thread: makes a touchable surface from the newest depth message. A message behind which a newer one
+/// waits is dropped and counted; it is still decoded if a newer frame is predicted from it. While 300 messages or
+/// 32 MiB wait, further messages are dropped undecoded, and the next predicted frame leads to a key frame request. The
+/// haptic thread never waits for this thread. While depth cannot be decoded because a reference frame is missing, the
+/// last surface stays. When the session clock has stepped back by 1 s or more, the builder discards its temporal
+/// average and begins anew with the next image.
 class SurfaceWorker {
  public:
-  /// Returns haptic_from_camera for an image; called with each image until it returns a value.
+  /// Returns haptic_from_camera for an image. Called on the surface thread, with each image until it returns a value.
   using Placement =
       std::function<std::optional<Transform<HapticBase, DepthCamera>>(const DepthImage&, const Intrinsics&)>;
   struct Handlers {
     std::function<SessionTime()> now;                          ///< session clock; called on the surface thread
     std::function<void(const msg::SurfaceReport&)> on_report;  ///< called on the surface thread
     std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
-    /// Called when frames after `unreadable` cannot be decoded without a key frame. Called on the surface thread.
+    /// Called on the surface thread when `unreadable` and the frames after it cannot be decoded without a key frame.
     std::function<void(const wire::Message& unreadable)> request_key_frame;
   };
 
-  /// `effects`: the scene's; the surface builder tracks the motion of the skin above each object inside the body.
+  /// `device`: its position in H. `effects`: the scene's; the motion of the skin above each inner object is tracked.
   SurfaceWorker(const surface::SurfaceSettings& settings, Placement placement, Handlers handlers,
                 LatestValue<loop::TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
                 const effects::EffectBank& effects = {});
@@ -49,7 +49,7 @@ class SurfaceWorker {
   SurfaceWorker(const SurfaceWorker&) = delete;
   SurfaceWorker& operator=(const SurfaceWorker&) = delete;
 
-  /// A depth message with the camera's model. Network thread only.
+  /// A depth message, its camera's model and the time of its arrival. offer() queues it and is for the network thread.
   struct Work {
     wire::Message depth;
     Intrinsics camera;
@@ -78,7 +78,7 @@ class SurfaceWorker {
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // owner: surface thread
   Handlers handlers_;
   LatestValue<loop::TouchableSurface>& to_haptic_;
-  LatestValue<Point<HapticBase>>& device_;     // written by: haptic thread
+  LatestValue<Point<HapticBase>>& device_;     // position in H, written by: haptic thread
   const effects::EffectBank effects_;          // owner: surface thread
   bool device_known_ = false;                  // owner: surface thread
   std::atomic<int> waiting_{0};                // messages offered and not yet taken by the surface thread

@@ -7,21 +7,21 @@
 
 namespace telepalp::station {
 
-/// Absolute deadlines at a fixed period. A late tick does not move later deadlines. A deadline is missed if its tick
-/// could start only one period later or more: it is skipped and counted, so that the loop never runs in a burst.
+/// Absolute deadlines at a fixed period. A late tick does not move later deadlines. A deadline is missed if wait()
+/// returns a period or more after it; it is then skipped and counted, so that ticks never run in a burst.
 class TickTimer {
  public:
   using Clock = std::chrono::steady_clock;
 
   TickTimer(Clock::time_point first, Nanoseconds period) noexcept : deadline_(first), period_(period) {}
 
-  /// One tick of the timer: its deadline and its delay.
+  /// One tick: its deadline, and the delay from its deadline to the return of wait().
   struct Tick {
     Clock::time_point deadline;
     Nanoseconds late;
     std::uint64_t missed;  ///< deadlines skipped just before this one
   };
-  /// Sleeps until the next deadline. It is the loop's only system call besides the device's.
+  /// Sleeps until the next deadline. The 2 kHz loop makes no other system call but those of the rig.
   [[nodiscard]] Tick wait() noexcept;
 
  private:
@@ -29,7 +29,7 @@ class TickTimer {
   Nanoseconds period_;
 };
 
-/// Number of whole periods in `late`: the deadlines that were missed. Pure, for tests.
+/// Number of deadlines missed by a wake-up `late` after its deadline: the whole periods in `late`. Pure, for tests.
 [[nodiscard]] constexpr std::uint64_t deadlines_overtaken(Nanoseconds late, Nanoseconds period) noexcept {
   return late < period ? 0 : static_cast<std::uint64_t>(late / period);
 }

@@ -7,12 +7,12 @@
 
 namespace telepalp::station {
 
-/// Length of the measurement of the idle timer before a run.
+/// `length` of watch_idle_timer() before a run.
 inline constexpr std::chrono::milliseconds kTimerWatched{1000};
 
-/// Measures how late this computer wakes a thread that only waits, 2000 times a second for `length`. The haptic thread
-/// cannot be more punctual on this computer. The thread has real-time priority if that is granted, like the haptic
-/// thread. Blocks for `length`.
+/// Measures how late this computer wakes a thread that only waits, 2000 times a second for `length`: the haptic thread
+/// cannot be more punctual. Like the haptic thread, the measuring thread has real-time priority if it is granted.
+/// Blocks for `length`.
 [[nodiscard]] msg::TimerCheck watch_idle_timer(std::chrono::milliseconds length);
 
 /// As text: "timer of this computer at 2 kHz, while idle: 3 of 2000 wake-ups missed; delay: median 62 us, largest

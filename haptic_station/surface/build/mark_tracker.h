@@ -8,18 +8,18 @@
 namespace telepalp::surface {
 
 /// Follows places on the skin from image to image. Each image is registered with the patch of skin around the place as
-/// it was first seen, so that errors do not accumulate. While the patch is hidden, its last displacement is held, and
-/// SkinMark::seen is false. While it is too smooth to measure its tangential motion (slide), its last slide is held,
-/// and SkinMark::slide_seen is false. Owner: surface thread.
+/// the patch was first seen, so that errors do not accumulate. While the patch is hidden, its last displacement is
+/// held, and SkinMark::seen is false. While the patch is too smooth to show its tangential motion (slide), its last
+/// slide is held, and SkinMark::slide_seen is false. Owner: surface thread.
 class MarkTracker {
  public:
   /// Sets the places to follow from now on: where these lines cross the skin. Forgets the earlier places.
   void watch(const MarkLines& lines);
-  /// Forgets the patches. New ones are found on the same lines.
+  /// Forgets the patches. New patches are taken on the same lines.
   void restart();
 
-  /// Adds a frame, `dt_s` after the last. `averaged`: depth averaged over time, from which a patch is taken; `seen`:
-  /// depth of this frame.
+  /// Adds a frame, `dt_s` after the last frame. `averaged`: depth averaged over time, from which a patch is taken;
+  /// `seen`: depth of this frame alone, with which the patch is registered.
   void add(const DepthField& averaged, const DepthField& seen, const Intrinsics& camera, double dt_s);
 
   [[nodiscard]] const SkinMarks& marks() const noexcept { return marks_; }
@@ -27,7 +27,7 @@ class MarkTracker {
  private:
   struct Followed {
     std::optional<MarkLine> line;
-    int frames = 0;  ///< number of frames so far; the patch is taken at the tenth
+    int frames = 0;  ///< number of frames without patch; from the tenth on, begin() tries to take it
     std::optional<SkinPatch> patch;
     PatchPose pose;  ///< result of the last registration, with the low-pass filtered slide
     Eigen::Vector3d slid_m = Eigen::Vector3d::Zero();  ///< part of the displacement tangential to the skin

@@ -5,17 +5,17 @@
 namespace telepalp::surface {
 
 /// Motion of a patch from its first image to another: a slide along x and y of the camera, and a change of depth. The
-/// fit lets the change of depth vary over the patch as a quadratic polynomial, as in breathing; only its value at the
-/// mark, the patch's centre, is kept here.
+/// fit lets the change of depth vary over the patch as a quadratic polynomial, as in breathing; PatchPose keeps only
+/// the change at the mark, the patch's centre.
 struct PatchPose {
-  bool seen = false;  ///< at least half of the nodes within 20 mm of the mark are measured and fit
+  bool seen = false;  ///< at least half of the nodes within 20 mm of the mark (by weight) are measured and fit
   Eigen::Vector2d slide_m = Eigen::Vector2d::Zero();
   double deeper_m = 0.0;       ///< increase of the mark's depth along the optical axis
   double sigma_depth_m = 0.0;  ///< 1-sigma of `deeper_m`
   double sigma_slide_m = 0.0;  ///< 1-sigma of `slide_m` in its least certain direction
 };
 
-/// The residuals of those nodes of a patch that the image measures: measured minus expected depth.
+/// The residuals `m` [m] of the patch's nodes that the image measures: measured minus expected depth.
 struct PatchResiduals {
   std::vector<double> m;
   std::vector<double> terms;    ///< eight per node: derivatives of its expected depth by the eight coefficients
@@ -28,18 +28,18 @@ struct PatchFit {
   double scale_m = 0.0;  ///< 1-sigma of the residuals, from the median of their magnitudes
   Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Identity() * 1e-6;
   Eigen::Matrix<double, 8, 1> by = Eigen::Matrix<double, 8, 1>::Zero();
-  double middle_weight = 0.0;  ///< sum of the weights within 20 mm of the mark
-  double middle_m = 0.0;       ///< weighted mean of the residuals there
+  double middle_weight = 0.0;  ///< sum of the weights of the nodes within 20 mm of the mark
+  double middle_m = 0.0;       ///< weighted mean of the residuals of these nodes
 };
 
 /// Finds the pose of a patch in an image by iteratively reweighted least squares with Tukey's weights, from the pose
-/// `start`. The residuals at the start do not depend on whether the fit includes the slide, so they are computed once.
-/// Patch, image and camera must outlive the search. Pure.
+/// `start`. The residuals at `start` are equal with and without a fitted slide, so they are computed once. Patch, image
+/// and camera must outlive the search. Pure.
 class PatchSearch {
  public:
   PatchSearch(const SkinPatch& patch, const DepthField& depth, const Intrinsics& camera, const PatchPose& start);
 
-  /// With `slides` false, only the depth is fitted, and the slide stays as at the start.
+  /// The pose. With `slides` false, only the change of depth is fitted, and the slide stays that of `start`.
   [[nodiscard]] PatchPose found(bool slides) const;
 
  private:

@@ -12,7 +12,7 @@ inline constexpr double kPatchRadius_m = 0.13;
 /// x², xy, y² of the position in units of kPatchRadius_m.
 using PatchCoefficients = Eigen::Matrix<double, 8, 1>;
 
-/// Derivatives of a node's expected depth by the coefficients.
+/// Derivatives of a node's expected depth by the eight coefficients.
 [[nodiscard]] inline PatchCoefficients terms_of(const SkinPatch::Node& node) {
   const double x = node.from.x();
   const double y = node.from.y();
@@ -21,7 +21,7 @@ using PatchCoefficients = Eigen::Matrix<double, 8, 1>;
   return terms;
 }
 
-/// Information matrix of the slide after the change of depth is marginalised out (Schur complement).
+/// Information matrix of the slide, with the change of depth marginalised out (Schur complement of `normal`).
 [[nodiscard]] inline Eigen::Matrix2d slide_information(const Eigen::Matrix<double, 8, 8>& normal) {
   const Eigen::Matrix<double, 6, 6> rise = normal.bottomRightCorner<6, 6>();
   return normal.topLeftCorner<2, 2>() -

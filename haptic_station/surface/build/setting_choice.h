@@ -7,9 +7,9 @@
 
 namespace telepalp::surface {
 
-/// The scene's setting, followed by cheaper ones, best first: coarser lattices for Method::Grid, a faster index with
-/// the same result for Method::Paper. All have the scene's method, so the threads that read the snapshots need not
-/// change.
+/// The setting `asked`, followed by cheaper ones, best first: coarser lattices for Method::Grid, a faster index with
+/// the same result for Method::Paper, none for Method::Cloud. All have the method of `asked`, so no other threads are
+/// needed to read their snapshots.
 [[nodiscard]] std::vector<SurfaceSettings> affordable_settings(const SurfaceSettings& asked);
 
 /// Selects among affordable_settings() by the measured cost of a snapshot, which may take half of the frame period.
@@ -29,7 +29,7 @@ class SettingChoice {
   std::vector<SurfaceSettings> settings_;
   std::size_t chosen_ = 0;
   double over_s_ = 0.0;         ///< time of too slow snapshots minus that of others, at least 0
-  double within_s_ = 0.0;       ///< duration of the current run of snapshots below 15 %
+  double within_s_ = 0.0;       ///< duration of the current run of snapshots below 15 % of the frame period
   double retry_after_s_ = 0.0;  ///< 0: no cheaper setting was selected yet
 };
 

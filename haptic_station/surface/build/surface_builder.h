@@ -13,7 +13,7 @@ namespace telepalp::surface {
 struct BuilderCounts {
   std::uint64_t built = 0;
   std::uint64_t not_newer = 0;  ///< duplicates and frames out of order, dropped
-  std::uint64_t malformed = 0;  ///< images or cameras that are not well formed, dropped
+  std::uint64_t malformed = 0;  ///< invalid images or camera models, or different sizes of the two; dropped
 };
 
 /// Makes surface snapshots, which a hand can touch, from a stream of depth images. Between frames it keeps the temporal
@@ -25,10 +25,10 @@ class SurfaceBuilder {
   SurfaceBuilder(SurfaceBuilder&&) noexcept;
   SurfaceBuilder& operator=(SurfaceBuilder&&) noexcept;
 
-  /// Makes the surface at the time `captured`. `reach`: the sphere that the hand can reach before the next frame;
-  /// nullopt: the whole image is used. Returns nullptr when the frame is not newer than the last one or is not well
-  /// formed; the frame is then counted and ignored. Returns a shared_ptr because the 2 kHz thread reads the snapshot
-  /// and must not free it.
+  /// Makes the surface at the time `captured`. `reach`: the sphere that the hand can reach before the next frame,
+  /// beyond which the surface may be missing; nullopt: the whole image. Returns nullptr when the frame is not newer
+  /// than the last one or is malformed (see BuilderCounts). Returns a shared_ptr because the 2 kHz thread reads the
+  /// snapshot and must not free it.
   [[nodiscard]] std::shared_ptr<const SurfaceSnapshot> add(const DepthImage& depth, const Intrinsics& camera,
                                                            SessionTime captured, const std::optional<Reach>& reach);
 
@@ -38,7 +38,7 @@ class SurfaceBuilder {
   /// Uses `settings` from the next snapshot on. Keeps the temporal average and the estimated motion.
   void use(const SurfaceSettings& settings);
 
-  /// Follows the places where these lines cross the skin, from the next frame on. SurfaceSnapshot::marks holds them.
+  /// Follows the places where these lines cross the skin, from the next frame on; SurfaceSnapshot::marks gives them.
   void watch(const MarkLines& lines);
 
   /// Discards the temporal average, the estimated motion, the patches of the marks and the last capture time. Call it

@@ -10,10 +10,10 @@ namespace telepalp::surface {
 /// How far the points of a cloud scatter around the surface that they sample.
 struct CloudNoise {
   double spacing_m = 0.0;  ///< mean spacing of the points
-  double noise_m = 0.0;    ///< standard deviation along the normal
+  double noise_m = 0.0;    ///< standard deviation of the points along the normal
   double support_m = 0.0;  ///< a point farther than this from the query has no weight; noise_of() chooses it
-  bool is_surface = true;  ///< false: at every tested radius the points fill a volume
-  [[nodiscard]] bool follows_noise() const noexcept;  ///< the support is wider than three spacings
+  bool is_surface = true;  ///< false: the points fill a volume, see noise_of()
+  [[nodiscard]] bool follows_noise() const noexcept;  ///< noise makes the support wider than three spacings
 };
 
 /// Estimates the noise by quadrics that are fitted to the neighbourhoods of at most 600 sampled points. The radius of

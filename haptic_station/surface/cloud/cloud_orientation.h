@@ -23,13 +23,13 @@ class CloudOrientation {
   /// True when the cloud encloses a volume: the orientation then points outwards with certainty.
   [[nodiscard]] bool is_closed() const noexcept { return closed_; }
 
-  /// The winding number below the surface plus the one above it, with the signs that propagation gives the normals: 1
+  /// The winding number below the surface plus that above it, averaged over the surface, for propagated normals: 1
   /// for a closed surface with outward normals, -1 with inward ones, 0 for a plane, in between for a dome or a bowl.
   [[nodiscard]] double turns() const noexcept { return turns_; }
 
-  /// Share of the normals of `cloud` that point against this orientation.
+  /// Share of the normals of `cloud` that point against the orientation found, which is outwards if is_closed().
   [[nodiscard]] double share_against(const std::vector<CloudPoint>& cloud) const;
-  /// Reverses the normals of `cloud` that point against this orientation.
+  /// Reverses the normals of `cloud` that point against the orientation found.
   void apply(std::vector<CloudPoint>& cloud) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace telepalp::surface {
 
-/// Points of a cloud. `width`: width of the depth image that they come from, with NaN for unmeasured pixels; 0: an
-/// unorganised cloud.
+/// Points of a cloud [m]. `width`: width of the depth image whose pixels the points are, row by row, with NaN for
+/// unmeasured pixels; 0: an unorganised cloud.
 struct IndexedPoints {
   std::vector<Eigen::Vector3f> at_m;
   int width = 0;

@@ -20,13 +20,13 @@ struct SampledMesh {
 /// is the snapshot's. `settings` give the number of points or their spacing. If they give neither, the spacing is
 /// reduced until the surface lies within kFaithful_m of the mesh and gives no contact in free air, until a reduction
 /// leaves more than 70 % of the error, or until kMostSamples is reached. `side`: 1, or -1 to reverse all normals. Parts
-/// of the mesh that lie inside other parts are left out: no finger reaches them, and they would pull the surface
-/// inwards and make it jump from wall to wall.
+/// of the mesh inside other parts are left out: no finger reaches them, and they would pull the surface inwards and
+/// make the proxy jump from wall to wall. Returns a null snapshot if no part of the mesh can be reached.
 [[nodiscard]] SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                       const Eigen::Vector3d& origin_m, float side);
 
-// Limits of Fidelity (model_fidelity.h). error_m: distance between surface and mesh in 99 of 100 places. in_air: share
-// of the test points in free air that give contact. missing: share of those on the mesh that have no surface.
+// Limits of Fidelity (model_fidelity.h). error_m: 99 % quantile of the distance between surface and mesh. in_air: share
+// of the test points in free air that give contact. missing: share of the test points on the mesh without a surface.
 inline constexpr double kFaithful_m = 0.001;   ///< a greater error_m makes sample_mesh() try more points
 inline constexpr double kTooCoarse_m = 0.003;  ///< a surface with a greater error_m is refused
 inline constexpr double kMostInAir = 0.002;    ///< a surface with an in_air between this and kOverlap is refused

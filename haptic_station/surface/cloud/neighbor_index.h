@@ -14,8 +14,8 @@ struct Neighbor {
 /// Interface of every index for neighbour queries over 3-D points. Immutable after construction.
 class NeighborIndex {
  public:
-  /// Writes the points within `radius_m` of `query` to `found`, unordered. If `found` is too short for all, it gets the
-  /// nearest ones. Returns the number written.
+  /// Writes the points within `radius_m` of `query` to `found`, unordered. If `found` is too short for all of them, the
+  /// nearest ones are written. Returns the number of points written.
   [[nodiscard]] virtual std::size_t within(const Eigen::Vector3f& query, float radius_m,
                                            std::span<Neighbor> found) const noexcept = 0;
   [[nodiscard]] virtual const char* name() const noexcept = 0;

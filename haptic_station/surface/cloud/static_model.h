@@ -22,7 +22,7 @@ struct StaticModelSettings {
 /// The surface of a model, with remarks for the user.
 struct StaticModel {
   std::shared_ptr<const CloudSnapshot> snapshot;
-  std::string remarks;   ///< for example: mesh is open, was inverted, had no normals; may be empty
+  std::string remarks;   ///< such as that the mesh is open, was inverted or had no normals; may be empty
   std::string sampling;  ///< of a mesh: spacing and error of its samples; of a cloud: spacing, noise and support
 };
 
@@ -36,7 +36,7 @@ struct StaticModel {
 [[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
                                                     const StaticModelSettings& settings);
 
-/// True when the model has three finite points that are not collinear.
+/// True when the model has three finite points that are not collinear. no_surface(): the error for any other model.
 [[nodiscard]] bool spans_a_surface(const models::PointModel& model);
 [[nodiscard]] Error no_surface();
 

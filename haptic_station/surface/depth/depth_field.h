@@ -38,11 +38,11 @@ struct Reach {
 };
 
 [[nodiscard]] DepthField to_depth_field(const DepthImage& depth);
-/// As above, but writes to `field` and reuses its memory.
+/// Writes the depth image in metres to `field` and reuses its memory; the other overload returns a new field.
 void to_depth_field(const DepthImage& depth, DepthField& field);
 
-/// The bounding box of `reach` projected into the image, grown by `margin_px`. The whole image when `reach` is nullopt
-/// or contains the camera; empty when the sphere lies behind the camera or outside the image.
+/// The bounding box of `reach` projected into the image, grown by `margin_px`. The whole image when `reach`
+/// is nullopt, not finite or contains the camera; empty when the sphere lies behind the camera or outside the image.
 [[nodiscard]] PixelBox box_in_reach(const Intrinsics& camera, const std::optional<Reach>& reach, int margin_px);
 
 /// The least depth step between neighbouring pixels that counts as a depth break [m]. It grows with depth, because

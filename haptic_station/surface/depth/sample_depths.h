@@ -8,17 +8,17 @@
 
 namespace telepalp::surface {
 
-/// Converts samples to depth. If the images themselves show that the camera measures disparity in whole steps, each
-/// sample is replaced by the exact depth of its disparity step; otherwise its rounded depth is used. One image in 32 is
-/// checked again, so that a change of the camera is noticed. Owner: surface thread.
+/// Converts the samples of depth images (16-bit integers) to metres. If an image's sample values show that the camera
+/// measures disparity in whole steps, each sample gives the exact depth of its step; otherwise its rounded depth is
+/// used. The first 8 images, until one shows steps, and every 32nd image are checked. Owner: surface thread.
 class SampleDepths {
  public:
-  /// The depths of the next image of the stream.
+  /// The depths [m] of `depth`, the next image of the camera's stream; 0: not measured.
   [[nodiscard]] DepthField field_of(const DepthImage& depth);
   /// As above, but writes to `field` and reuses its memory.
   void field_of(const DepthImage& depth, DepthField& field);
 
-  /// The depth levels of the camera's disparity steps; nullopt: none are known.
+  /// The depth levels of the camera's disparity steps; nullopt: the images have not shown any.
   [[nodiscard]] const std::optional<DisparityLevels>& levels() const noexcept { return levels_; }
 
  private:
@@ -26,8 +26,8 @@ class SampleDepths {
   void use(const std::optional<DisparityLevels>& levels);
 
   std::optional<DisparityLevels> levels_;
-  std::vector<float> depth_m_;  ///< depth by sample value; empty: no levels are known
-  double unit_m_ = 0.0;         ///< unit of the last image
+  std::vector<float> depth_m_;  ///< depth of each sample value; empty: no levels are known
+  double unit_m_ = 0.0;         ///< metres per unit of the last image's samples
   int images_ = 0;              ///< number of images since the unit changed
 };
 

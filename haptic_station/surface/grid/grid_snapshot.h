@@ -10,7 +10,7 @@
 
 namespace telepalp::surface {
 
-/// A grid surface that owns its nodes.
+/// A grid surface that owns its nodes. They cover the image region that `reach` projects to; nullopt: the whole image.
 class GridSnapshot final : public GridSurface {
  public:
   GridSnapshot(const DepthField& depth, const Intrinsics& camera, const std::optional<Reach>& reach,
@@ -19,8 +19,8 @@ class GridSnapshot final : public GridSurface {
   GridSnapshot& operator=(const GridSnapshot&) = delete;
   ~GridSnapshot() = default;
 
-  /// Sets each node's predicted motion along its normal from the motion field at its pixel. SurfaceBuilder calls it
-  /// before other threads get the snapshot.
+  /// Sets each node's predicted motion along its normal from the motion field at the node's pixel. SurfaceBuilder calls
+  /// it before other threads get the snapshot.
   void carry_forward(const MotionField& field);
 
  private:

@@ -12,8 +12,8 @@ struct NodeWindow {
   int last_row = -1;
 };
 
-/// Sums over all nodes of a weight times the node's values: 1, the distance of the query from the node's plane, the
-/// node's normal, and the offset of the query from the node [m].
+/// Sums over the nodes of a window, of each node's weight times: 1, the distance of the query from the node's plane
+/// [m], the node's normal, and the offset of the query from the node [m].
 struct WeightedSums {
   double weight = 0.0;
   double plane = 0.0;
@@ -21,13 +21,13 @@ struct WeightedSums {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
-/// The gate is the factor by which a node's weight falls when its plane is far from the query. These are derivatives of
-/// the sums by the query's position, through the gate alone; all are zero where no other surface is near.
+/// The gate: a factor on a node's weight that falls from 1 to 0 as the query's distance from the node's plane grows
+/// from gate_m / 2 to gate_m (GridLayout). These are the sums' derivatives by the query's position through this factor.
 struct GateSums {
-  bool any = false;
+  bool any = false;  ///< false: all derivatives are zero
   Eigen::Vector3d weight = Eigen::Vector3d::Zero();
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();  ///< rows: the normal; columns: the query's position
   Eigen::Matrix3d offset = Eigen::Matrix3d::Zero();
 };
 
@@ -42,7 +42,7 @@ struct NodeSums {
 };
 
 /// Sums over the nodes of `window`, for a query at the lattice coordinates (`column`, `row`) and at `local`, relative
-/// to the grid's origin [m]. `basis`: nullptr if the surface does not move. Same bits on every processor.
+/// to the grid's origin [m]. Null `basis`: no motion. `sums` must be zero before. Each processor gives equal bits.
 void sum_nodes(const GridLayout& layout, const GridNode* nodes, const NodeWindow& window, double column, double row,
                const Eigen::Vector3d& local, const MotionBasis* basis, NodeSums& sums) noexcept;
 

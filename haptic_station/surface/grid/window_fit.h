@@ -9,8 +9,8 @@
 
 namespace telepalp::surface {
 
-/// Tangent plane in inverse depth ρ, at the offset (du, dv) px from a pixel: ρ ≈ at + across·du + down·dv [1/m,
-/// 1/(m·px)].
+/// The tangent plane of the surface at a pixel, in inverse depth ρ: ρ ≈ at + across·du + down·dv [1/m, 1/(m·px)] at the
+/// offset (du, dv) px from the pixel.
 struct InverseDepthPlane {
   double at = 0.0;
   double across = 0.0;
@@ -19,22 +19,22 @@ struct InverseDepthPlane {
 
 /// A fit over a window with holes or depth breaks.
 struct WindowFit {
-  InverseDepthPlane plane;
-  double share = 0.0;  ///< share of the window's weight on pixels connected to the centre
+  InverseDepthPlane plane;  ///< its `at` is minus InverseDepthView::reference_per_m
+  double share = 0.0;       ///< share of the window's weight on pixels connected to the centre
 };
 
 inline constexpr std::uint8_t kBrokenRight = 1;  ///< flag: depth break between this pixel and its right neighbour
 inline constexpr std::uint8_t kBrokenBelow = 2;  ///< flag: depth break between this pixel and the one below
 inline constexpr std::uint8_t kMeasured = 4;     ///< flag: the pixel has a depth
 
-/// A bitmap with one bit per pixel of a crop. Each row is padded to whole words and has a word of zeros before and
-/// after it.
+/// A bitmap with one bit per pixel of a rectangle of the image. Each row is padded to whole 64-bit words and has a word
+/// of zeros before and after it.
 class BitRows {
  public:
   BitRows(int width, int height);
 
   [[nodiscard]] std::uint64_t* row(int at) noexcept { return &words_[index(at)]; }
-  /// The 32 bits of `row` from `column` on. `column` may lie up to 64 pixels outside; those bits are zero.
+  /// The 32 bits of `row` from `column` on. `column` may lie up to 64 pixels outside; bits outside the row are zero.
   [[nodiscard]] std::uint32_t from(int column, int row) const noexcept {
     const auto bit = static_cast<unsigned>(column + 64);
     const std::uint64_t* words = &words_[index(row) - 1 + bit / 64];
@@ -49,11 +49,11 @@ class BitRows {
   std::vector<std::uint64_t> words_;
 };
 
-/// A crop of inverse depth, with bitmaps of measured pixels and of links between neighbours on one surface.
+/// A rectangle of inverse depths, with bitmaps of measured pixels and of links between neighbours on one surface.
 struct InverseDepthView {
   int width = 0;
   int height = 0;
-  std::span<const float> per_m;  ///< 1/z - reference_per_m
+  std::span<const float> per_m;  ///< 1/z - reference_per_m, row by row; 0: not measured
   const BitRows& measured;
   const BitRows& right;  ///< pixel and right neighbour are on one surface
   const BitRows& below;  ///< pixel and the one below are on one surface
@@ -61,9 +61,9 @@ struct InverseDepthView {
 };
 
 /// Fits the window around (column, row) to the pixels that are connected to its centre without crossing a depth break.
-/// If the centre is not measured, the nearest measured pixel within `bridge_px` replaces it, provided that at least
-/// half of the window's weight is on connected pixels. The fit is quadratic if at least 80 % of the window's weight is
-/// on connected pixels, else linear; nullopt if less than 25 % is, or if the pixels do not determine a plane.
+/// If the centre is not measured, the nearest measured pixel within `bridge_px` replaces it, and the connected pixels
+/// must have half of the window's weight. With at least 80 % of the weight the fit is quadratic, else linear. nullopt:
+/// less than 25 % of the weight, no unique plane, or a depth that is not positive.
 [[nodiscard]] std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, int row,
                                                   const AxisWeights& axis, int bridge_px);
 

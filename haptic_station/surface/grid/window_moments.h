@@ -6,8 +6,8 @@
 
 namespace telepalp::surface {
 
-// Sums over windows of pixels: plain arrays and floats, so that compilers vectorise them. Values are inverse depths
-// minus a reference close to them. The differences are small, and so is their rounding (under 0.1 um of depth).
+// Sums over windows of pixels: plain arrays and floats, so that compilers vectorise them. A pixel's value is its
+// inverse depth minus a reference close to it. The difference is small, and so is its rounding (under 0.1 um of depth).
 
 inline constexpr int kMostRadius = 15;
 inline constexpr int kMostSide = 2 * kMostRadius + 1;  ///< one row of a window fits a 32-bit word
@@ -24,11 +24,11 @@ struct AxisWeights {
   double m0 = 0.0;  ///< even moments: sums of the weights times k^0, k^2 and k^4, over both sides
   double m2 = 0.0;
   double m4 = 0.0;
-  double gain = 0.0;  ///< variance of the fit at the centre / variance of a pixel
+  double gain = 0.0;  ///< variance of the fit at the centre / variance of one pixel
 };
 [[nodiscard]] AxisWeights axis_weights(int radius);
 
-/// Value and slopes [per px] of the fitted quadratic at the centre of a complete window, for each pixel of a row.
+/// For each pixel of a row: value and slopes [per px], at this pixel, of the quadratic fitted to the window around it.
 struct PlaneRow {
   float* at;
   float* across;
@@ -42,8 +42,8 @@ struct ColumnMoments {
   float* m2;
 };
 
-/// Fits complete windows around the pixels [radius, width - radius) of a row. `centre`: the row's first pixel; rows are
-/// `stride` apart.
+/// Fits the windows around the pixels [radius, width - radius) of a row. A fit is meaningless if its window has a hole
+/// or a depth break. `centre`: the row's first pixel; rows are `stride` floats apart.
 void fit_whole_windows(const float* centre, std::ptrdiff_t stride, int width, const AxisWeights& axis,
                        const ColumnMoments& scratch, const PlaneRow& planes);
 
@@ -54,9 +54,9 @@ struct MaskedColumns {
   std::array<std::array<float, kMostSide + kBlock>, 3> value;  ///< sums of w_l l^b times the pixel's value, b = 0 ... 2
 };
 
-/// Computes `sums` over one window of `image`. `first`: index of the window's top left pixel in `image`. `mask[l]`: bit
-/// k selects pixel (k, l). Only the rows with a selected pixel are read. Of these rows, the columns from `from` to
-/// before `to` are read, and up to kBlock columns behind them.
+/// Computes `sums` over one window of `image`. `first`: index of the window's top left pixel in `image`, whose rows are
+/// `stride` floats apart. `mask`: one word for each row of the window, from the top; bit k selects column k. Only rows
+/// with a selected pixel are read, and of these rows the columns [`from`, `to`) and up to kBlock columns behind them.
 void sum_masked_columns(const float* image, std::ptrdiff_t first, std::ptrdiff_t stride, const std::uint32_t* mask,
                         const AxisWeights& axis, int from, int to, MaskedColumns& sums);
 
@@ -64,7 +64,7 @@ void sum_masked_columns(const float* image, std::ptrdiff_t first, std::ptrdiff_t
 void invert_row(const float* z_m, int width, float reference, float* per_m);
 
 /// Sets the flags kBrokenRight, kBrokenBelow and kMeasured of window_fit.h for each pixel of a row. `below`: the next
-/// row; for the last row, the same row. `break_at_1m`: see break_at() in depth_field.h.
+/// row; for the image's last row, that row itself. `break_at_1m`: see break_at() in depth_field.h.
 void mark_row(const float* z_m, const float* below, int width, float break_at_1m, std::uint8_t* marks);
 
 /// Writes a bitmap of the pixels that have the flag `mark`: 64 pixels per word, the first pixel in bit 0.

@@ -10,11 +10,11 @@
 namespace telepalp::surface {
 
 /// The surface exactly as paper S1 §II.C (docs/sources.md) defines it: the slow reference for the other surfaces. A
-/// query uses up to N points within the radius R; the settings give both. Each of these points gets a normal, towards
-/// the camera, by principal component analysis of its own N neighbours within R. The implicit function is Adamson and
-/// Alexa's f = n̄·(x − ā), with the weighted mean normal n̄ and mean point ā and Wyvill's soft-object weights of
-/// influence radius R. As in S1, n̄ replaces the gradient. Defect: f jumps when the N-th neighbour changes, because its
-/// weight is not zero (telepalp-bench surface measures this). The searches allocate: realtime_safe() is false.
+/// query x uses up to N points within the radius R (SurfaceSettings: `neighbors`, `radius_m`). Each of them gets a
+/// normal, towards the camera, by principal component analysis of its own N neighbours within R. The implicit function
+/// is Adamson and Alexa's f = n̄·(x − ā), with the weighted mean normal n̄ and mean point ā and Wyvill's soft-object
+/// weights of influence radius R. As in S1, n̄ replaces the gradient. Defect: f jumps when another point becomes the
+/// N-th neighbour, because its weight is not zero (telepalp-bench surface measures the jump). Its searches allocate.
 class PaperSurface final : public SurfaceSnapshot {
  public:
   PaperSurface(IndexedPoints cloud, const SurfaceSettings& settings);

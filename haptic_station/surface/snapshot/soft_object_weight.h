@@ -19,8 +19,8 @@ struct Weight {
   return {1.0 + s * (kLinear + s * (kSquare + s * kCubic)), kLinear + s * (2.0 * kSquare + s * 3.0 * kCubic)};
 }
 
-/// 1 up to s = 1/4 (half the support), then a continuously differentiable fade to 0 at s = 1. For a factor that must
-/// not change the weight of points well inside the support.
+/// 1 up to s = 1/4 (half the support), then a continuously differentiable fade to 0 at s = 1. It serves as a factor
+/// that must not change the weight of points well inside the support.
 [[nodiscard]] inline Weight flat_top_weight(double s) noexcept {
   if (s <= 0.25) return {1.0, 0.0};
   if (s >= 1.0) return {};

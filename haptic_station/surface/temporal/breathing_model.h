@@ -9,25 +9,25 @@
 
 namespace telepalp::surface {
 
-/// 1, cos p, sin p, cos 2p, sin 2p of the breath's phase p, or their coefficients. Two harmonics can represent a breath
-/// with a rest after exhaling.
+/// 1, cos p, sin p, cos 2p, sin 2p of the breath's phase p, or their coefficients [m]. Two harmonics can represent a
+/// breath with a rest after exhaling.
 using BreathTerms = Eigen::Matrix<double, 5, 1>;
 
 /// A periodic model of breathing, fitted to the motion of the image's cells (16 × 16 pixels each): one common rate, and
-/// an amplitude and phase for each cell. Least squares over the last 12 s fit it at every sixth frame. Its confidence
-/// rises after about one and a half breaths. It falls to 0 within a third of a second when the body no longer follows
-/// the model, as when the patient holds the breath, speaks or coughs.
+/// an amplitude and phase for each cell. At every sixth frame, the model is fitted by least squares to the last 12 s.
+/// Its confidence rises after about one and a half breaths, and falls to 0 within a third of a second when the body no
+/// longer follows the model, as when the patient holds the breath, speaks or coughs.
 class BreathingModel {
  public:
-  /// Adds a frame. `displacement_m`: displacement of each cell along the camera's rays. `weight`: weight of each cell
-  /// in the fit of the rate, larger for a cell that moves more. The number of cells is the same in every frame.
+  /// Adds a frame. `displacement_m`: change of each cell's depth since the start. `weight`: weight of each cell in the
+  /// fit of the rate, larger for a cell that moves more. The number of cells is the same in every frame.
   void add(std::span<const float> displacement_m, std::span<const float> weight, double dt_s);
 
   [[nodiscard]] double rad_per_s() const noexcept { return fit_.rad_per_s; }
   /// Weight of the model's prediction, 0 (unused) to 1; it changes gradually.
   [[nodiscard]] double confidence() const noexcept { return confidence_; }
-  /// The coefficients of a cell's predicted displacement at the time τ from now, A (cos ωτ − 1) + B sin ωτ plus the
-  /// same form with 2ω. The first of the five, a linear velocity, is 0.
+  /// The coefficients of a cell's predicted change of depth at the time τ from now: A (cos ωτ − 1) + B sin ωτ, plus two
+  /// terms alike with 2ω. The coefficients of the linear terms, the first and the last, are 0.
   [[nodiscard]] MotionTerms motion_of(std::size_t cell) const noexcept;
 
  private:

@@ -24,11 +24,11 @@ class CellGains {
  public:
   explicit CellGains(const CellLattice& lattice);
 
-  /// Adds a frame. `wide`: the mean innovation of each cell's neighbourhood, as wide_means() gives it.
+  /// Adds a frame. `seen`: the cells' innovations. `wide`: their means over neighbourhoods, as from wide_means().
   void add(std::span<const CellInnovation> seen, std::span<const CellMean> wide);
 
-  /// Gains for the position and for the velocity times the frame period. In a cell's first frames, the position's gain
-  /// is large and the velocity's gain is 0.
+  /// Gains for the position and for the velocity times the frame period. In the first frames, the position's gain is
+  /// large; in the first two, the velocity's gain is 0.
   [[nodiscard]] double position(std::size_t cell) const noexcept;
   [[nodiscard]] double velocity(std::size_t cell) const noexcept;
 
@@ -36,13 +36,13 @@ class CellGains {
   [[nodiscard]] double theta(std::size_t cell) const noexcept;
 
   CellLattice lattice_;
-  std::vector<double> lean_m_;    ///< running mean of each neighbourhood's innovation; 0: no lag
+  std::vector<double> lean_m_;    ///< running mean of each neighbourhood's innovation; 0: the filter does not lag
   std::vector<CellMean> moving_;  ///< significance of each neighbourhood's mean innovation, 0 (noise) to 1
   double frames_ = 0.0;
 };
 
-/// Removes a tenth of the velocities' roughness. The cells' filters cannot see the part of the innovations that
-/// smooth_coefficients() removes, so the velocities are smoothed alike.
+/// Moves each velocity (spline coefficient) by a tenth towards its smoothed value. smooth_coefficients() removes rough
+/// parts of the innovations, so the filters cannot correct rough parts of the velocities, which would stay.
 void smooth_velocities(const CellLattice& lattice, std::span<double> velocity_m_per_s);
 
 }  // namespace telepalp::surface

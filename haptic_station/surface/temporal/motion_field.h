@@ -14,9 +14,9 @@
 
 namespace telepalp::surface {
 
-/// The motion of the scene along the camera's rays, by cell: a g-h filter (position and velocity) estimates each cell's
-/// displacement and velocity, and all cells share one breathing model. A cell averages up to 256 pixels, so its motion
-/// is known far more accurately than a pixel's depth. TemporalFilter then averages the depth of the pixels, moved by
+/// The motion of the scene as a change of depth, by cell: a g-h filter (position and velocity) estimates each cell's
+/// motion relative to SharedMotion, and all cells share one breathing model. A cell averages up to 256 pixels, so its
+/// motion is known far more accurately than a pixel's depth. TemporalFilter moves the average depth of each pixel by
 /// this field. A cubic spline interpolates between cells; this class stores the coefficients of the spline.
 class MotionField {
  public:
@@ -24,19 +24,19 @@ class MotionField {
 
   [[nodiscard]] const CellLattice& lattice() const noexcept { return lattice_; }
 
-  /// Predicts the motion to the next frame, `dt_s` later. Call once for each frame, before correct().
+  /// Predicts the motion from the last frame to the next one, `dt_s` later. Call once for each frame, before correct().
   void predict(double dt_s);
-  /// Updates the filter with the innovations of a frame: measured depth minus the depth that change() predicts.
+  /// Updates the filters with the cells' innovations in a frame: measured depth minus the depth that change() predicts.
   void correct(const std::vector<CellInnovation>& seen, double dt_s);
 
-  /// The change of depth since the frame before as predict() expects it, as spline coefficients [m].
+  /// The change of depth since the last frame as predict() expects it, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& change() const noexcept { return change_; }
-  /// The change of depth since the frame before as correct() estimates it, as spline coefficients [m].
+  /// The change of depth since the last frame as correct() estimates it, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& moved() const noexcept { return moved_; }
   /// change() plus the whole innovation, noise included, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& expected() const noexcept { return expected_; }
 
-  /// Predicted motion of depth after the last frame: for each cell, the spline coefficient of each of MotionTerms.
+  /// Predicted change of depth after the last frame: for each cell, the spline coefficient of each of MotionTerms.
   [[nodiscard]] const std::vector<MotionTerms>& terms() const noexcept { return terms_; }
   [[nodiscard]] MotionModel model() const noexcept;
 
@@ -57,13 +57,13 @@ class MotionField {
   CellLattice lattice_;
   bool breathing_wanted_;
   bool shared_wanted_;
-  std::vector<double> velocity_m_per_s_;  ///< of each cell, beyond its share of the motion common to the body
+  std::vector<double> velocity_m_per_s_;  ///< of each cell, minus its share of SharedMotion's velocity
   std::vector<double> energy_;  ///< running mean of each cell's squared speed, shared part included; gives weight_
   std::vector<CellMean> means_;
   CellGains gains_;
   std::vector<float> displacement_;  ///< estimated displacement of each cell since the start [m]
   std::vector<float> observed_;      ///< measured displacement of each cell; the breathing model is fitted to it
-  std::vector<float> weight_;
+  std::vector<float> weight_;        ///< of each cell in the fit of the breathing rate
   std::vector<float> change_;
   std::vector<float> moved_;
   std::vector<float> expected_;

@@ -10,15 +10,15 @@
 
 namespace telepalp::surface {
 
-/// Compares each frame with the predictions that earlier frames made for it, and learns from their errors how much each
-/// of three predictions counts, for the whole body and for each of kForesightAges_s. Owner: surface thread.
+/// Compares each frame with the predictions that earlier frames made for it, and learns from their errors the weights
+/// of the predictions in SquareErrors, for the whole body, at each of kForesightAges_s. Owner: surface thread.
 class PastPredictions {
  public:
-  /// Judges the predictions made for the frame that has just been measured, `dt_s` after the last one. `measured_m`:
-  /// displacement of each cell since the start. `weight`: weight of each cell's error; 0: not measured.
+  /// Judges the predictions for the frame that has just been measured, `dt_s` after the last one. `measured_m`: change
+  /// of each cell's depth since the start. `weight`: weight of each cell's error; 0: not measured.
   void judge(std::span<const float> measured_m, std::span<const float> weight, double dt_s);
-  /// Remembers what this frame predicts: each cell's displacement and the terms of its motion. The weights in `model`
-  /// are ignored, because each prediction is judged alone.
+  /// Remembers this frame's predictions: the change of each cell's depth since the start, and the terms of its motion.
+  /// `own` and `straight` in `model` are ignored, because each prediction is judged alone.
   void remember(std::span<const float> displacement_m, std::span<const MotionTerms> terms, const MotionModel& model);
 
   [[nodiscard]] ForesightShare own() const noexcept { return weights_of(0); }

@@ -6,41 +6,41 @@
 
 namespace telepalp::surface {
 
-/// A value for each of three predictions of the same motion.
+/// A value for each of three predictions of one motion.
 using OfThree = std::array<double, 3>;
 
-/// Weights with the sum 1, each proportional to the inverse of the prediction's mean square error to the power `power`.
-/// With the power 1 and independent errors, this mean has the least variance (Bates and Granger 1969); a high power
-/// comes close to the choice of the best prediction, but is continuous.
+/// Weights with the sum 1, each proportional to (1 / mean square error of the prediction)^`power`. With the power 1 and
+/// independent errors, the weighted mean of the predictions has the least variance (Bates and Granger 1969). A high
+/// power comes close to the choice of the best prediction, but the weights stay continuous.
 [[nodiscard]] OfThree inverse_power_weights(const OfThree& mean_square_m2, double power) noexcept;
 
-/// Squared errors of the predictions for one instant, as means over the body's cells [m²].
+/// Squared errors of the predictions for one instant, as means over the measured cells [m²].
 struct SquareErrors {
   double own = 0.0;       ///< the station's own prediction, by the shared motion and the breathing model
-  double holding = 0.0;   ///< the surface stays as it is
-  double straight = 0.0;  ///< each cell goes on at its own velocity (StraightMotion)
-  double mean = 0.0;      ///< PredictionWeights::short_term(), as it was when the prediction was made
+  double holding = 0.0;   ///< prediction that nothing moves
+  double straight = 0.0;  ///< prediction that each cell continues at its own velocity (StraightMotion)
+  double mean = 0.0;      ///< mean of the three with the weights short_term() at the time of prediction
 };
 
 /// The weights of three predictions for the whole body at one age of the prediction, learned from their errors on two
 /// time scales in series. First, the three are averaged with weights from the errors of the last 0.3 s; this mean
-/// follows a shift. Then the station's own prediction, holding, and this mean are averaged with weights from the errors
-/// of the last ten seconds. The long scale finds that a patient coughs, for whom no prediction is right in time, so
-/// that holding is best.
+/// adapts while the patient shifts. Then the station's own prediction, holding, and this mean are averaged with weights
+/// from the errors of the last ten seconds. A cough ends before the short scale has adapted; from earlier coughs, the
+/// long scale learns that holding errs least.
 class PredictionWeights {
  public:
-  /// Adds the errors of the predictions that were made for this instant, `dt_s` after the last frame.
+  /// Adds the errors of the predictions for this instant, weighted by `dt_s`, the time since the last frame.
   void add(const SquareErrors& errors, double dt_s) noexcept;
-  /// Lets `dt_s` pass without errors, as when the frame for which the predictions were made is missing.
+  /// Reduces the weight of earlier errors by the age `dt_s`. Call once per frame, before add(), also without an add().
   void pass(double dt_s) noexcept;
 
-  /// Weights of own, holding and straight.
+  /// Weights of own, holding and straight: in the first mean, and in both means together.
   [[nodiscard]] OfThree short_term() const noexcept;
   [[nodiscard]] OfThree weights() const noexcept;
 
  private:
-  OfThree lately_m2_s_{};  ///< own, holding, straight: sums over 0.3 s
-  OfThree long_m2_s_{};    ///< own, holding, mean: sums over ten seconds
+  OfThree lately_m2_s_{};  ///< own, holding, straight: sums with a decay over 0.3 s
+  OfThree long_m2_s_{};    ///< own, holding, mean: sums with a decay over ten seconds
   double prior_ = 1.0;     ///< weight of the prior that the station's own prediction is best
 };
 

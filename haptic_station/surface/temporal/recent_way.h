@@ -6,13 +6,13 @@
 
 namespace telepalp::surface {
 
-/// How far the skin went in the last half second. Owner: surface thread.
+/// How far the skin moved within the last half second. Owner: surface thread.
 class RecentWay {
  public:
-  /// Adds a frame. `displacement_m`: displacement of each cell since the start. `weight`: weight of each cell.
+  /// Adds a frame. `displacement_m`: change of each cell's depth since the start. `weight`: weight of each cell in m().
   void add(std::span<const float> displacement_m, std::span<const float> weight, double dt_s);
-  /// The greatest distance between the skin now and the skin at an instant of the last half second: the root mean
-  /// square over the cells [m].
+  /// The greatest distance between the skin now and the skin at an instant of the last half second: the weighted root
+  /// mean square over the cells [m].
   [[nodiscard]] double m() const noexcept { return m_; }
 
  private:
@@ -25,8 +25,8 @@ class RecentWay {
   double m_ = 0.0;
 };
 
-/// The age from which a prediction at `speed_m_per_s` slows down (MotionModel::freeze_from_s), so that it goes at most
-/// `way_m` in all. `longest_s`: the age for a motion without this bound.
+/// The age [s] from which a prediction at `speed_m_per_s` slows down (MotionModel::freeze_from_s), so that it moves the
+/// surface by at most `way_m` in all; at least 1 ms, at most `longest_s`.
 [[nodiscard]] double freeze_within(double way_m, double speed_m_per_s, double longest_s) noexcept;
 
 }  // namespace telepalp::surface

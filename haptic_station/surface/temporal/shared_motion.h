@@ -10,38 +10,38 @@
 
 namespace telepalp::surface {
 
-/// A cell's innovation in a frame: measured minus predicted displacement.
+/// A cell's innovation in a frame: measured minus predicted change of depth.
 struct SharedInnovation {
   double m = 0.0;
   double sigma_m = 0.0;  ///< 1-sigma of `m` under noise alone; 0: not measured
 };
 
-/// The prediction for a cell at the next frame, without the velocity that only this cell has.
+/// The prediction for a cell at the next frame, without the cell's velocity relative to the shared motion.
 struct SharedPrediction {
-  double change_m = 0.0;  ///< change of displacement since the frame before
+  double change_m = 0.0;  ///< change of depth since the last frame
   double speed_m_per_s = 0.0;
   double acceleration_m_per_s2 = 0.0;
 };
 
 /// The motion common to the whole body, such as a breath or a cough: one displacement over time. Each cell moves by a
-/// learned share (factor) of it. It is estimated from all cells, so its speed and acceleration are known far better
-/// than those of one cell. The weights of its predictions are learned by comparing past predictions with the motion
-/// that followed. Owner: surface thread.
+/// learned share (factor) of this displacement. All cells serve to estimate it, so its speed and acceleration are known
+/// far better than those of one cell. The weights of its predictions are learned by comparing past predictions with the
+/// motion that followed. Owner: surface thread.
 class SharedMotion {
  public:
   explicit SharedMotion(std::size_t cells);
 
   /// Advances the motion by `dt_s` to the weighted mean of the cells' predictions. `rad_per_s`: angular frequency of
-  /// the oscillation by which speed and acceleration are extrapolated, which bounds the extrapolation.
+  /// the oscillation that predictions continue from speed and acceleration; an oscillation bounds what they predict.
   void predict(std::span<const SharedPrediction> cells, double dt_s, double rad_per_s) noexcept;
   /// Updates the motion with a frame's innovations. Cells that deviate from the others get a small weight. If fewer
-  /// than 85 % of the measured cells agree, the motion is not shared (the camera was pushed), and all estimates start
-  /// anew.
+  /// than 85 % of the measured cells agree, the motion is not shared (the camera was pushed): all estimates start anew,
+  /// and unmodelled() is 1.
   void correct(std::span<const SharedInnovation> seen, double dt_s);
-  /// Learns the shares of the cells from their measured displacements since the start [m].
+  /// Learns the shares of the cells from the measured change of each cell's depth since the start [m].
   void learn(std::span<const float> displacement_m, double dt_s);
 
-  /// The cell's displacement divided by the shared one; 1 at the start.
+  /// The cell's displacement per shared displacement, by linear regression; 1 at the start.
   [[nodiscard]] double share(std::size_t cell) const noexcept { return share_[cell]; }
   [[nodiscard]] double innovation_m() const noexcept { return innovation_m_; }  ///< of the last frame
   [[nodiscard]] double corrected_m() const noexcept {
@@ -49,9 +49,9 @@ class SharedMotion {
   }  ///< the part of innovation_m() that the filter added to the displacement
   [[nodiscard]] double speed_m_per_s() const noexcept { return speed_m_per_s_; }
   [[nodiscard]] double acceleration_m_per_s2() const noexcept { return acceleration_m_per_s2_; }
-  /// Weights of the predictions from speed and from acceleration, learned over the last ten seconds. While the motion
-  /// is much faster than usual, as when the patient shifts, it may end at any time: the weight of the speed is then at
-  /// most the one learned over the last half second, and the weight of the acceleration is 0.
+  /// Weights of the predictions from speed and from acceleration, learned over the last ten seconds. A motion much
+  /// faster than usual, as when the patient shifts, may end at any time: meanwhile, the weight of the speed is at most
+  /// the one learned over the last half second, and the weight of the acceleration is 0.
   [[nodiscard]] ForesightShare speed_share() const noexcept;
   [[nodiscard]] ForesightShare acceleration_share() const noexcept;
   /// 1 while the motion is much faster than usual, or not shared by the whole body. Afterwards the value falls to 0
@@ -75,7 +75,7 @@ class SharedMotion {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d came = Eigen::Vector2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Ones();  ///< the regression's coefficients, in [0, 1]
-    double lately_said_m2 = 0.0;  ///< sums for the same regression on speed alone, over the last half second
+    double lately_said_m2 = 0.0;  ///< sums of the regression on speed alone, over the last half second
     double lately_came_m2 = 0.0;
   };
   struct Estimate {
@@ -104,7 +104,7 @@ class SharedMotion {
   double corrected_m_ = 0.0;
   double lean_m_ = 0.0;           ///< running mean of the innovations
   double mean_pace_m_per_s_ = 0;  ///< running mean of |speed| + 0.1 s · |acceleration|
-  double usual_ = 1.0;            ///< 1 while the body moves as fast as in the last seconds, 0 while much faster
+  double usual_ = 1.0;            ///< 1 while the pace is like its running mean, 0 while it is much greater
   double unmodelled_ = 0.0;
   std::deque<Past> past_;
   std::array<Judge, kForesightAges_s.size()> judges_;

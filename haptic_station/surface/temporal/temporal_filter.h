@@ -9,14 +9,14 @@ namespace telepalp::surface {
 /// Averages the depth of each pixel over frames. The average moves with the pixel's cell in MotionField, so that
 /// breathing does not smear it. Any other motion gives a patch of 4 × 4 pixels residuals of one sign; the average of
 /// that patch then counts as at most four frames. Latency: none for motion that MotionField models. A step in depth
-/// that MotionField does not model is detected after two to four frames. A step too small to detect (below about 0.65
-/// sigma of a pixel's noise) fades with the memory of the average.
+/// that MotionField does not model is detected after two to four frames. The error of a step too small to detect (below
+/// about 0.65 sigma of a pixel's noise) fades as newer frames enter the average.
 class TemporalFilter {
  public:
   TemporalFilter(int width, int height, const SurfaceSettings& settings);
 
-  /// Returns the averaged depth at the time of the frame `seen`, `dt_s` after the last one. The first frame is returned
-  /// unchanged.
+  /// Returns the averaged depth at the time of the frame `seen`, `dt_s` after the last one; valid until the next call.
+  /// The first frame is returned unchanged.
   [[nodiscard]] const DepthField& add(const DepthField& seen, double dt_s);
   [[nodiscard]] const MotionField& motion() const noexcept { return motion_; }
 
@@ -43,9 +43,9 @@ class TemporalFilter {
   bool first_ = true;
 };
 
-/// Fills an unmeasured pixel if its four neighbours are measured and there is no depth break between them, with the
+/// Fills each unmeasured pixel whose four neighbours are measured, without a depth break between them, with the
 /// harmonic mean of their depths. Without this, flickering pixels would force fit_nodes() to use its slow path, the fit
-/// of a window with holes.
+/// of a window with holes. `break_at_1m`: see break_at() in depth_field.h.
 void fill_pinholes(DepthField& depth, double break_at_1m);
 
 }  // namespace telepalp::surface

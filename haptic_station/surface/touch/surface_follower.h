@@ -9,18 +9,18 @@ namespace telepalp::surface {
 
 /// Limits of the approach of the displayed surface, which the hand feels, to the newest one.
 struct FollowLimits {
-  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach, while the other limits are not reached
+  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach, while no other limit is reached
   double speed_m_per_s = 0.05;        ///< greatest speed of the approach, in addition to the surface's own motion
   double acceleration_m_per_s2 = 1.5;
   double fastest_surface_m_per_s = 0.3;  ///< a greater speed of the newest surface is limited to this
-  double speed_in_gap_m_per_s = 0.15;    ///< speed_m_per_s while a gap is between the device and the displayed surface
-  double acceleration_in_gap_m_per_s2 = 6.0;  ///< acceleration_m_per_s2 in such a gap
+  double speed_in_gap_m_per_s = 0.15;    ///< speed_m_per_s while the device is above the displayed surface (in a gap)
+  double acceleration_in_gap_m_per_s2 = 6.0;  ///< acceleration_m_per_s2 in a gap
   double closes_gap_over_s = 0.05;  ///< the greatest speed in a gap is the gap's width divided by this time, so that
                                     ///< the surface has slowed down to speed_m_per_s when it meets the device
 };
 
-/// The share of the difference between wanted and present rate that one step removes, 1 - exp(-2 bandwidth dt). Keeps
-/// the last result, because the time between ticks seldom changes.
+/// The share of the difference between wanted and present rate that one step of next_rate() removes, 1 - exp(-2
+/// bandwidth dt). Keeps the last result, because the time between ticks seldom changes.
 class FollowShare {
  public:
   [[nodiscard]] double of(const FollowLimits& limits, double dt_s) noexcept;
@@ -39,27 +39,27 @@ class FollowShare {
 
 /// The displayed surface: the newest surface, translated and tilted by a lag that decays to zero. The displayed
 /// position, normal and speed stay continuous when a newer snapshot replaces the last one. A query is moved by the lag
-/// before the newest surface is evaluated, so a large lag does not take the query out of the surface's reach. This
+/// before the newest surface is evaluated, so a large lag does not move the query out of that surface's reach. This
 /// class keeps no snapshot, so the caller may free the older one. Owner: the haptic thread.
 class SurfaceFollower {
  public:
   explicit SurfaceFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
-  /// The point of the newest surface's space that is displayed at `shown`: `shown` moved by the lag and the tilt.
+  /// The point of the newest surface that corresponds to the displayed point `shown`: `shown` moved by lag and tilt.
   [[nodiscard]] Eigen::Vector3d on_newest(const Eigen::Vector3d& shown) const noexcept;
   /// The sample of the displayed surface at a point, given `newest`, the sample of the newest surface at on_newest() of
   /// that point.
   [[nodiscard]] FieldSample shown(const FieldSample& newest) const noexcept;
 
-  /// Sets the lag to zero. The displayed surface moves at `speed_m_per_s` along `normal`.
+  /// Sets lag and tilt to zero. The displayed surface then moves at `speed_m_per_s`, limited, along `normal`.
   void follow_at_once(const Eigen::Vector3d& normal, double speed_m_per_s) noexcept;
-  /// Call when a newer surface replaces the last one. The newer surface's point `there`, with `newest_normal`, is
-  /// displayed at `foot`, with `normal`. The displayed position, normal and speed do not change.
+  /// Call when a newer surface replaces the last one. Displays its point `there`, with `newest_normal`, at `foot`, with
+  /// `normal`. The displayed position and speed do not change, nor a normal that turns by up to 0.5 rad.
   void take_over(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, const Eigen::Vector3d& there,
                  const Eigen::Vector3d& newest_normal) noexcept;
   /// Advances the displayed surface by `dt_s`, while the newest surface moves at `newest_speed_m_per_s` along `normal`
-  /// at `foot`. `gap_m`: height of the device over the displayed surface. In a gap the surface gives no force, so it
-  /// may approach faster.
+  /// at `foot`. `gap_m`: height of the device above the displayed surface; not positive: no gap. In a gap the surface
+  /// gives no force, so it may approach the newest surface faster.
   void advance(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double newest_speed_m_per_s, double gap_m,
                double dt_s) noexcept;
 
@@ -80,16 +80,16 @@ class SurfaceFollower {
   FollowShare turn_share_;
 };
 
-/// Follows the displayed skin along one fixed line, for a place that the device has left, such as the start of the
-/// contact. Owner: the haptic thread.
+/// Follows the displayed skin along one fixed line, for a point of the skin that the device has left, such as the point
+/// where contact began. Owner: the haptic thread.
 class LineFollower {
  public:
   explicit LineFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
 
   /// Starts at the point `at`, with the rate `rate_m_per_s` along the line's direction `along` (unit).
   void begin(const Eigen::Vector3d& at, const Eigen::Vector3d& along, double rate_m_per_s) noexcept;
-  /// Moves the point towards the newest surface, which crosses the line `error_m` farther along `along` and moves at
-  /// `target_m_per_s` along it.
+  /// Moves the point along the line by `dt_s` towards the newest surface. That surface crosses the line at the distance
+  /// `error_m` from the point in the direction `along`, and moves at `target_m_per_s` in this direction.
   void advance(double error_m, double target_m_per_s, double dt_s) noexcept;
 
   [[nodiscard]] Eigen::Vector3d at() const noexcept { return start_ + risen_m_ * along_; }

@@ -16,7 +16,7 @@ struct TouchSettings {
   double settle_m = 2e-5;          ///< a shorter step of the foot ends the search: the error left is of second order
   double longest_hop_m = 0.004;    ///< a longer move of the device is searched in up to 32 parts, to miss no surface
   double deepest_start_m = 0.09;   ///< a device first seen deeper than this is behind the surface, not in the body
-  bool gentle_start = true;        ///< the skin over a device first seen in the body is displayed at it, then rises
+  bool gentle_start = true;        ///< skin over a device first seen in the body is displayed at the device, then rises
   double other_surface_m = 0.045;  ///< a surface that jumps farther than this during a contact is another surface
   double off_foot_m = 0.004;       ///< a device tangentially farther than this from its foot is beyond the rim
   double stale_after_s = 1.0;      ///< age of the snapshot at which the contact begins to fade
@@ -34,30 +34,30 @@ struct TouchSample {
   double distance_m = 0.0;                ///< signed distance of the device from the foot; negative in the body
   double surface_velocity_m_per_s = 0.0;  ///< speed of the displayed surface at the foot, along the normal
   double newest_above_m = 0.0;  ///< height of the newest surface, predicted to now, over the displayed one at the foot
-  double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface there, along the normal
+  double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface at the foot, along the normal
   Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
-  double support = 0.0;        ///< displayed share of the contact: 1 well inside, 0 where the surface ends or is stale
-  double unmodelled = 0.0;     ///< 1: the body moves much faster than usual, or the camera was pushed; then falls to 0
+  double support = 0.0;        ///< factor on the contact's force: 1 well inside, 0 where the surface ends or is stale
+  double unmodelled = 0.0;     ///< MotionModel::unmodelled of the snapshot, 0 to 1
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
 
-/// Displacement of the displayed surface, at the foot, from the newest snapshot as captured. It is measured along the
-/// normal, positive out of the body.
+/// Displacement of the displayed surface, at the foot, from the newest snapshot as captured. Both parts are measured
+/// along the normal, positive out of the body.
 struct Displaced {
   double carried_m = 0.0;  ///< part due to prediction over the snapshot's age
-  double slewed_m = 0.0;   ///< offset from the newest surface that the gradual change of snapshots has left
+  double slewed_m = 0.0;   ///< part due to the gradual change of snapshots: displayed minus newest surface
 };
 
 /// The touch of one device point: finds the foot, the surface point nearest to the device, and the proxy, predicts the
 /// surface from its capture to now, and changes gradually to new snapshots.
 ///
 /// A device below the displayed surface is in the body. At the start, or after a release, no surface is displayed; then
-/// the newest snapshot decides on which side the device is. If the device is in the body, the skin is first displayed
-/// at the device and rises from there (TouchSettings::gentle_start). The side is remembered from step to step: a device
-/// that went round a rim, behind a silhouette or to the back of a thin sheet is behind the visible surface but not in
-/// the body. Owner: the haptic thread. step() and adopt() neither allocate, lock, throw nor call the system, if the
-/// snapshot is realtime_safe().
+/// the newest snapshot decides on which side of the skin the device is. If the device is in the body, the skin is first
+/// displayed at the device and rises from there (TouchSettings::gentle_start). The side is remembered from step to
+/// step: a device that went round a rim, behind a silhouette or to the back of a thin sheet is behind the visible
+/// surface but not in the body. Owner: the haptic thread. step() and adopt() neither allocate, lock, throw nor call the
+/// system, if the snapshot is realtime_safe().
 class Touch {
  public:
   explicit Touch(const TouchSettings& settings = {}) noexcept : settings_(settings) {}
@@ -68,13 +68,13 @@ class Touch {
   void adopt(const SurfaceSnapshot& snapshot, SessionTime now) noexcept;
   /// Forgets the snapshot and ends the contact at once.
   void release() noexcept;
-  /// The touch of `device` at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives
-  /// an empty sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far is used. `felt`:
-  /// the skin gave force at the last tick; false: the support may rise at once, a contact below deepest_start_m ends.
+  /// The touch at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives an empty
+  /// sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far counts. `felt`: the skin
+  /// gave force at the last tick; if not, the support may rise at once, and a contact below deepest_start_m ends.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s,
                                  bool felt = true) noexcept;
 
-  /// The displacement after the last step. Evaluates the surface twice; zero without a foot.
+  /// The displacement after the last step; zero without a foot. Evaluates the surface twice.
   [[nodiscard]] Displaced displaced() const noexcept;
 
   [[nodiscard]] std::uint64_t out_of_order() const noexcept { return out_of_order_; }
@@ -123,11 +123,11 @@ class Touch {
   bool anchored_ = false;
   LineFollower anchor_{settings_.follow};  // the displayed skin where the contact began
   bool anchor_seen_ = false;               // the newest surface is known at anchor_
-  double anchor_lag_m_ = 0.0;              // from anchor_ to the newest surface along the line
-  double anchor_target_m_per_s_ = 0.0;     // speed of the newest surface there, along the line
-  double anchor_looked_s_ = 0.0;           // time since the surface was evaluated there
+  double anchor_lag_m_ = 0.0;              // from anchor_ to the newest surface, along the line
+  double anchor_target_m_per_s_ = 0.0;     // speed of the newest surface at the anchor, along the line
+  double anchor_looked_s_ = 0.0;           // time since the surface was evaluated at the anchor
   double anchor_speed_ = 0.0;              // mean speed of anchor_ along its line over the last step [m/s]
-  double slide_ = 1.0;                     // share of the tangential step that the curvature under the proxy allows
+  double slide_ = 1.0;                     // share of the tangential step towards the device that the curvature allows
   double held_ = 0.0;  // factor on the contact, 0 to 1: the support, changed gradually; TouchSample::support
   std::uint64_t out_of_order_ = 0;
 };

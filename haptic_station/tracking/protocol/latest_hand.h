@@ -33,7 +33,7 @@ class LatestHand {
     newest_.put({at, hand, attitude});
   }
 
-  /// The newest position, if one has arrived since the last take(). Both take() functions: haptic thread only.
+  /// The newest position put since the last take(); nullopt: none. Both take() functions: haptic thread only.
   [[nodiscard]] std::optional<Seen> take() noexcept {
     return newest_.take() ? std::optional(newest_.current()) : std::nullopt;
   }

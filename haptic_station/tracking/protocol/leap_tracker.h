@@ -18,7 +18,7 @@ namespace telepalp::tracking {
 [[nodiscard]] inline device::WebSocketUrl standard_leap_url() { return {"127.0.0.1", 6437, "/v6.json"}; }
 
 /// A Leap Motion hand tracker, read over the WebSocket of its service on a separate thread. It reconnects after a lost
-/// connection. Meanwhile no samples come, and the station's watchdog acts on the age of the last one.
+/// connection. Until then no samples come, and the station's watchdog acts on the age of the last sample.
 class LeapTracker final : public ports::Tracker {
  public:
   using Say = std::function<void(const std::string&)>;  ///< called on this tracker's thread
@@ -31,11 +31,11 @@ class LeapTracker final : public ports::Tracker {
 
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
                                                         const ports::DeviceReading& device) noexcept override;
-  /// The newest palm position in the tracker's frame, for calibration. It consumes the sample, so use either palm() or
-  /// sample(). Haptic thread only.
+  /// The newest palm position in the tracker's frame, for calibration; nullopt: none since the last call. It consumes
+  /// the sample, so use either palm() or sample(). Haptic thread only.
   [[nodiscard]] std::optional<Point<HandTracker>> palm() noexcept;
 
-  /// Number of invalid text messages and hands received so far.
+  /// Number of texts and hands from the service that were refused as invalid.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
 
  private:

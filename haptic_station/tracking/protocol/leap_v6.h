@@ -22,11 +22,11 @@ struct Hello {
 struct Hand {
   std::int64_t id = 0;
   Point<HandTracker> palm;
-  Vector<HandTracker> velocity;                     ///< [m/s]; zero when the text has none below 100 m/s
+  Vector<HandTracker> velocity;                     ///< [m/s]; zero if the text has none, or one beyond 100 m/s
   std::optional<Eigen::Quaterniond> attitude = {};  ///< from the hand's axes (hand_axes.h) to the tracker's frame
 };
 
-/// One frame: the hands that the service sees; may be empty.
+/// One frame of the tracker: the hands that the service sees, possibly none.
 struct Frame {
   std::int64_t timestamp_us = 0;  ///< on the service's clock
   std::vector<Hand> hands;
@@ -42,9 +42,9 @@ inline constexpr std::uint32_t kProtocolVersion = 6;
 inline constexpr std::size_t kMostTextBytes = 256U << 10U;
 inline constexpr std::size_t kMostHands = 16;
 
-/// Parses one text of the service. Error: invalid JSON, over 256 KiB, a field of the wrong type, a time stamp out of
-/// range, or over 16 hands. Numbers have a decimal point in every locale; a decimal comma breaks the JSON or gives too
-/// many coordinates, and is refused.
+/// Parses one text of the service. Error: invalid JSON, over 256 KiB, a field of the wrong type, a time stamp beyond
+/// 2^53 us, or over 16 hands. Numbers have a decimal point in every locale. A decimal comma breaks the JSON, or gives a
+/// position too many coordinates: the text, or the hand, is refused.
 [[nodiscard]] Result<Text> parse_text(std::string_view text);
 
 /// Sent after connecting: asks for frames although the station has no window with the keyboard focus.

@@ -7,9 +7,9 @@
 
 namespace telepalp::tracking {
 
-/// A hand that a user moves in a viewer by mouse, finger or headset. The server sends it on /viewer/hand and decides
-/// which viewer holds the hand. A viewer that lets go, hides its page or loses its connection sends nothing; the
-/// station's watchdog then acts on the age of the last position.
+/// A hand that a user moves in a viewer by mouse, finger or headset. The server sends the hand on /viewer/hand and
+/// decides which viewer may move it. A viewer whose user lets go or hides the page, or whose connection is lost, sends
+/// nothing; the station's watchdog then acts on the age of the last position.
 class ViewerHandTracker final : public ports::Tracker {
  public:
   using Clock = std::chrono::steady_clock;
@@ -17,8 +17,8 @@ class ViewerHandTracker final : public ports::Tracker {
   enum class Taken {
     Followed,
     /// Not followed yet: another viewer is followed, and was heard less than 0.3 s ago. Until that viewer has been
-    /// silent for 0.3 s, no new hand is followed, so the station releases its force. It then follows the new hand like
-    /// a first hand, without a jump between the two places.
+    /// silent for 0.3 s, no new hand is followed, so the station releases its force. Afterwards the station follows the
+    /// new hand like a first hand, without a jump between the two hands' positions.
     Passing,
     OutOfReach,  ///< further than 0.5 m from the origin of the haptic base's frame
   };

@@ -16,13 +16,13 @@ inline constexpr std::size_t kFragmentHeaderBytes = 15;
 inline constexpr std::size_t kMostShardBytes = kPayloadBytes - kFragmentHeaderBytes;
 inline constexpr std::size_t kMostFrameBytes = std::size_t{8} << 20U;
 inline constexpr std::uint8_t kMostChannels = 16;
-/// Largest numbers of data shards and of repair shards in a block: 255 together. The Cauchy matrix over GF(2^8) allows
-/// 256.
+/// Largest numbers of data shards and of repair shards in a block: 255 together. The Cauchy matrix over GF(2^8), from
+/// which repair shards are computed, allows 256.
 inline constexpr std::size_t kMostDataShards = 128;
 inline constexpr std::size_t kMostRepairShards = 127;
 
-/// How a frame of a given size is cut into shards of one size. Shard i belongs to block i modulo `blocks`, so that all
-/// blocks share a loss burst. Each block has its own repair shards. Both ends compute the layout from the size alone.
+/// How a frame of a given size is cut into data shards of one size. Shard i belongs to block i modulo `blocks`, so that
+/// a loss burst hits all blocks. Each block has its own repair shards. Both ends compute the layout from the size.
 struct FrameLayout {
   std::size_t data_shards = 1;
   std::size_t shard_bytes = 1;
@@ -36,24 +36,24 @@ struct FrameLayout {
   [[nodiscard]] std::size_t data_in_block(std::size_t block) const noexcept {
     return (data_shards - block + blocks - 1) / blocks;
   }
-  /// Offset of the data shard in the frame [B]. The frame is padded with zeros to data_shards * shard_bytes.
+  /// Offset of the data shard in the frame [B]. Zeros pad the frame to data_shards * shard_bytes.
   [[nodiscard]] std::size_t offset(std::size_t block, std::size_t shard) const noexcept {
     return (shard * blocks + block) * shard_bytes;
   }
 };
 
-/// The fields in front of each shard.
+/// The header of a fragment; one shard follows it.
 struct FragmentHeader {
   std::uint8_t channel = 0;       ///< below kMostChannels
   bool key_frame = true;          ///< false: the frame needs frame `frame - 1` of the channel
-  std::uint32_t frame = 0;        ///< counts the frames of the channel
-  std::uint32_t frame_bytes = 0;  ///< 1 to kMostFrameBytes
+  std::uint32_t frame = 0;        ///< counts the frames of the channel at the source
+  std::uint32_t frame_bytes = 0;  ///< size of the frame with its capture time (frame_body.h), 1 to kMostFrameBytes
   std::uint8_t block = 0;
-  std::uint8_t shard = 0;          ///< below the number of data shards in the block: data; else: repair
+  std::uint8_t shard = 0;          ///< below the block's number of data shards: a data shard; else: a repair shard
   std::uint8_t repair_shards = 0;  ///< number of repair shards per block that are sent with the data
 };
 
-/// A fragment that was received; `shard` has exactly the layout's size.
+/// A received fragment; `shard` has FrameLayout::shard_bytes bytes and lies in the payload given to read_fragment().
 struct Fragment {
   FragmentHeader header;
   std::span<const std::byte> shard;
@@ -68,20 +68,20 @@ struct Missing {
   std::uint8_t channel = 0;
   std::uint32_t frame = 0;
   std::uint8_t block = 0;
-  std::uint8_t shards = 0;  ///< how many more shards, data or repair, the block needs
+  std::uint8_t shards = 0;  ///< number of further shards, data or repair, that the block needs
   bool operator==(const Missing&) const = default;
 };
 
 /// A receiver's report to the sender. Counters count from the start of the session.
 struct Feedback {
-  std::uint64_t highest_sequence = 0;
-  std::uint64_t received_bytes = 0;
+  std::uint64_t highest_sequence = 0;   ///< highest sequence number received
+  std::uint64_t received_bytes = 0;     ///< bytes of all received datagrams
   std::int64_t reported_ns = 0;         ///< session time, which is never negative
   std::uint32_t held_us = 0;            ///< time from the arrival of datagram `highest_sequence` until this report
   std::uint32_t settled = 0;            ///< packets that have arrived or are counted as lost
   std::uint32_t lost = 0;               ///< packets that are counted as lost
   std::uint32_t bursts = 0;             ///< runs of lost packets
-  std::uint32_t age_us = 0;             ///< age of the newest frame when it was complete
+  std::uint32_t age_us = 0;             ///< age of the newest delivered frame at its delivery
   std::uint16_t key_frames_wanted = 0;  ///< bit n: channel n needs a key frame
   std::vector<Missing> missing{};       ///< at most kMostMissing
   bool operator==(const Feedback&) const = default;

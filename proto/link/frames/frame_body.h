@@ -21,7 +21,7 @@ inline constexpr std::size_t kStampBytes = 8;
   return body;
 }
 
-/// The capture time; 0 for a negative one, which no correct peer sends and whose age would overflow.
+/// The capture time in `body`; 0 for a negative one, which no correct peer sends and whose age would overflow.
 [[nodiscard]] inline SessionTime stamp_of(std::span<const std::byte> body) noexcept {
   return session_time(
       std::max<std::int64_t>(0, static_cast<std::int64_t>(get_little_endian(body.data(), kStampBytes))));

@@ -17,14 +17,14 @@ struct ReceiverStatistics {
   std::uint64_t incomplete = 0;   ///< frames given up because shards were missing
   std::uint64_t undecodable = 0;  ///< complete frames given up because the frame they depend on is missing
   std::uint64_t restored_shards = 0;
-  std::uint64_t malformed = 0;  ///< fragments refused: the frame is too small or large, or contradicts earlier ones
+  std::uint64_t malformed = 0;  ///< refused fragments: frame size out of range, or header unlike the frame's first one
 };
 
-/// Assembles frames from fragments in any order. A frame is delivered only when it is complete, and once. A key frame
-/// is delivered at once. After a repair it may come later than a newer frame of its channel; then Frame::newest is
-/// false, and it must not be shown. A dependent frame is delivered only after the frame before it, and never after a
-/// newer one. Memory for incomplete frames is bounded: at most `most_assembling_B` bytes, and kMostFrames frames of a
-/// channel. A frame larger than `most_assembling_B` is refused. Pure: time is an argument. Owner: one thread.
+/// Assembles frames from fragments in any order. A frame is delivered once, when it is complete. A key frame waits for
+/// no other frame; if it is complete only after a newer frame of its channel was delivered, Frame::newest is false, and
+/// the caller must not show it. A dependent frame is delivered only after the frame before it, and never after a newer
+/// one. Undelivered frames take at most `most_assembling_B` bytes, and are at most kMostFrames a channel: the oldest is
+/// given up for a new one. A frame above `most_assembling_B` is refused. Pure: time is an argument. Owner: one thread.
 class FrameReceiver {
  public:
   static constexpr std::size_t kMostAssembling_B = std::size_t{32} << 20U;
@@ -34,14 +34,14 @@ class FrameReceiver {
       : deadline_(deadline), most_assembling_B_(most_assembling_B) {}
 
   void add(const Fragment& fragment, SessionTime now);
-  /// The next complete frame; nullopt: none.
+  /// Removes and returns a frame that can be delivered; nullopt: none.
   [[nodiscard]] std::optional<Frame> take();
 
   /// Gives up frames `deadline` after their first fragment, and complete frames whose reference frame is lost. Call it
   /// before missing().
   void step(SessionTime now);
-  /// Blocks that lack shards although all fragments of their frame should have arrived; by channel, then oldest frame
-  /// first; at most kMostMissing.
+  /// Blocks that lack shards, of frames of which no fragment came for 5 ms (longer than packets overtake each other);
+  /// by channel, then oldest frame first; at most kMostMissing.
   [[nodiscard]] std::vector<Missing> missing(SessionTime now) const;
   /// Bit n: channel n cannot deliver frames until a key frame comes.
   [[nodiscard]] std::uint16_t key_frames_wanted() const noexcept { return key_frames_wanted_; }
@@ -66,13 +66,13 @@ class FrameReceiver {
     SessionTime last_at{};  ///< arrival of the newest fragment
     [[nodiscard]] bool complete() const noexcept { return blocks_complete == blocks.size(); }
   };
-  /// Remembers the numbers of the newest delivered frames of a channel.
+  /// Remembers which of a channel's newest kSize frame numbers were delivered.
   class Delivered {
    public:
     [[nodiscard]] bool contains(std::uint32_t number) const noexcept {
       return any_ && number <= newest_ && newest_ - number < kSize && seen_[number % kSize];
     }
-    /// True if a frame of this number can still be delivered.
+    /// False: frame `number` was delivered, or is older than the newest delivered frame by kSize or more.
     [[nodiscard]] bool allows(std::uint32_t number) const noexcept {
       return is_newest(number) || (newest_ - number < kSize && !seen_[number % kSize]);
     }

@@ -26,28 +26,28 @@ struct Frame {
 struct SenderStatistics {
   std::uint64_t started = 0;
   std::uint64_t replaced = 0;  ///< dropped unsent, because a newer frame was offered
-  /// Dropped unsent, because their age exceeded twice the deadline minus the path's one-way delay. If this delay is
-  /// longer than the deadline, the limit of the age is the deadline itself.
+  /// Dropped unsent, because they would arrive later than 2 * `deadline` after their capture; or, if the one-way delay
+  /// (half the least round trip) exceeds `deadline`, because they were older than `deadline`.
   std::uint64_t expired = 0;
   std::uint64_t data_shards = 0;
   std::uint64_t repair_shards = 0;
   std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request
 };
 
-/// Cuts frames into fragments. One frame of each channel waits, and a newer one replaces it. A frame whose sending has
-/// begun is sent completely. Pure: time and the path are arguments. Owner: one thread.
+/// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is
+/// sent completely. `deadline` counts from Frame::captured. Pure: time and the path are arguments. Owner: one thread.
 class FrameSender {
  public:
   explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
 
-  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces. It is a bug of
-  /// the caller if `bytes` is empty, or larger than kMostFrameBytes less the time stamp.
+  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces. Aborts if
+  /// `channel` is not below kMostChannels, or `bytes` is empty or exceeds kMostFrameBytes - 8 (the time stamp's bytes).
   std::optional<std::uint32_t> offer(Frame frame);
 
   /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
   [[nodiscard]] std::optional<std::vector<std::byte>> next(SessionTime now, PathEstimate& path);
 
-  /// True when no frame waits and the started ones are sent, apart from requested repairs: the next one can start.
+  /// True when no frame waits and each started frame is sent, apart from requested repairs: a new frame can start.
   [[nodiscard]] bool idle() const noexcept { return first_round_.empty() && waiting_.empty(); }
   /// True while fragments wait for room on the path.
   [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }

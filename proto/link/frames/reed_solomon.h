@@ -19,8 +19,8 @@ struct RepairShard {
   std::vector<std::byte> bytes;
 };
 
-/// Restores the data shards `missing` in place. `repairs` has at least as many shards as `missing`, each row once. It
-/// cannot fail: each square part of a Cauchy matrix is invertible.
+/// Restores in place the data shards whose indices are in `missing`. `repairs` has at least as many shards, each row
+/// once; with fewer the process aborts. Each square part of a Cauchy matrix is invertible, so that a solution exists.
 void restore_data_shards(std::span<std::byte* const> data, std::span<const std::uint8_t> missing,
                          std::size_t shard_bytes, std::span<const RepairShard> repairs);
 

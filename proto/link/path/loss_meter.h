@@ -21,7 +21,7 @@ class LossMeter {
     if (sequence >= next_ + kSize) return skip_to(sequence, now);
     for (; next_ <= sequence; ++next_) seen_[next_ % kSize] = false;
     if (next_ - sequence <= kSize) seen_[sequence % kSize] = true;
-    // Each packet below the mark was sent before one that arrived at least kOvertaking ago.
+    // Packet mark_ - 1 arrived at least kOvertaking ago, and each packet below it was sent earlier.
     if (now - mark_at_ >= kOvertaking) {
       overtaken_ = mark_;
       mark_ = next_;

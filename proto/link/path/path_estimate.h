@@ -25,8 +25,8 @@ class PathEstimate {
   /// limit_B() falls to its least value. Then it doubles with each round trip, up to half of its value before the fall.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
 
-  [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }  ///< smoothed; 0: unknown
-  [[nodiscard]] Nanoseconds least_round_trip() const noexcept { return least_round_trip_; }
+  [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }              ///< smoothed; 0: unknown
+  [[nodiscard]] Nanoseconds least_round_trip() const noexcept { return least_round_trip_; }  ///< of the last 10 s
   /// Queueing delay in the direction of sending, without jitter.
   [[nodiscard]] Nanoseconds queue_delay() const noexcept { return queue_delay_; }
   [[nodiscard]] double loss() const noexcept { return loss_; }                    ///< share of packets
@@ -34,7 +34,7 @@ class PathEstimate {
   [[nodiscard]] double rate_B_per_s() const noexcept { return rate_B_per_s_; }    ///< rate of delivery; 0: unknown
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }
-  [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< of the newest complete frame
+  [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< newest Feedback::age_us
   /// Number of reports that acknowledged a new datagram. While it grows, the path works in both directions.
   [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
 
@@ -91,13 +91,13 @@ class PathEstimate {
 /// True if a lost packet of a frame that must arrive within `left` can be requested and repaired in time.
 [[nodiscard]] bool can_repair(Nanoseconds left, const PathEstimate& path) noexcept;
 
-/// True if frames may depend on each other: hardly any packet is lost, or a loss can be repaired within `deadline`. A
-/// frame that is lost for good makes each frame unreadable that depends on it, until a key frame comes. False for a
-/// path that is not measured yet.
+/// True if frames may depend on each other: less than 0.1 % of the packets are lost, or a loss can be repaired within
+/// `deadline`. A frame that cannot be repaired makes all frames that depend on it unreadable, until a key frame comes.
+/// False for a path that is not measured yet.
 [[nodiscard]] bool references_arrive(const PathEstimate& path, Nanoseconds deadline) noexcept;
 
-/// Number of repair shards to send at once with a block of `data_shards`. `loss`: share of packets. `repairable`: a
-/// request for more shards and the answer can arrive before the frame's deadline.
+/// Number of repair shards to send together with a block of `data_shards`. `loss`: share of packets that are lost.
+/// `repairable`: a request for more shards and the answer can arrive before the frame's deadline.
 [[nodiscard]] std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets,
                                         bool repairable) noexcept;
 

@@ -7,8 +7,8 @@
 
 namespace telepalp::link {
 
-/// The best of the values of the last span of time; `Better` compares two values. It keeps only values that may still
-/// become the best, so that adding one takes constant time on average.
+/// The least or greatest of the values that were added within a span of time. `Better{}(a, b)`: a is better than b.
+/// Only values that may still become the best are kept, so that add() takes constant time on average.
 template <class Value, class Better>
 class WindowedExtreme {
  public:

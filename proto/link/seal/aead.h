@@ -16,7 +16,7 @@ class Aead {
   enum class Use { Seal, Open };
   Aead(Cipher cipher, const PacketKey& key, Use use);
 
-  /// Encrypts `plain` to `out`, which has kTagBytes more than `plain`, and authenticates `header` with it.
+  /// Encrypts `plain` to `out`, which has kTagBytes more for the tag. The tag authenticates `plain` and `header`.
   void seal(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> plain,
             std::byte* out);
   /// Decrypts `sealed` to `out`, which has kTagBytes less. False: the tag is wrong; `out` is then all zero.

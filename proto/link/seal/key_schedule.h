@@ -34,7 +34,7 @@ struct PacketKey {
   std::array<std::byte, 12> salt{};  ///< nonce: the salt, its bytes 4 to 11 XOR the datagram's number (little-endian)
 };
 
-/// HKDF-Expand of RFC 5869 with SHA-256, for one block: HMAC(secret, label || 1).
+/// HKDF-Expand of RFC 5869 with SHA-256, for one block: HMAC(secret, label followed by the byte 1).
 [[nodiscard]] Secret expand(const Secret& secret, std::string_view label);
 
 /// The traffic secret of epoch 0 in one direction. An epoch is the period in which one key is used.

@@ -50,7 +50,7 @@ class Sealer {
 
 struct Opened {
   std::uint64_t sequence = 0;
-  bool newest = false;  ///< true: no newer packet came before. Only such a packet may change the peer's address.
+  bool newest = false;  ///< true: the highest sequence so far. Only then may the packet change the peer's address.
   std::span<const std::byte> payload;  ///< valid until the next open()
 };
 

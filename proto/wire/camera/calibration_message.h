@@ -7,8 +7,8 @@
 
 namespace telepalp::wire {
 
-/// Intrinsics [pixels] from a calibration message. nullopt: K is missing, or its size or numbers are impossible for a
-/// camera.
+/// Intrinsics [pixels] from a calibration message. nullopt: its camera matrix does not have nine numbers, or the
+/// intrinsics are not well-formed (rgbd_frame.h: sides up to kMaxImageSide, finite numbers, positive focal lengths).
 [[nodiscard]] std::optional<Intrinsics> intrinsics_of(const foxglove::CameraCalibration& calibration);
 
 }  // namespace telepalp::wire

@@ -8,8 +8,8 @@
 
 namespace telepalp::wire {
 
-/// Names of the frames of reference in messages: the depth camera, and the colour camera when it is not registered to
-/// depth.
+/// Names of the frames of reference in messages. Depth, and colour that is registered to depth, are in kDepthFrameId;
+/// other colour is in kColorFrameId.
 inline constexpr const char* kDepthFrameId = "camera_depth";
 inline constexpr const char* kColorFrameId = "camera_color";
 

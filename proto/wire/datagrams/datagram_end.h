@@ -35,7 +35,7 @@ class DatagramEnd {
 
   /// Opens the path: a client begins to send reports, and a server begins to wait for them.
   void start();
-  /// Processes a received datagram, and returns what link::DatagramLink::received() returns. Call pump() afterwards.
+  /// Processes a datagram; call pump() afterwards. nullopt: not from the peer. True: newer than all datagrams before.
   std::optional<bool> received(std::span<const std::byte> datagram);
   /// Sends datagrams while the path and the socket have room. Call it when next_frame() has a frame again.
   void pump();

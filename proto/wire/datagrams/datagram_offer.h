@@ -32,7 +32,7 @@ struct DatagramOffer {
 [[nodiscard]] std::optional<DatagramOffer> make_offer(std::uint32_t session, msg::DatagramCipher wanted,
                                                       const KeyingMaterial& from_tls);
 
-/// The settings that a client uses for `offer`; nullopt: it names an unknown cipher, or has no usable secret.
+/// The settings that a client uses for `offer`; nullopt: an unknown cipher, or no secret from TLS or in `offer`.
 [[nodiscard]] std::optional<link::SealSettings> accept_offer(const msg::DatagramOffer& offer,
                                                              const KeyingMaterial& from_tls);
 

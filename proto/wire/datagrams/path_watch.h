@@ -51,11 +51,11 @@ inline constexpr DatagramRow kDatagramTransitions[] = {
   return "?";
 }
 
-/// The phase of a datagram path over time. Pure: time is an argument.
+/// The phase of a datagram path over time. Pauses double from kFirstPause to kLongestPause. Pure: time is an argument.
 class PathWatch {
  public:
   static constexpr Nanoseconds kAnswerWithin =
-      std::chrono::milliseconds(1500);  ///< longest time in Trying; long enough for a slow TLS handshake
+      std::chrono::milliseconds(1500);  ///< longest time in Trying; a report and its answer take 0.6 s by satellite
   static constexpr Nanoseconds kSilence = std::chrono::seconds(1);  ///< longest time without an answer in Up
   static constexpr Nanoseconds kFirstPause = std::chrono::seconds(2);
   static constexpr Nanoseconds kLongestPause = std::chrono::seconds(30);

@@ -60,7 +60,7 @@ class McapWriter {
   /// Removes the unfinished file.
   void discard() noexcept { file_.discard(); }
 
-  /// Bytes in finished chunks; after close(), the file's size.
+  /// Bytes written to the file so far, without the open chunk; after close(), the file's size.
   [[nodiscard]] std::uint64_t bytes() const noexcept {
     return final_bytes_ > 0 ? final_bytes_ : encoder_.committed_bytes();
   }

@@ -5,8 +5,8 @@
 
 namespace telepalp::wire {
 
-/// Turns Nagle's algorithm off and bounds the unsent bytes in the kernel: a message that waits there cannot be
-/// replaced.
+/// Turns Nagle's algorithm off, and bounds the unsent bytes in the kernel to 128 KiB: a message that waits in the
+/// kernel cannot be replaced by a newer one.
 void tune(boost::asio::ip::tcp::socket& socket);
 
 /// "127.0.0.1:4711", or "[::1]:4711": the peer's address.

@@ -5,7 +5,7 @@
 
 namespace telepalp::wire {
 
-/// Opens `socket` in non-blocking mode, with kernel buffers large enough for a burst of images.
+/// Opens `socket` in non-blocking mode, and asks for kernel buffers of 4 MiB: enough for a burst of images.
 [[nodiscard]] boost::system::error_code open_udp(boost::asio::ip::udp::socket& socket,
                                                  const boost::asio::ip::udp& protocol);
 

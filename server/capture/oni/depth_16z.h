@@ -14,7 +14,7 @@ namespace telepalp::capture {
                                                                    std::size_t count);
 
 /// Decodes OpenNI's depth codec "16zT": the packet begins with a table of depth values, and its "16z" samples are
-/// indices into the table.
+/// indices into the table. nullopt as for decode_16z(), and for an index beyond the table.
 [[nodiscard]] std::optional<std::vector<std::uint16_t>> decode_16z_table(std::span<const std::byte> packet,
                                                                          std::size_t count);
 

@@ -33,7 +33,7 @@ class OniFrames final : public RecordedFrames {
   OniRecording recording_;
   CameraModel camera_;
   std::size_t next_ = 0;
-  std::string first_damage_;  // first image that could not be decoded
+  std::string first_damage_;  // text about the first image that could not be decoded
 };
 
 }  // namespace telepalp::capture

@@ -29,17 +29,17 @@ enum class OniRecordKind : std::uint32_t {
 struct OniRecord {
   OniRecordKind kind{};
   std::uint32_t node = 0;           ///< number of the device or stream
-  std::uint64_t at = 0;             ///< file offset of its beginning
+  std::uint64_t at = 0;             ///< file offset of the record's first byte
   std::string fields;               ///< the bytes between the record's header and its payload
-  std::uint64_t payload_at = 0;     ///< file offset
-  std::uint32_t payload_bytes = 0;  ///< checked to lie within the file
+  std::uint64_t payload_at = 0;     ///< file offset of the payload's first byte
+  std::uint32_t payload_bytes = 0;  ///< length of the payload, which lies within the file
 };
 
 /// Iterates over the records of an .oni file. Sizes are checked against the file's size before memory is allocated. A
-/// damaged record is skipped: the iteration continues at the next record mark. The time is linear in the file's size.
+/// damaged record is skipped up to the next "NIR\0", which begins each record. The time is linear in the file's size.
 class OniRecordWalk {
  public:
-  /// `file` must outlive the object. `name`: the file's name, for errors.
+  /// `file` must outlive the object. `name`: file name, for errors. Error: no .oni header of format 1.0.0.4 to 1.x.
   [[nodiscard]] static Result<OniRecordWalk> open(std::istream& file, const std::string& name);
 
   /// The next readable record; nullopt at the end record or at the end of the file.
@@ -48,7 +48,7 @@ class OniRecordWalk {
   [[nodiscard]] bool reached_end_record() const noexcept { return reached_end_record_; }
   [[nodiscard]] std::uint64_t file_bytes() const noexcept { return file_bytes_; }
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
-  /// File offset of the first damaged record; meaningless if damaged() is 0.
+  /// File offset of the first of the damaged() skipped parts; meaningless if damaged() is 0.
   [[nodiscard]] std::uint64_t first_damage_at() const noexcept { return first_damage_at_; }
 
  private:
@@ -66,7 +66,7 @@ class OniRecordWalk {
   std::uint64_t first_damage_at_ = 0;
 };
 
-/// Reads `count` bytes at offset `at`; nullopt when the file is too short, for example truncated meanwhile.
+/// Reads `count` bytes at offset `at`; nullopt when the file ends before `at` + `count`.
 [[nodiscard]] std::optional<std::string> read_at(std::istream& file, std::uint64_t at, std::uint32_t count);
 
 }  // namespace telepalp::capture

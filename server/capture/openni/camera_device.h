@@ -17,13 +17,13 @@ class CameraDevice {
   struct Frame {
     RgbdFrame frame;
     std::chrono::microseconds driver_time{};
-    SessionTime arrival;
+    SessionTime arrival;  ///< when the depth image arrived
   };
-  struct Nothing {};  ///< no frame came within `patience`
+  struct Nothing {};  ///< no frame came within the `patience` of read()
   struct Gone {
-    std::string why;
+    std::string why;  ///< text for the technician: why the device is lost
   };
-  struct Ended {};  ///< end of a recording
+  struct Ended {};  ///< the device plays a recording, and the recording has ended
   using Read = std::variant<Nothing, Frame, Gone, Ended>;
 
   virtual ~CameraDevice() = default;

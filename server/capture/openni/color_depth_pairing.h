@@ -26,12 +26,12 @@ class ColorDepthPairing {
   void add_color(std::chrono::microseconds driver_time, ColorImage color);
   void add_depth(std::chrono::microseconds driver_time, SessionTime arrival, DepthImage depth);
 
-  /// Returns the depth image with its colour image. After kWaitForColor, it returns the depth image with the last
-  /// colour image, or without colour if the driver's time stamps of both differ by more than kStaleColor. nullopt:
-  /// there is no depth image, or the depth image still waits for its colour image.
+  /// Returns the depth image with the colour image within kSameInstant. After kWaitForColor, it returns the depth image
+  /// with the newest colour image, or without colour if the driver's time stamps of the two images differ by more than
+  /// kStaleColor. nullopt: there is no depth image, or the depth image still waits for its colour image.
   [[nodiscard]] std::optional<Pair> take(SessionTime now);
 
-  /// True while a depth image waits for its colour.
+  /// True while a depth image waits for its colour image or for take().
   [[nodiscard]] bool waiting() const noexcept { return depth_.has_value(); }
 
  private:

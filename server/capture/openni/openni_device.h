@@ -8,8 +8,8 @@
 
 namespace telepalp::capture {
 
-/// A live camera through OpenNI2: depth, and colour if the camera has it, registered to depth if the driver supports
-/// it. `uri` empty: any connected camera.
+/// A live camera through OpenNI2: depth, and colour if the camera has it; aligned pixel by pixel if the driver supports
+/// registration. `uri` empty: any connected camera. CameraDevice::open() connects to the camera.
 [[nodiscard]] std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionClock clock);
 
 }  // namespace telepalp::capture

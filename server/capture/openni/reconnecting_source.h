@@ -45,12 +45,12 @@ struct SourceTime {
   std::function<void(Nanoseconds)> sleep;
 };
 
-/// A camera that may be unplugged: while it is lost, the source tries to open it once a second, and state() and
-/// detail() report this. Driver time stamps are mapped to session time.
+/// A camera that may be unplugged. While the camera is lost, the source tries to open it once a second; state() and
+/// detail() report the loss. Driver time stamps are mapped to session time.
 class ReconnectingSource final : public CaptureSource {
  public:
-  static constexpr Nanoseconds kSilence{2'000'000'000};  ///< without a frame for so long, the camera is lost
-  static constexpr Nanoseconds kRetry{1'000'000'000};
+  static constexpr Nanoseconds kSilence{2'000'000'000};  ///< after this time without a frame, the camera is lost
+  static constexpr Nanoseconds kRetry{1'000'000'000};    ///< time between two attempts to open the lost camera
 
   /// `device` must be open.
   ReconnectingSource(std::unique_ptr<CameraDevice> device, SourceTime time);
@@ -68,7 +68,7 @@ class ReconnectingSource final : public CaptureSource {
   SourceTime time_;
   TimestampMap timestamps_;
   CameraPhase phase_ = CameraPhase::Waiting;
-  SessionTime last_sign_;  // time of the last frame or opening
+  SessionTime last_sign_;  // when the last frame arrived or the device was opened
   SessionTime last_try_;
   std::string why_lost_;
   std::uint64_t sequence_ = 0;

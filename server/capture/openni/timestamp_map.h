@@ -9,13 +9,13 @@
 
 namespace telepalp::capture {
 
-/// Maps a driver's timestamps, of any epoch, to session time: the offset follows the least delayed arrivals
-/// (ClockEnvelope). A driver clock that steps back or leaps ahead (a recording that starts over, a device that resets)
-/// starts a new mapping. Session times never go backwards.
+/// Maps a driver's time stamps, of any epoch, to session time. The offset follows the least delayed arrivals
+/// (ClockEnvelope). A driver clock that steps back, or leaps by more than 0.5 s against session time (a recording that
+/// starts over, a device that resets), starts a new mapping. The results strictly increase.
 class TimestampMap {
  public:
-  /// The session time of a frame with the driver's stamp `driver` that arrived at `arrival`. The result is at most
-  /// `arrival`, unless an earlier result was later: then it is the earlier result plus 1 ns.
+  /// The session time of a frame with the driver's stamp `driver` that arrived at `arrival`: at most `arrival`, but at
+  /// least 1 ns after the previous result.
   [[nodiscard]] SessionTime map(std::chrono::microseconds driver, SessionTime arrival);
 
   /// Number of jumps of the driver's clock.

@@ -13,14 +13,14 @@ struct FrameSlot {
   SessionTime due;          ///< when the frame is due
 };
 
-/// Paces the frames of a source without a camera. Slot 0 is due at the first call of next(), slot k exactly k periods
-/// later, so delays do not accumulate. Like a camera, it drops each slot that was not fetched before the next was due.
+/// Paces the frames of a source without a camera. Slot 0 is due at the first next(), slot k is due k periods after slot
+/// 0, so delays do not accumulate. Like a camera, the pacer drops a slot that was not fetched before the next is due.
 class FramePacer {
  public:
   /// `paced` false: next() does not wait, and no slot is dropped.
   FramePacer(wire::SessionClock clock, Nanoseconds period, bool paced) noexcept;
 
-  /// Sleeps until the next slot is due, at most `patience`; nullopt when it is not due by then.
+  /// Sleeps until the next slot is due, at most `patience`; nullopt: the slot is due later than that.
   [[nodiscard]] std::optional<FrameSlot> next(Nanoseconds patience);
 
  private:

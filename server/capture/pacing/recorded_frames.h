@@ -12,7 +12,7 @@ class RecordedFrames {
  public:
   virtual ~RecordedFrames() = default;
 
-  /// Capture time of the next frame; nullopt at the end. Damaged parts are skipped and counted.
+  /// Capture time of the next frame by the recording's clock; nullopt at the end. Skips damaged parts (complaint()).
   [[nodiscard]] virtual std::optional<SessionTime> peek() = 0;
 
   /// Decodes the next frame; nullopt when it is damaged. Call peek() first.

@@ -8,8 +8,8 @@
 
 namespace telepalp::capture {
 
-/// Plays a recording like a camera: at the recorded pace, except that a pause of more than 2 s is cut to 2 s, and with
-/// current time stamps. `description`: text for the technician.
+/// Plays a recording like a camera: at the recorded pace, with a pause of more than 2 s cut to 2 s. A frame's
+/// `captured` is the session time at which the frame is due. `description`: text for the technician.
 [[nodiscard]] std::unique_ptr<CaptureSource> play_recorded(std::unique_ptr<RecordedFrames> frames,
                                                            std::string description, const SourceOptions& options);
 

@@ -16,8 +16,8 @@ struct FrameSequence {
   std::string description;  ///< text for the technician, with warnings
 };
 
-/// Plays a sequence like a camera: each frame at its time; frames that were not fetched in time are dropped. When a
-/// frame cannot be loaded, the source ends and detail() gives the reason.
+/// Plays a sequence like a camera: frame k is due k periods after the first; a frame that was not fetched before the
+/// next is due is dropped. When a frame cannot be loaded, the source ends and detail() gives the reason.
 [[nodiscard]] std::unique_ptr<CaptureSource> play(FrameSequence sequence, const SourceOptions& options);
 
 }  // namespace telepalp::capture

@@ -11,8 +11,8 @@
 
 namespace telepalp::capture {
 
-/// The frames of a recorded session: each depth image with the colour image of equal capture time and the last camera
-/// model before it.
+/// The frames of a recorded session. A frame has a depth image, the colour image of equal capture time, and the camera
+/// model that was recorded last before the depth image.
 class SessionFrames final : public RecordedFrames {
  public:
   /// `keep_compressed`: compressed() gives the images as recorded, and colour is not decoded. Error: not a session

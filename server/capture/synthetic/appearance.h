@@ -8,7 +8,7 @@ namespace telepalp::capture {
 
 /// Paints the colour image of the scene at full exhale: skin with mottling and pores, cloth over the pelvis, a sheet on
 /// the table, lit from above the patient's left shoulder. Breathing moves the skin along the camera's rays, so the
-/// image is valid for the whole breath.
+/// image is valid at each instant of a breath; it is not valid for a body that has slid.
 [[nodiscard]] ColorImage paint(const RestShape& rest, std::uint64_t seed);
 
 }  // namespace telepalp::capture

@@ -26,7 +26,7 @@ class SyntheticPatient {
   /// The camera's frame for an exposure at `time`; `captured` is `time`. Colour is registered to depth.
   [[nodiscard]] RgbdFrame frame_at(SessionTime time, std::uint64_t sequence) const;
 
-  /// The camera's frame of a given pose, for scripted motions. `time` selects the noise.
+  /// The camera's frame of a given pose, for scripted motions. `time` selects the noise. The colour ignores the pose.
   [[nodiscard]] RgbdFrame frame_of(const PatientPose& pose, SessionTime time, std::uint64_t sequence) const;
   [[nodiscard]] DepthImage depth_of(const PatientPose& pose, SessionTime time) const;  ///< without colour
   [[nodiscard]] TrueSurface surface_of(const PatientPose& pose) const noexcept;

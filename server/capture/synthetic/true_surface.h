@@ -16,7 +16,7 @@ struct TrueSurfacePoint {
   Point<DepthCamera> at;
   Vector<DepthCamera> normal;            ///< unit, out of the body, towards the camera
   Vector<DepthCamera> velocity_m_per_s;  ///< of the skin at `at`; zero on the table
-  double normal_velocity_m_per_s = 0.0;  ///< velocity along the normal: positive while the patient breathes in
+  double normal_velocity_m_per_s = 0.0;  ///< velocity along `normal`; positive: out of the body
   bool on_body = false;                  ///< skin; false: the table
 };
 
@@ -38,8 +38,8 @@ class TrueSurface {
   TrueSurface(std::shared_ptr<const RestShape> rest, const PatientPose& pose) noexcept;
 
   /// The surface point on the ray through pixel (u, v), for any finite coordinates; pixel centres have integer
-  /// coordinates. Error: zero, since this function defines the surface. At a pixel centre, z equals the noise-free
-  /// depth up to float rounding.
+  /// coordinates. Exact, since this function defines the surface. At a pixel centre, z equals the depth of the
+  /// noise-free depth image up to float rounding.
   [[nodiscard]] TrueSurfacePoint at_pixel(double u, double v) const noexcept;
 
   /// Depth z [m] of the surface on the ray through pixel (u, v).
@@ -49,17 +49,17 @@ class TrueSurface {
   [[nodiscard]] TrueSurfacePoint on_ray_through(const Point<DepthCamera>& point) const noexcept;
 
   /// The surface point with the camera coordinates (x, y) [m]. nullopt where the search does not converge, which
-  /// happens only within millimetres of a silhouette. Error: at most 1e-9 m.
+  /// happens only within millimetres of a silhouette. Numerical error: at most 1e-9 m.
   [[nodiscard]] std::optional<TrueSurfacePoint> at_xy(double x_m, double y_m) const noexcept;
 
   /// The surface point nearest to `point`, which lies in front of the camera and within about 50 mm of the surface. The
-  /// search begins where the ray through `point` meets the surface, stays on this layer and follows its tangent planes.
-  /// nullopt where it does not converge (near silhouettes). Error: at most 1e-7 m.
+  /// search begins where the ray through `point` meets the surface, stays on that layer and steps along tangent planes.
+  /// nullopt where the search does not converge (near silhouettes). Numerical error: at most 1e-7 m.
   [[nodiscard]] std::optional<TrueSurfacePoint> closest_to(const Point<DepthCamera>& point) const noexcept;
 
-  /// Height of the surface on the line through `point` along the unit vector `up`: `point + m * up` lies on it.
-  /// nullopt where the search does not converge (near silhouettes, or on a line that grazes the skin). Error: at most
-  /// 1e-8 m.
+  /// Height of the surface on the line through `point` along the unit vector `up`: `point + m * up` lies on the
+  /// surface. nullopt where the search does not converge (near silhouettes, or on a line that grazes the skin).
+  /// Numerical error: at most 1e-8 m.
   [[nodiscard]] std::optional<TrueHeight> height_along(const Point<DepthCamera>& point,
                                                        const Vector<DepthCamera>& up) const noexcept;
 
@@ -71,7 +71,7 @@ class TrueSurface {
   [[nodiscard]] bool meets_body(double u, double v) const noexcept;
   [[nodiscard]] TrueSurfacePoint on_layer(double u, double v, bool body) const noexcept;
 
-  std::shared_ptr<const RestShape> rest_;  // shared by all instants of a patient
+  std::shared_ptr<const RestShape> rest_;  // shared by all TrueSurfaces of a patient
   PatientPose pose_;
 };
 

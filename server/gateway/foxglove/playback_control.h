@@ -11,15 +11,15 @@
 
 namespace telepalp::gateway::foxglove {
 
-/// The played session, as the WebSocket sees it. Both functions are unset if the server plays none.
+/// Access to the played session: reads its state, carries out a command. Both are unset if the server plays no session.
 struct PlaybackPort {
   std::function<msg::PlaybackState()> state;
   std::function<Result<void>(const msg::PlaybackCommand&)> move;
   [[nodiscard]] explicit operator bool() const noexcept { return state && move; }
 };
 
-/// A client's request of the capability "playbackControl". Binary, little-endian: 03 | u8 command: 0 play, 1 pause |
-/// f32 speed | u8 whether to seek | u64 time [ns] | u32 length | id of the request.
+/// A client's request of Foxglove's capability "playbackControl". Binary, little-endian: 03 | u8 command: 0 play, 1
+/// pause | f32 speed | u8: not 0 to seek | u64 time to seek to [ns] | u32 length of the id | id of the request.
 struct PlaybackRequest {
   bool play = false;
   double speed = 1.0;
@@ -30,18 +30,18 @@ struct PlaybackRequest {
 /// True if the client's binary message is a playback request, well formed or not.
 [[nodiscard]] bool is_playback_request(std::string_view bytes) noexcept;
 
-/// Error: a truncated request, an unknown command, a speed that is not finite, or a time outside the session of
-/// `state`.
+/// Parses a playback request. Error: a wrong length, an unknown command, a speed that is not finite, or a time outside
+/// the session of `state`.
 [[nodiscard]] Result<PlaybackRequest> read_playback_request(std::string_view bytes, const msg::PlaybackState& state);
 
 /// The request as a command to the player.
 [[nodiscard]] msg::PlaybackCommand command_of(const PlaybackRequest& request, const msg::PlaybackState& state);
 
-/// The state as a binary message: 05 | u8 status: 0 playing, 1 paused, 3 ended | u64 time [ns] | f32 speed | u8 whether
-/// a seek was done | u32 length | id of the request that it answers. Times are session times of the recording.
+/// The state as a binary message: 05 | u8 status: 0 playing, 1 paused, 3 ended | u64 recorded session time [ns] | f32
+/// speed | u8 whether a seek was done: 0 here | u32 length of the id: 0 here | id of the answered request.
 [[nodiscard]] std::string playback_state(const msg::PlaybackState& state);
 
-/// The reply to `request`, as a state message: the state to which `request` leads from the present `state`.
+/// The reply to `request`: as playback_state(), for the state to which `request` leads from `state`, with the id.
 [[nodiscard]] std::string playback_reply(const msg::PlaybackState& state, const PlaybackRequest& request);
 
 /// Session time of the recording's last message [ns].

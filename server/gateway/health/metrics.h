@@ -10,7 +10,7 @@ namespace telepalp::gateway {
 inline constexpr std::string_view kMetricsTarget = "/metrics";
 inline constexpr std::string_view kHealthTarget = "/health";
 
-/// The server's counts in Prometheus' text format. It names no person and no address.
+/// The server's counts as Prometheus text, without names and addresses. `browsers`: open connections to the gateway.
 [[nodiscard]] std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access,
                                        const hub::DatagramCounts& datagrams, std::size_t browsers, bool touch_is_held);
 

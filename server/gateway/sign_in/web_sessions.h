@@ -11,7 +11,7 @@
 namespace telepalp::gateway {
 
 /// Browsers that signed in with a token. A browser keeps a random cookie; the server keeps the cookie's hash and the
-/// person who signed in. Bounded: the oldest session ends when there are too many. Owner: the server's network thread.
+/// person who signed in. A session ends after kLongest; beyond kMost, the oldest ends. Owner: the network thread.
 class WebSessions {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

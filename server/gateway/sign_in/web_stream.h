@@ -84,9 +84,9 @@ class Discard {
   }
 
  private:
-  static constexpr std::size_t kMostDiscarded = 4 << 20;  // then a peer that never stops sending is cut off
+  static constexpr std::size_t kMostDiscarded = 4 << 20;  // limit for a peer that never stops sending
 
-  boost::asio::ip::tcp::socket* socket_;  // its owner outlives the teardown
+  boost::asio::ip::tcp::socket* socket_;  // the socket's owner outlives the teardown
   Handler handler_;
   std::unique_ptr<std::array<char, 4096>> bytes_;
   std::size_t left_ = kMostDiscarded;
@@ -96,7 +96,7 @@ class Discard {
 /// own close_notify is not sent.
 template <class Handler>
 void async_teardown(boost::beast::role_type, WebStream& stream, Handler&& handler) {
-  boost::system::error_code ignored;  // a peer that is gone also ends the read
+  boost::system::error_code ignored;  // if the peer is gone, the read fails and ends the teardown
   stream.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
   using Op = Discard<std::decay_t<Handler>>;
   Op::start(Op(stream.socket(), std::forward<Handler>(handler)));

@@ -24,18 +24,18 @@ class DatagramPort {
    public:
     virtual ~Session() = default;
     virtual void received(std::span<const std::byte> datagram, const Endpoint& from) = 0;
-    [[nodiscard]] virtual const link::OpenerStatistics& refused() const = 0;
+    [[nodiscard]] virtual const link::OpenerStatistics& refused() const = 0;  ///< counts of refused datagrams
   };
 
   explicit DatagramPort(boost::asio::io_context& io);
   [[nodiscard]] boost::system::error_code open(const Endpoint& at);
   void close() noexcept;
 
-  /// Adds `session` and returns its random number. The caller calls leave() before it destroys the session.
+  /// Adds `session`; returns the random number that its datagrams' headers state. Call leave() before destroying it.
   std::uint32_t join(Session& session);
   void leave(std::uint32_t number) noexcept { sessions_.erase(number); }
 
-  /// False: the socket's send buffer is full, and the datagram can be sent again.
+  /// False: the socket's send buffer is full, and the datagram can be sent again. After other errors, it is lost: true.
   [[nodiscard]] bool send(std::span<const std::byte> datagram, const Endpoint& to);
 
   [[nodiscard]] const DatagramCounts& counts() const noexcept { return counts_; }

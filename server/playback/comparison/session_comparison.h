@@ -13,11 +13,11 @@
 
 namespace telepalp::playback {
 
-/// Compares the played session with another one of a folder. A thread of its own reads both files; the mutex guards the
+/// Compares the played session with another one of a folder. A separate thread reads both files; the mutex guards the
 /// result, which the network thread copies. Owner: the network thread.
 class SessionComparison {
  public:
-  static constexpr std::size_t kMostSessions = 200;
+  static constexpr std::size_t kMostSessions = 200;  ///< largest number of the folder's sessions that json() lists
 
   /// `folder`: its files *.mcap may be compared with `played`. Error: it is not a folder.
   [[nodiscard]] static Result<std::unique_ptr<SessionComparison>> open(std::filesystem::path played,
@@ -42,7 +42,7 @@ class SessionComparison {
   std::filesystem::path played_;
   std::filesystem::path folder_;
   mutable std::mutex mutex_;
-  msg::ComparisonState state_;  // without `sessions`, which are listed when they are asked for
+  msg::ComparisonState state_;  // without `sessions`, which each json() lists anew
   std::atomic<bool> stopping_{false};
   std::thread thread_;  // last member: the thread uses the others
 };

@@ -12,7 +12,7 @@
 
 namespace telepalp::playback {
 
-/// The station at an instant, as far as two runs are compared.
+/// The part of a station's state that compare_tracks() uses.
 struct TrackPoint {
   std::int64_t at_ns = 0;          ///< session time of the state
   std::array<float, 3> force_N{};  ///< in the haptic base's frame
@@ -20,7 +20,7 @@ struct TrackPoint {
   msg::Phase phase = msg::PHASE_UNSPECIFIED;
 };
 
-/// The states of the first station of a session, in order of time.
+/// The states of the station whose state comes first in a session, in order of time.
 struct StateTrack {
   std::int64_t begin_ns = 0;  ///< session time of the session's first message
   std::int64_t end_ns = 0;    ///< session time of the session's last message

@@ -11,19 +11,19 @@ struct TextPlace {
   int column;
 };
 
-/// The byte of a text-format file at a line and column as its parser counts them: both from 0, a tab ends at the next
-/// multiple of eight columns.
+/// Offset in bytes of a line and column of a text-format file, as Protobuf's parser counts them: both from 0, a tab
+/// ends at the next multiple of eight columns.
 [[nodiscard]] std::size_t byte_of(std::string_view source, int line, int column) noexcept;
 
-/// The place of character number `offset`, from 0, of the quoted text that begins after byte `from` of `source`; an
-/// escape such as \n is one character. The text may consist of several quoted parts with spaces, lines and comments
-/// between them. An offset beyond the text gives its end.
+/// The place of byte `offset`, from 0, of the quoted text whose first quote is the first at or after byte `from` of
+/// `source`; an escape such as \n is one byte. The text may consist of several quoted parts with spaces, lines and
+/// comments between them. An offset beyond the text gives the text's end.
 [[nodiscard]] TextPlace place_in_quoted(std::string_view source, std::size_t from, std::size_t offset) noexcept;
 
-/// The place of a byte of `source`.
+/// The place of the byte at offset `byte` of `source`.
 [[nodiscard]] TextPlace place_of(std::string_view source, std::size_t byte) noexcept;
 
-/// The number of bytes before the first one that is not part of a letter in UTF-8 (RFC 3629).
+/// Length in bytes of the longest beginning of `text` that is valid UTF-8 (RFC 3629).
 [[nodiscard]] std::size_t valid_utf8_bytes(std::string_view text) noexcept;
 
 }  // namespace telepalp::program

@@ -24,11 +24,11 @@ class CameraPath {
  public:
   CameraPath(const Scenario& scenario, Wires wires);
 
-  /// Queues a frame at the server. True: it replaced a frame that was not sent.
+  /// Queues `frame` at the server. True: `frame` replaced an earlier frame, which is never sent.
   bool offer(link::Frame frame);
   /// Delivers the datagrams that have arrived, and sends those that are due. Call it once a tick.
   void exchange(SessionTime now);
-  /// The next frame that is complete at the station.
+  /// The next frame that is complete at the station; nullopt: none.
   [[nodiscard]] std::optional<link::Frame> take(SessionTime now);
   /// True if the station needs a depth key frame. The call clears the request.
   [[nodiscard]] bool key_frame_wanted();

@@ -19,7 +19,7 @@ struct FrameCounts {
 };
 
 /// One run of the source over one network: the server's sender, the network and the station, in virtual time. Cells
-/// share no state that one of them writes, so that they may run on different threads. Pure, except for `publish`.
+/// share no state that one of them writes, so they may run on different threads. Pure if `publish` and `wires` are.
 class Cell {
  public:
   /// `truth`: the source's true skin; empty for a recording. `tape`: how the frames are encoded. `wires`: the network

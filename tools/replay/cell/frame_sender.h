@@ -18,10 +18,10 @@ class FrameSender {
   FrameSender(const Scenario& scenario, const TapeSettings& tape);
 
   void captured(std::shared_ptr<const TapeFrame> frame) { captured_.push_back(std::move(frame)); }
-  /// Offers the frames whose encoding is done by `now`. Call it once a tick, before the path's exchange().
+  /// Call each tick before exchange(). Offers the frames encoded by `now`; drops them while the server is down.
   void step(SessionTime now, CameraPath& path, Stopwatch& watch);
 
-  /// The frame that was sent under `number`; nullptr: unknown, or sent too long ago.
+  /// The frame that was offered with `number`; nullptr: none, or offered so long ago that it can no longer arrive.
   [[nodiscard]] std::shared_ptr<const TapeFrame> sent(std::uint32_t number);
   /// Capture times of the frames that were offered, in order.
   [[nodiscard]] const std::vector<SessionTime>& offered() const noexcept { return offered_; }

@@ -13,8 +13,8 @@ namespace telepalp::replay {
 [[nodiscard]] std::unique_ptr<ports::Rig> scripted_hand(const scenes::Scene& scene, HandScript script,
                                                         std::uint64_t seed);
 
-/// A device and a hand that repeat a recorded motion; the force does not move them. Before and after the recording they
-/// rest at its first and last position. `recorded` is not empty and outlives the returned object.
+/// A device and a hand that follow a recorded motion; the force does not move them. Before the recording they rest at
+/// its first position, after it at its last one. `recorded` is not empty and outlives the returned object.
 [[nodiscard]] std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded);
 
 }  // namespace telepalp::replay

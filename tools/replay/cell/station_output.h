@@ -11,8 +11,8 @@ namespace telepalp::replay {
 /// Called with each message of a station, in order of publication; empty: no messages are made.
 using Publish = std::function<void(wire::Message)>;
 
-/// The times of one depth frame on its way to the hand [ns of session time]; 0: the frame did not reach this instant.
-/// `touchable_ns`: the haptic loop can use its surface.
+/// The five instants of one depth frame on its way to the hand [ns of session time]. At `touchable_ns`, the haptic loop
+/// can use the surface that was built from the frame.
 struct FrameTimes {
   std::uint32_t number = 0;
   std::int64_t captured_ns = 0;

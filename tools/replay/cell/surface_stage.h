@@ -19,7 +19,7 @@ namespace telepalp::replay {
 /// A depth frame that has arrived at the station.
 struct ArrivedDepth {
   std::uint32_t number = 0;
-  std::vector<std::byte> bytes{};                    ///< a serialised DepthImage
+  std::vector<std::byte> bytes{};                    ///< a serialised msg::DepthImage
   std::shared_ptr<const TapeFrame> taped = nullptr;  ///< the frame as it was sent; nullptr: unknown
   SessionTime received{};
 };
@@ -31,8 +31,8 @@ struct BuiltSurface {
   double build_s = 0.0;
 };
 
-/// The station's surface thread in virtual time: frames that arrive while it works wait; then it builds the newest.
-/// Decoding and building take the times of the scenario's StageTimes.
+/// The station's surface thread in virtual time. Frames that arrive while the stage works wait; then the stage
+/// builds the newest of them. Decoding and building take the times of the scenario's StageTimes.
 class SurfaceStage {
  public:
   SurfaceStage(const StageTimes& stages, const surface::SurfaceSettings& settings,
@@ -41,9 +41,9 @@ class SurfaceStage {
   void arrived(ArrivedDepth frame) { waiting_.push_back(std::move(frame)); }
   /// Call it once a tick. Returns the surface that is finished at `now`. Otherwise, if the stage is idle, begins to
   /// decode the newest frame and to build its surface.
-  /// `device`: centre of the region in which a surface is built.
+  /// `device`: centre of the ball of 0.16 m radius in which a surface is built.
   [[nodiscard]] std::optional<BuiltSurface> step(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
-  /// Frames that could not be decoded.
+  /// Frames that could not be decoded, or whose ArrivedDepth::taped is nullptr.
   [[nodiscard]] std::uint64_t undecodable() const noexcept { return undecodable_; }
 
  private:

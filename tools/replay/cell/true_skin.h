@@ -17,7 +17,7 @@ struct TickRecord {
   Eigen::Vector3f force_N = Eigen::Vector3f::Zero();   ///< in the haptic base's frame H
   Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true position in H
   control::Phase phase = control::Phase::Released;
-  bool touching = false;           ///< the skin may give force: a phase with contact, and the device in the body
+  bool touching = false;           ///< is_inside(phase) or Body to plane, and the device is in the displayed body
   bool felt = false;               ///< the controller displays the skin or an object in it
   float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
   float off_truth_N = kUnknown;    ///< along the true normal: displayed force minus the true skin's

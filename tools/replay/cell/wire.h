@@ -18,7 +18,7 @@ class Wire {
   virtual void send(Nanoseconds now, std::span<const std::byte> datagram) = 0;
   /// The next datagram that has arrived by `now`; nullopt: none.
   [[nodiscard]] virtual std::optional<std::vector<std::byte>> receive(Nanoseconds now) = 0;
-  /// Datagrams that will never arrive, as far as this end can know.
+  /// Number of lost datagrams; a wire of real sockets counts datagrams on their way, too.
   [[nodiscard]] virtual std::uint64_t lost() const noexcept = 0;
 };
 

@@ -19,11 +19,11 @@ namespace telepalp::replay {
 /// The assertions in the form that continuous integration servers read (JUnit's XML). `suite`: name of the run.
 [[nodiscard]] std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements);
 
-/// Speed, and the share of each part in the processor time. It differs each time, unlike the reports.
+/// The speed, and the share of each part in the processor time. The same run gives a different text each time.
 [[nodiscard]] std::string cost_in_words(const RunResults& results, double wall_s);
 
-/// The network towards the station, the faults and the seed in one line: "80 ms delay one way ± 15 ms, 5 % lost in
-/// bursts of 4 packets on average; seed 1".
+/// The network towards the station, the other direction if it differs, the faults and the seed in one line: "80 ms
+/// delay one way ± 15 ms, 5 % lost in bursts of 4 packets on average; seed 1".
 [[nodiscard]] std::string in_words(const Scenario& scenario);
 
 }  // namespace telepalp::replay

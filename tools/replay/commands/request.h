@@ -44,7 +44,7 @@ struct Request {
 
 [[nodiscard]] program::Usage usage();
 
-/// Reads and checks the whole command line before anything runs. Error: whatever is misspelt, missing or out of range.
+/// Reads the whole command line before anything runs. Error: an argument is misspelt, missing or out of range.
 [[nodiscard]] Result<Request> read_request(const program::Arguments& arguments);
 
 }  // namespace telepalp::replay

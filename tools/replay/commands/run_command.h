@@ -10,8 +10,8 @@ namespace telepalp::replay {
 
 /// The steady clock [ns], to measure how fast a run is.
 [[nodiscard]] std::int64_t steady_ns() noexcept;
-/// Processor time of the calling thread [ns], for the cost of each part: other programs on the machine do not change
-/// it.
+/// Processor time of the calling thread [ns], for the cost of each part. Other programs on the machine do not add
+/// to this time.
 [[nodiscard]] std::int64_t thread_ns() noexcept;
 
 }  // namespace telepalp::replay

@@ -5,8 +5,8 @@
 namespace telepalp::replay {
 
 /// Runs a storm on `request.threads` threads: the random cases (patient, scene, hand's script, network, faults) of
-/// successive seeds, the first of which is that of the scenario. Shrinks each case that fails, and prints the command
-/// line of the shrunk case. True: the invariants held in all cases.
+/// `request.storm_seeds` successive seeds from `request.scenario.seed` on. Shrinks each case that fails (shrunk() in
+/// storm.h), and prints the command line of the shrunk case. True: the invariants held in all cases.
 [[nodiscard]] Result<bool> run_storm(const Request& request);
 
 }  // namespace telepalp::replay

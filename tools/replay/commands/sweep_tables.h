@@ -15,12 +15,12 @@ struct SweepResult {
   std::vector<Figures> figures;
 };
 
-/// One line for each cell, with eight metrics, from force_rmse_N to frames_touched_pct.
+/// One line for each cell, with its values on the axes and the eight metrics that the first line names.
 [[nodiscard]] std::string sweep_text(const SweepResult& result);
 /// One line for each cell, with all metrics; the first line names the columns.
 [[nodiscard]] std::string sweep_csv(const SweepResult& result);
 [[nodiscard]] std::string sweep_json(const SweepResult& result, const std::string& source);
-/// The metric over the first two axes, at the first value of all others, as SVG.
+/// A heat map, as SVG, of the metric over the first two axes, at the first value of each other axis.
 [[nodiscard]] std::string sweep_map(const SweepResult& result, const Metric& metric);
 
 }  // namespace telepalp::replay

@@ -16,10 +16,10 @@ namespace telepalp::replay {
 struct Figures {
   double seconds = 0.0;
   double force_rmse_N = 0.0;       ///< against the unimpaired run, tick by tick, over all ticks
-  double force_p99_N = 0.0;        ///< of the same difference
+  double force_p99_N = 0.0;        ///< 99th percentile of the length of this difference
   double force_max_N = 0.0;        ///< largest force
   double force_step_N = 0.0;       ///< largest change of the force from one tick to the next
-  double true_force_rmse_N = 0.0;  ///< against the true skin's force along its normal, in true or displayed contact
+  double true_force_rmse_N = 0.0;  ///< RMS of TickRecord::off_truth_N: displayed minus true skin's force
   double true_force_p99_N = 0.0;
   double contact_lost_pct = 0.0;     ///< of the ticks in true contact: those without contact
   double phase_differs_pct = 0.0;    ///< of all ticks: those with another phase than in the unimpaired run

@@ -22,7 +22,7 @@ struct StageLatency {
   double p99_s = 0.0;
   double max_s = 0.0;
 };
-using LatencyBreakdown = std::array<StageLatency, kStageCount>;  ///< as in kLatencyStages
+using LatencyBreakdown = std::array<StageLatency, kStageCount>;  ///< in the order of kLatencyStages
 
 /// Collects the instants of a run's frames.
 class LatencySum {

@@ -20,8 +20,8 @@ struct Metric {
 /// The names with commas between them.
 [[nodiscard]] std::string metric_names();
 
-/// A table with one row for each metric: its value in the unimpaired run and in that of `figures`, and
-/// what it measures.
+/// A table with one row for each metric: its name, its value in `unimpaired` and in `figures`, and its description
+/// Metric::what.
 [[nodiscard]] std::string text_table(const Figures& unimpaired, const Figures& figures);
 
 }  // namespace telepalp::replay

@@ -42,8 +42,8 @@ struct RunResults {
                                                                                 const TapeFrames& frames);
 [[nodiscard]] Error nowhere_to_place();
 
-/// Runs the source's frames (`tape`) over the networks of `orders`, side by side, in windows of time: the tape is read
-/// once, and memory holds a few windows at any length. The other runs are compared with that of the first order.
+/// Runs the source's frames (`tape`) over the networks of `orders`, side by side, in windows of 0.5 s: the tape is read
+/// once, and memory holds the frames of a few windows. All other runs are compared with the run of the first order.
 /// `progress`: called after each window with the session time replayed so far [s]. Error: the scene can be placed in no
 /// frame of the source's first 10 s, or the source cannot be read.
 [[nodiscard]] Result<RunResults> run_session(Tape& tape, const RunSettings& settings, std::vector<RunOrder> orders,

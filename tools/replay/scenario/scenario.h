@@ -54,7 +54,7 @@ enum class HandScript : std::uint8_t {
   Search    ///< stays in the skin and searches along it, shallow and deep
 };
 
-/// The network and the faults of one run. Two runs with equal scenarios and equal sources are equal.
+/// The network, the faults and the script of one run. Equal sources, scenes and scenarios give equal runs.
 struct Scenario {
   impaired::Impairment down{};  ///< from the server to the station
   impaired::Impairment up{};
@@ -65,7 +65,7 @@ struct Scenario {
   std::uint64_t seed = 1;                                 ///< of the network and the simulated tracker
 };
 
-/// The same stages, hand and seed over a network without delay, loss and faults.
+/// `scenario`'s stages, deadline, hand and seed, with a network without delay, loss and faults.
 [[nodiscard]] inline Scenario unimpaired(const Scenario& scenario) {
   return {.stages = scenario.stages, .deadline = scenario.deadline, .hand = scenario.hand, .seed = scenario.seed};
 }

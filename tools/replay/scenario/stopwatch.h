@@ -16,7 +16,7 @@ inline constexpr std::array<const char*, kPartCount> kPartNames{
 using CostClock = std::int64_t (*)() noexcept;
 [[nodiscard]] inline std::int64_t no_clock() noexcept { return 0; }
 
-/// Sums the cost of each part [ns]. No result depends on it.
+/// Sums the cost of each part [ns]. No figure of a run depends on these costs.
 class Stopwatch {
  public:
   explicit Stopwatch(CostClock clock = no_clock) noexcept : clock_(clock) {}

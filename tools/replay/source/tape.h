@@ -18,8 +18,8 @@ namespace telepalp::replay {
 struct TapeFrame {
   std::uint32_t number = 0;  ///< from 0
   RgbdFrame frame;           ///< without colour; `captured` is in the replay's session time
-  std::string depth;         ///< a serialised DepthImage; empty: each run encodes the frame itself
-  std::string color;         ///< a serialised CompressedImage; empty: no colour
+  std::string depth;         ///< a serialised msg::DepthImage; empty: each run encodes the frame itself
+  std::string color;         ///< a serialised foxglove::CompressedImage; empty: no colour
 };
 using TapeFrames = std::vector<std::shared_ptr<const TapeFrame>>;  // shared: frames are in flight in many runs
 
@@ -35,8 +35,8 @@ struct TapeSettings {
   CostClock clock = no_clock;
 };
 
-/// The frames of a source in the replay's session time. They are read in windows of time, so that memory is bounded at
-/// any length.
+/// The frames of a source in the replay's session time. read_until() reads them piece by piece, so that memory does
+/// not grow with the source's length.
 class Tape {
  public:
   /// `source`: a *.mcap, *.oni or *.pcd file, or what `--source` of the server names: oni:FILE, images:DIR, pcd:FILE,

@@ -14,7 +14,7 @@ namespace telepalp::replay {
 /// - the energy that the display took from the hand, less the energy stored in its springs, is at least -5 mJ;
 /// - in a contact, the device gives the hand at most 20 mJ that the measured skin would not have given, and takes at
 ///   most 0.25 J less from it than the measured skin would have taken;
-/// - 0.5 s after the newest surface is 2.5 s old, the station has released the hand;
+/// - when the newest surface has been missing or older than 2.5 s for 0.5 s, the station has released the hand;
 /// - from 3 s plus the network's delay after the last injected fault on, a device that stays deeper than 5 mm in the
 ///   true skin, while the surface is younger than 0.8 s, is without a force of the skin for at most 1.5 s. The time in
 ///   which the station lifts a device that is deeper than 90 mm, where no contact begins, does not count;
@@ -60,7 +60,7 @@ class Invariants {
   Eigen::Vector3d last_device_m_ = Eigen::Vector3d::Zero();
   bool was_touching_ = false;
   double worked_J_ = 0.0;  ///< by the device on the hand since the last contact began
-  Nanoseconds stale_{0};   ///< for how long the surface has been too old
+  Nanoseconds stale_{0};   ///< for how long the surface has been missing or older than 2.5 s
   Nanoseconds unfelt_{0};  ///< for how long the device has been deep in the skin without a force of the skin
   std::map<std::string_view, SessionTime> published_;  ///< newest time by topic
   std::uint64_t next_tick_ = 0;

@@ -8,7 +8,7 @@
 
 namespace telepalp::replay {
 
-/// Changes each tick before it is checked. Only tests use it, to plant a defect.
+/// Changes each tick before the invariants are checked. Only tests pass a Spoil, to plant a defect.
 using Spoil = std::function<void(TickRecord&)>;
 
 /// The outcome of one case.
@@ -21,7 +21,7 @@ struct StormOutcome {
 /// Runs a case and checks the invariants at every tick. Error: the patient or the scene cannot be read.
 [[nodiscard]] Result<StormOutcome> run_case(const StormCase& storm, const Spoil& spoil = {});
 
-/// Shortens a failing case to its violation, and replaces it by simpler cases as long as they fail.
+/// Ends a failing case soon after its violation, and applies each Simplification with which the case still fails.
 [[nodiscard]] Result<StormCase> shrunk(StormCase failing, const Spoil& spoil = {});
 
 }  // namespace telepalp::replay

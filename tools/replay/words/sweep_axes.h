@@ -9,7 +9,7 @@
 
 namespace telepalp::replay {
 
-/// One figure of the network and its values in a sweep.
+/// One parameter of the scenario and its values in a sweep.
 struct SweepAxis {
   std::string_view name;  ///< "delay"
   std::string_view unit;  ///< "ms"; "%" for shares
@@ -28,7 +28,7 @@ struct SweepCell {
 /// of numbers, a value out of the axis's range, or more than 1000 values on an axis.
 [[nodiscard]] Result<std::vector<SweepAxis>> parse_axes(const std::vector<std::string>& words);
 
-/// Every combination of the axes' values; the last axis varies fastest. Figures without an axis are as in `base`. If
+/// Every combination of the axes' values; the last axis varies fastest. All else is as in `base`. If
 /// `deadline_follows`, each cell has the deadline usual_deadline(). Error: more than 4096 cells.
 [[nodiscard]] Result<std::vector<SweepCell>> sweep_cells(const std::vector<SweepAxis>& axes, const Scenario& base,
                                                          bool deadline_follows);

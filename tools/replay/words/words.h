@@ -21,7 +21,7 @@ namespace telepalp::replay {
   return Nanoseconds{std::llround(milliseconds * 1e6)};
 }
 
-/// "500ms" or "1.5s"; a minus sign is allowed.
+/// "500ms" or "1.5s"; a minus sign is allowed; at most 24 h.
 [[nodiscard]] Result<Nanoseconds> parse_span(std::string_view text, std::string_view option);
 
 /// "10s+500ms,30s+1s": windows by their begin and length. At most 64.
@@ -30,7 +30,7 @@ namespace telepalp::replay {
 /// "10s+4ms:20": a window, and the encoder's error along each axis [mm].
 [[nodiscard]] Result<std::vector<EncoderGlitch>> parse_glitches(std::string_view text, std::string_view option);
 
-/// "10s+2s:-300ms": a window, and the error of the station's clock.
+/// "10s+2s:-300ms": a window, and the error of the station's clock (negative: behind).
 [[nodiscard]] Result<std::vector<ClockStep>> parse_clock_steps(std::string_view text, std::string_view option);
 
 /// The inverse of parse_span() and of one window of parse_windows(), for a command line that repeats a run.

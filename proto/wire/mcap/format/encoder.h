@@ -10,8 +10,8 @@
 
 namespace telepalp::wire::mcap {
 
-/// A chunk is closed when it reaches this size or when the log times of one channel's messages in it span this time. A
-/// crash loses at most the open chunk.
+/// A chunk is closed when its uncompressed records reach `bytes`, or when the log times of one channel's messages in
+/// the chunk span `span_ns`. A crash loses at most the open chunk.
 struct ChunkLimits {
   std::size_t bytes = std::size_t{1} << 20;
   std::uint64_t span_ns = 1'000'000'000;
@@ -19,7 +19,7 @@ struct ChunkLimits {
 
 /// Encodes messages as the bytes of an MCAP file, in memory and deterministically. Each call appends finished bytes to
 /// `out`; the caller appends them to the file. After a successful write the caller calls commit(); after a failed write
-/// it calls rollback(), which forgets the bytes since the last commit().
+/// it calls rollback(), which forgets the bytes since the last commit() and the open chunk.
 class Encoder {
  public:
   explicit Encoder(ChunkLimits limits) noexcept : limits_(limits) {}

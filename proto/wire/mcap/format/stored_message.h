@@ -41,8 +41,8 @@ struct StoredMessage {
   MessageRecord record;
 };
 
-/// Converts to the message that was published on the wire; nullopt if its topic is not one of telepalp's, it exceeds
-/// the wire's limit, or its time is after the year 2262 (the end of 64-bit nanoseconds).
+/// Converts to the message that was published on the wire; nullopt if its topic is not one of telepalp's, its payload
+/// exceeds kMaxPayloadBytes, or its publish time is after the year 2262 (the end of 64-bit nanoseconds).
 [[nodiscard]] std::optional<Message> to_message(const StoredMessage& stored);
 
 }  // namespace telepalp::wire::mcap

@@ -8,7 +8,7 @@
 namespace telepalp::wire::mcap {
 
 /// Offset of the first chunk at or after `from`: a record head and chunk header whose sizes agree with each other and
-/// with the file. nullopt: none. Reads at most 1 MiB at a time and skips the holes of a sparse file.
+/// with the file. nullopt: none, or an I/O error. Reads at most 1 MiB at a time and skips the holes of a sparse file.
 [[nodiscard]] std::optional<std::uint64_t> find_chunk(ByteSource& source, std::uint64_t from);
 
 }  // namespace telepalp::wire::mcap

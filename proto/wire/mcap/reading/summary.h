@@ -9,8 +9,8 @@
 
 namespace telepalp::wire::mcap {
 
-/// The summary section at the end of a complete file. The chunks, attachments and metadata that the indexes name lie in
-/// the data section; this has been checked.
+/// The summary section at the end of a complete file. read_summary() has checked that the chunks, attachments and
+/// metadata which the indexes name lie in the data section.
 struct Summary {
   ChannelTable channels;
   Statistics statistics;

@@ -8,7 +8,7 @@
 
 namespace telepalp::wire::mcap {
 
-/// Renames atomically unless `to` exists. Returns 0, or -1 with errno set. On file systems without such a rename, an
+/// Renames atomically unless `to` exists. Returns 0, or -1 with errno set. On file systems without RENAME_NOREPLACE, an
 /// existing `to` is replaced.
 [[nodiscard]] int rename_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to);
 

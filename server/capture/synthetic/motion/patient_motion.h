@@ -14,7 +14,7 @@ namespace telepalp::capture {
 /// Kinds of motion of the patient. In all but Regular, the patient breathes irregularly.
 enum class Motion {
   Regular,    ///< breathes as sin^4, all breaths equal
-  Irregular,  ///< each breath: period within 20 %, amplitude within 30 % of the mean; random shape and rest level
+  Irregular,  ///< each breath: period within 20 %, amplitude within 30 % of the mean; random shape and lift at its end
   Cough,      ///< coughs one to four times, about every six seconds
   Hold,       ///< holds the breath for eight of twenty seconds
   Speech,     ///< short inhales, long exhales with syllables

@@ -26,8 +26,8 @@ struct RestShape {
   /// hem.
   [[nodiscard]] double cloth_share(double u, double v) const noexcept;
 
-  /// Body coordinates of the ray through pixel (u, v) at the belly's depth [m]: towards the patient's head, towards the
-  /// patient's left.
+  /// Body coordinates [m] of the ray through pixel (u, v) at depth view_depth_m: x towards the patient's head, y
+  /// towards the patient's left, origin on the optical axis.
   [[nodiscard]] Eigen::Vector2d body_coordinates_m(double u, double v) const noexcept;
 
   /// Pixels of image motion per metre that the body slides in body coordinates. A positive slide moves the image
@@ -42,9 +42,9 @@ struct RestShape {
   }
 };
 
-/// Places the patient of `mesh` (metres, y towards the head, +z front) on a table under the camera, with the head at
-/// the image's left, the middle of the mesh below the pinhole and the highest point `camera_above_body_m` from it. A
-/// Gaussian of sigma 5 mm smooths the body, one of sigma 22 mm the cloth. `where`: the mesh's name, for errors.
+/// Lays the patient of `mesh` (metres, y to the head, +z front) on a table: head at the image's left, mesh centred
+/// under the pinhole, highest point at depth `camera_above_body_m`. Gaussian smoothing: sigma 5 mm, under cloth 22 mm.
+/// `where`: the mesh's name, for errors. Error: not 0.1 to 4 m long, or no surface in the image's middle.
 [[nodiscard]] Result<RestShape> lay_under_camera(const TriangleMesh& mesh, const Intrinsics& camera,
                                                  double camera_above_body_m, const std::string& where);
 

@@ -18,10 +18,10 @@ struct SyntheticSettings {
   double amplitude_m = 0.005;  ///< rise of the belly from full exhale to full inhale, 0 to 0.05
   double rate_hz = 0.25;       ///< breaths per second, 0 to 2
   DepthNoise noise = DepthNoise::Kinect;
-  double gaussian_sigma_m = 0.001;  ///< of DepthNoise::Gaussian
+  double gaussian_sigma_m = 0.001;  ///< standard deviation of DepthNoise::Gaussian
   bool disparity_steps = true;      ///< depth takes steps of 2.85 mm z^2 (z in metres), like 11-bit disparity
   bool holes = true;                ///< projector shadow, ragged silhouettes and grazing skin are not measured
-  double depth_unit_m = 0.001;      ///< metres per unit of a sample; with 0.0001 rounding is at most 0.05 mm
+  double depth_unit_m = 0.001;      ///< metres per unit of a sample; with 0.0001, the rounding error is at most 0.05 mm
   std::uint64_t seed = 1;           ///< seed of the noise and of the motion
 };
 
