@@ -34,7 +34,7 @@ struct Instant {
 /// Two runs, tick by tick. Without common ticks, `common` is 0 and the other members are empty or 0.
 struct TickComparison {
   std::size_t common = 0;              ///< ticks of the first run with a tick of the second within half a period
-  double force_rms_N = 0.0;            ///< of the force difference, over the common ticks
+  double force_rms_N = 0.0;            ///< of the force difference, over the common ticks with finite forces
   std::size_t phase_other = 0;         ///< common ticks at which the phases differ
   std::optional<Instant> first_phase;  ///< the first tick at which the phases differ
   /// The first tick with contact in at least one run at which the forces differ by more than kFelt_N. Out of contact,
