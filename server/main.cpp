@@ -35,14 +35,16 @@ program::Usage usage() {
           .purpose = "captures a patient and sends the images to stations, recorders and browsers",
           .positional = {},
           .options = {{"source", "SOURCE",
-                       "openni2[:URI] | oni:FILE | images:DIR | pcd:FILE | synthetic[:MODEL] | session:FILE.mcap",
+                       "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, or "
+                       "synthetic[:MODEL]",
                        "synthetic"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
                       {"seconds", "S", "stop after S seconds; 0: never", "0"},
                       {"bind", "ADDRESS", "address to listen on; a network address needs --key", "127.0.0.1"},
                       {"key", "FILE",
                        "this server's key file (telepalp-keys server); with it, clients need keys; default: none"},
-                      {"revoked", "FILE", "revoked keys; default: revoked.crl beside the key file"},
+                      {"revoked", "FILE",
+                       "list of revoked keys (telepalp-keys revoke); default: revoked.crl beside the key file"},
                       {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
                       {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
                       {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
@@ -53,11 +55,11 @@ program::Usage usage() {
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: beside this program"},
                       {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
-                      {"compare-dir", "DIR", "sessions to compare with the played one; default: none"},
+                      {"compare-dir", "DIR", "folder of sessions to compare with the played one; default: none"},
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
                       {"ready-file", "FILE", "write the ports into this file once clients can connect; default: none"},
                       {"depth-mode", "MODE",
-                       "fast, intra, temporal (lossless) or bounded (near-lossless; for viewing, not touch)", "fast"},
+                       "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
                        "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
                       {"key-every", "N", "modes temporal and bounded: every Nth frame is a key frame", "12"},
@@ -101,7 +103,7 @@ Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Ar
   if (!arguments.has("viewer")) {
     const auto index = program::shipped_file("viewer/index.html");
     if (!index)
-      return Error{.what = "the web viewer is not built",
+      return Error{.what = "the files of the web viewer are not found",
                    .where = "--http-port",
                    .fix = "build the target telepalp_viewer, or name by --viewer the folder with its index.html"};
     options.viewer_files = index->parent_path();
@@ -351,9 +353,9 @@ int run(Asked asked) {
     program::log(kProgram, "stopping: " + reason);
     boost::system::error_code ignored;
     signals.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
-    program::end_within(
-        program::kTimeToEnd,
-        "telepalp-server: the camera did not stop within 5 s; the program ends without closing the camera");
+    program::end_within(program::kTimeToEnd,
+                        "telepalp-server: the camera or another part did not stop within 5 s; the program ends without "
+                        "closing the camera");
     time_is_up.cancel();
     gateway.reset();
     recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s

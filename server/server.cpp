@@ -170,7 +170,7 @@ void Server::give_memory_back() {
 void Server::log_state_changes(const wire::Message& message) {
   msg::CaptureStatus status;
   if (!status.ParseFromString(*message.payload)) return;
-  const std::string state = "camera " + std::string(word_for(status.state())) + ": " + status.detail();
+  const std::string state = (player_ ? "" : "camera " + std::string(word_for(status.state())) + ": ") + status.detail();
   if (std::exchange(last_state_, state) != state) log(state);
 }
 

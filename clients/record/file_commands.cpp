@@ -148,7 +148,8 @@ int run_repair(const std::string& file, const std::string& out) {
   const Result<RepairReport> report = repair(file, out.empty() ? repaired_name(file) : std::filesystem::path(out));
   if (!report) return program::fail(report.error());
   if (report->was_whole) {
-    program::log(kProgram, file + " is whole: all its " + std::to_string(report->messages) + " messages can be read");
+    program::log(kProgram, file + " is whole: all its " + std::to_string(report->messages) +
+                               " messages can be read; no copy is written");
     return program::kDone;
   }
   for (const std::string& damage : report->damages) program::log(kProgram, file + ": " + damage);

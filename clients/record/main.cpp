@@ -49,7 +49,11 @@ Result<record::Splitting> splitting_of(const program::Arguments& arguments) {
     splitting.bytes = *bytes;
   } else if (!split.empty()) {
     const Result<Nanoseconds> time = record::parse_duration(split, "split");
-    if (!time) return time.error();
+    if (!time)
+      return Error{
+          .what = "'" + split.substr(0, 64) + "' is neither a size nor a duration of at most 1000 days",
+          .where = "--split",
+          .fix = "give a size with kB, MB or GB, such as 500MB, or a duration with s, min or h, such as 10min"};
     splitting.time = *time;
   }
   if (!arguments.has("keep-last")) return splitting;

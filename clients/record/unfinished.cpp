@@ -36,11 +36,12 @@ class Lock {
     if (lock.descriptor_ < 0) return cannot_be_finished(partial, std::strerror(errno));
     if (::flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0) return lock;
     if (errno != EWOULDBLOCK) return cannot_be_finished(partial, std::strerror(errno));
-    return Error{.what = "is still being recorded",
-                 .where = partial.string(),
-                 .fix =
-                     "wait until the recorder has ended: press Ctrl-C at telepalp-record, or end the server's "
-                     "recording on its web page"};
+    return Error{
+        .what = "is still being recorded",
+        .where = partial.string(),
+        .fix =
+            "end the recording first: press Ctrl-C at telepalp-record, or End recording in the technician's view of "
+            "the web page"};
   }
   Lock(Lock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   Lock& operator=(Lock&&) = delete;

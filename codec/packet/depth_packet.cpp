@@ -38,9 +38,8 @@ Error damaged(std::string what) {
   return {.what = std::move(what),
           .where = "compressed depth image",
           .fix =
-              "in a live stream, wait: the next key frame repairs it; if later depth images fail as well, install the "
-              "same version of "
-              "telepalp at both ends"};
+              "in a live stream, wait for the next key frame; if later depth images fail as well, install the same "
+              "version of telepalp at both ends"};
 }
 
 std::uint32_t frame_crc(const PacketHeader& header, std::span<const std::uint16_t> samples) {
@@ -63,8 +62,12 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
   if (bytes.size() < kHeaderBytes || !text.starts_with(kMagic))
     return damaged("its " + std::to_string(bytes.size()) + " B do not begin with the header of a depth image");
   if (text[kMagic.size()] != kVersion)
-    return damaged("it has version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
-                   " of the depth codec, but this program reads version " + std::to_string(kDepthPacketVersion));
+    return Error{.what = "it has version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
+                         " of the depth codec, but this program reads version " + std::to_string(kDepthPacketVersion),
+                 .where = "compressed depth image",
+                 .fix =
+                     "install the same version of telepalp at both ends; read a recording with the version that "
+                     "recorded it"};
   ByteReader reader(bytes.subspan(4));
   PacketHeader header;
   const std::uint8_t mode = *reader.number<std::uint8_t>();

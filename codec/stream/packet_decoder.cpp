@@ -19,10 +19,11 @@ Result<DepthImage> PacketDecoder::decode(const Packet& packet) {
   const PacketHeader& header = packet.header;
   const bool is_key = header.coding != Coding::Dependent;
   if (!is_key && !has_reference_of(header))
-    return Error{.what = "it is frame " + std::to_string(header.since_key) +
-                         " after a key frame, and the frame that it is predicted from was not received",
-                 .where = "compressed depth image",
-                 .fix = "wait for the next key frame, or request one"};
+    return Error{
+        .what = "it is frame " + std::to_string(header.since_key) +
+                " after a key frame, and the frame that it is predicted from was not received",
+        .where = "compressed depth image",
+        .fix = "in a live stream, wait for the next key frame; in a recording, use the images from that key frame on"};
   Result<DecodedFrame> frame = read_frame(packet, is_key ? Reference{} : reference());
   if (!frame) return frame.error();
   if (!is_predictive(header.mode))

@@ -246,7 +246,8 @@ int train(std::span<char*> files) {
     std::optional<Frame> frame = read_pgm(file.c_str());
     if (!frame) {
       std::fprintf(stderr,
-                   "error: %s: is not a 16-bit binary PGM. fix: give files of the format P5 with 16 bits a pixel\n",
+                   "error: %s: cannot be read as a 16-bit binary PGM. fix: give files of the format P5 whose largest "
+                   "value is 65535\n",
                    file.c_str());
       return 1;
     }

@@ -14,16 +14,19 @@ Error refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "calibration by hand on probe", .fix = std::move(fix)};
 }
 
-/// The error of a pose that is no rigid motion or lies beyond 10 m; nullopt for a valid pose.
-std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name) {
+constexpr const char* kFixMeasured =
+    "give positions in metres; leave out poses in which the tracker did not see the hand, or the device gave no "
+    "position";
+
+/// The error of a pose that is no rigid motion or lies beyond 10 m; nullopt for a valid pose. `fix_position`: the fix
+/// for a bad position.
+std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name, const char* fix_position) {
   constexpr double kRotationError = 1e-3;
   if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
-    return refusal(name + " is not finite, or has a coordinate beyond 10 m",
-                   "give positions in metres; leave out poses in which the tracker did not see the hand, or the device "
-                   "gave no position");
+    return refusal(name + " is not finite, or has a coordinate beyond 10 m", fix_position);
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
-    return refusal(name + " is not a rotation: its axes are not perpendicular, or not of length one",
+    return refusal(name + " has no valid rotation: its axes are not perpendicular, or not of length one",
                    "give a rotation matrix");
   if (r.determinant() < 0.0)
     return refusal(name + " is mirrored (determinant -1)", "check the sign of each axis: frames are right-handed");
@@ -45,15 +48,17 @@ std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
 Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses, const Isometry3d& probe_from_hand,
                                                  const ProbeSettings& settings) {
   if (poses.empty()) return refusal("no pose is given", "lay the hand on the probe, and measure at least one pose");
-  if (const auto error = refuse_pose(probe_from_hand, "the pose of the hand on the probe (--hand-at)")) return *error;
+  if (const auto error = refuse_pose(probe_from_hand, "the pose of the hand on the probe (--hand-at)",
+                                     "give x, y and z of --hand-at in metres"))
+    return *error;
   const double n = static_cast<double>(poses.size());
   Matrix3d sum = Matrix3d::Zero();
   Vector3d to_mean = Vector3d::Zero();
   Vector3d from_mean = Vector3d::Zero();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const std::string name = "pose " + std::to_string(i + 1);
-    if (const auto error = refuse_pose(poses[i].tracker_from_hand, name + " of the hand")) return *error;
-    if (const auto error = refuse_pose(poses[i].haptic_from_probe, name + " of the probe")) return *error;
+    if (const auto error = refuse_pose(poses[i].tracker_from_hand, name + " of the hand", kFixMeasured)) return *error;
+    if (const auto error = refuse_pose(poses[i].haptic_from_probe, name + " of the probe", kFixMeasured)) return *error;
     const Isometry3d haptic_from_hand = poses[i].haptic_from_probe * probe_from_hand;
     sum += haptic_from_hand.linear() * poses[i].tracker_from_hand.linear().transpose();
     to_mean += haptic_from_hand.translation() / n;

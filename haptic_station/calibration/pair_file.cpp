@@ -16,8 +16,9 @@ constexpr std::size_t kMostRows = 100'000;
 Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::string_view name) {
   const std::string file(name);
   if (next_line(text) != kHeader)
-    return Error{
-        .what = "the first row is not the header", .where = file + ":1", .fix = "begin with " + std::string(kHeader)};
+    return Error{.what = "the first row is not the header",
+                 .where = file + ":1",
+                 .fix = "write this first row: " + std::string(kHeader)};
   std::vector<PointPair> pairs;
   for (std::size_t number = 2; !text.empty(); ++number) {
     const std::string_view line = next_line(text);
@@ -26,11 +27,11 @@ Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::str
     const bool good = row && std::abs((*row)[0]) < 1e6 && std::floor((*row)[0]) == (*row)[0];
     if (!good || pairs.size() == kMostRows)
       return Error{
-          .what = good ? "more than 100000 rows"
+          .what = good ? "the file has more than 100000 rows"
                        : "the row is not seven finite numbers: the number of the place, which is an integer, and six "
                          "coordinates in metres",
           .where = file + ":" + std::to_string(number),
-          .fix = good ? "give at most 100000 rows" : "write rows such as 1,0.1,0.02,0,0.12,0,0.3, with decimal points"};
+          .fix = good ? "give at most 100000 rows" : "write rows with decimal points, such as 1,0.1,0.02,0,0.12,0,0.3"};
     const auto& r = *row;
     pairs.push_back({.place = static_cast<int>(r[0]), .to = {r[1], r[2], r[3]}, .from = {r[4], r[5], r[6]}});
   }

@@ -88,6 +88,7 @@ std::string widths_text(const Vector3d& w) {
 }
 
 std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3d& to, const Vector3d& from, int rank) {
+  const bool by_device = rank < 2 && to[rank] < from[rank];  // the positions by the device lack this width
   if (places.size() < 3)
     return refusal("only " + std::to_string(places.size()) +
                        " different places are measured (their scatter matrix has rank " + std::to_string(rank) +
@@ -96,8 +97,9 @@ std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3
   if (rank < 2)
     return refusal(
         "the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " + std::to_string(rank) +
-            " of their scatter matrix; a rotation needs rank 2); their standard deviations along the main axes are " +
-            widths_text(from),
+            " of the scatter matrix; a rotation needs rank 2): the standard deviations of the positions by the " +
+            (by_device ? "device" : "tracker or camera") + " along their main axes are " +
+            widths_text(by_device ? to : from),
         rank == 0 ? "spread the places over the workspace" : "add places beside the line they lie on");
   const double scale = to[0] / from[0];
   if (scale > kLargestScale || scale < 1.0 / kLargestScale)
@@ -149,7 +151,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
     return refusal(
         "the positions by the device are a mirror image of those by the tracker or camera (rank 3; the determinant of "
         "their covariance is negative)",
-        "check the sign of each coordinate of both: each frame must be right-handed");
+        "check the sign of each coordinate in both sets of positions: each frame must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
     return refusal(
         "the places lie in a plane (rank 2 of their scatter matrix); an affine fit needs rank 3",

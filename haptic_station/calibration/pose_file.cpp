@@ -25,14 +25,14 @@ Result<std::vector<HandOnProbe>> parse_hand_on_probe(std::string_view text, std:
   if (next_line(text) != kPoseHeader)
     return Error{.what = "the first row is not the header",
                  .where = file + ":1",
-                 .fix = "begin with " + std::string(kPoseHeader)};
+                 .fix = "write this first row: " + std::string(kPoseHeader)};
   std::vector<HandOnProbe> poses;
   for (std::size_t number = 2; !text.empty(); ++number) {
     const std::string_view line = next_line(text);
     if (line.empty()) continue;
     const auto row = numbers<12>(line);
     if (!row || poses.size() == kMostRows)
-      return Error{.what = row ? "more than 10000 rows" : "the row is not twelve finite numbers",
+      return Error{.what = row ? "the file has more than 10000 rows" : "the row is not twelve finite numbers",
                    .where = file + ":" + std::to_string(number),
                    .fix = row ? "give at most 10000 rows"
                               : "give x, y, z in metres and a rotation vector in radians, of hand and probe"};

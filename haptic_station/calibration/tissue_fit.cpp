@@ -11,7 +11,6 @@ namespace telepalp::calibration {
 namespace {
 
 constexpr std::size_t kMostSamples = 1'000'000;
-constexpr const char* kHowMany = "give 4 to 1000000 rows; the fit uses those with a strain of at most --to-strain";
 
 Eigen::RowVector3d force_basis(double d) { return {d, d * d, d * d * d}; }
 
@@ -61,11 +60,11 @@ std::vector<CompressionSample> under_hand(std::span<const CompressionSample> tes
 
 Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
   if (samples.size() < 4 || samples.size() > kMostSamples)
-    return Error{
-        .what = std::to_string(samples.size()) +
-                (samples.size() < 4 ? " rows within --to-strain are too few" : " rows within --to-strain are too many"),
-        .where = "compression test",
-        .fix = kHowMany};
+    return Error{.what = std::to_string(samples.size()) + (samples.size() == 1 ? " row has" : " rows have") +
+                         " a strain of at most --to-strain; the fit needs 4 to 1000000 such rows",
+                 .where = "compression test",
+                 .fix = samples.size() < 4 ? "give more rows, a larger --to-strain, or the true --height-mm"
+                                           : "give fewer rows"};
   const auto rows = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd basis(rows, 3);
   Eigen::VectorXd load(rows);
@@ -104,7 +103,7 @@ Result<std::vector<CompressionSample>> read_compression_test(const std::filesyst
   std::vector<CompressionSample> samples;
   for (std::size_t number = 2; std::getline(stream, line); ++number) {
     if (samples.size() == kMostSamples)
-      return Error{.what = "has more than 1000000 rows", .where = file.string(), .fix = kHowMany};
+      return Error{.what = "has more than 1000000 rows", .where = file.string(), .fix = "give fewer rows"};
     if (line.find_first_not_of(kBlanks) == std::string::npos) continue;
     const auto sample = sample_of(line);
     if (!sample)

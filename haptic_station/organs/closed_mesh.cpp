@@ -101,7 +101,7 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
                  .fix = "close its holes, and orient all faces outwards"};
   const double volume = volume_m3(triangles, mesh.points);
   if (!(std::abs(volume) > 1e-9))
-    return Error{.what = "encloses no volume",
+    return Error{.what = "encloses less than 1 mm^3",
                  .where = {},
                  .fix = "check unit_m (metres per unit of the file's coordinates), or give a mesh that is not flat"};
   if (volume < 0.0)

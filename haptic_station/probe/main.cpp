@@ -19,7 +19,7 @@ std::vector<program::Option> surface_options() {
           {"camera", "FILE", "camera.textproto of the depth PNG"},
           {"setting", "NAME", "way to build the surface: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "length of one unit of the cloud's coordinates, in metres; millimetres: 0.001", "1"},
-          {"samples", "N", "points sampled on a mesh; default: as many as its shape needs"},
+          {"samples", "N", "points sampled on a mesh; default: as many as its shape needs; setting paper: 16000"},
           {"spacing-mm", "MM", "instead of --samples: spacing of the points"},
           {"anyway", "", "touch a model that is otherwise refused: coarse, noisy, or without a known outside"},
           {"flip-normals", "", "reverse all normals"}};
@@ -57,7 +57,7 @@ program::Usage path_usage() {
   usage.options.insert(
       usage.options.end(),
       {{"at", "X,Y,Z", "first spot to press, in metres, in the cloud's frame; default: the cloud's middle"},
-       {"spots", "N", "number of spots to press", "5"},
+       {"spots", "N", "number of spots to press, at most", "5"},
        {"depth-mm", "MM", "depth of each press below the surface", "10"},
        {"speed-mm-s", "MM/S", "speed along the path", "100"},
        {"rate-hz", "HZ", "waypoints per second of the path", "2000"},
@@ -91,7 +91,7 @@ Result<void> check_surface(const program::Arguments& arguments) {
   if (cloud && depth) return asked_wrongly("--cloud and --depth are both given, but only one surface can be touched");
   if (!cloud && !depth) return asked_wrongly("neither --cloud nor --depth is given, so there is no surface to touch");
   if (depth && arguments.text("camera").empty())
-    return asked_wrongly("--depth is given without --camera, the camera.textproto of this PNG");
+    return asked_wrongly("--depth is given without --camera, the camera.textproto of the depth PNG");
   if (arguments.text("out").empty()) return asked_wrongly("--out, the CSV file to write, is missing");
   if (const auto setting = surface::surface_settings(arguments.text("setting")); !setting) return setting.error();
   if (const auto unit = arguments.number("unit-m", 1e-6, 1e6); !unit) return unit.error();
@@ -160,7 +160,9 @@ int touch(const program::Arguments& arguments) {
 Result<std::optional<Eigen::Vector3d>> place_of(const std::string& text) {
   if (text.empty()) return std::optional<Eigen::Vector3d>{};
   const auto waypoint = probe::parse_trajectory("0," + text, "--at");
-  if (!waypoint || !waypoint->front().at_m.allFinite()) return asked_wrongly("--at is not X,Y,Z in metres");
+  if (!waypoint || !waypoint->front().at_m.allFinite())
+    return Error{
+        .what = "'" + text + "' is not X,Y,Z in metres", .where = "--at", .fix = "write X,Y,Z as in --at 0.1,0,0.8"};
   return std::optional{waypoint->front().at_m};
 }
 
@@ -195,7 +197,8 @@ int path(const program::Arguments& arguments) {
   if (!path) return program::fail(path.error());
   if (const auto done = probe::write_trajectory(arguments.text("out"), *path); !done)
     return program::fail(done.error());
-  std::fprintf(stderr, "wrote %zu waypoints, which last %.3g s\n", path->size(), path->back().t_s);
+  std::fprintf(stderr, "wrote %zu waypoints to %s; the path takes %.3g s\n", path->size(),
+               arguments.text("out").c_str(), path->back().t_s);
   return program::kDone;
 }
 

@@ -109,9 +109,11 @@ Result<std::vector<Waypoint>> palpation_path(const surface::SurfaceSnapshot& sna
   const std::vector<Spot> spots =
       on_surface.empty() ? std::vector<Spot>{} : choose_spots(snapshot, on_surface, settings);
   if (spots.empty())
-    return Error{.what = "the path has no spot to press: each point of the surface lies at a rim or beside a hole",
-                 .where = "telepalp-probe path",
-                 .fix = "name a spot by --at X,Y,Z, or give a denser cloud, or a depth image with fewer holes"};
+    return Error{
+        .what =
+            "the path has no spot to press: each point of the surface lies at a rim, beside a hole, or on a sharp bend",
+        .where = "telepalp-probe path",
+        .fix = "give a denser or larger cloud, or a depth image with fewer holes; for a cloud, check --unit-m"};
   Pen pen(settings);
   for (const Spot& spot : spots) {
     pen.move_to(spot.at + settings.above_m * spot.normal);

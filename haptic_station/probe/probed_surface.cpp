@@ -164,7 +164,7 @@ Result<DepthImage> read_depth_png(const std::filesystem::path& path, double unit
   PngReader reader(path);
   if (reader.file == nullptr || reader.info == nullptr)
     return Error{.what = "cannot be opened", .where = path.string(), .fix = "check the path and your permissions"};
-  if (!read_header(reader)) return fail("is not a 16-bit grey PNG");
+  if (!read_header(reader)) return fail("is not a 16-bit grey PNG, is damaged, or has a side of more than 4096 pixels");
   DepthImage image{.width = static_cast<int>(png_get_image_width(reader.png, reader.info)),
                    .height = static_cast<int>(png_get_image_height(reader.png, reader.info)),
                    .unit_m = unit_m,
@@ -229,8 +229,8 @@ Result<ProbedSurface> open_depth(const std::filesystem::path& png, const std::fi
   Result<DepthImage> image = read_depth_png(png, unit_m);
   if (!image) return image.error();
   if (!is_well_formed(intrinsics) || intrinsics.width != image->width || intrinsics.height != image->height)
-    return Error{.what = "does not describe the camera of this PNG, which has " + std::to_string(image->width) + " x " +
-                         std::to_string(image->height) + " pixels",
+    return Error{.what = "does not describe the camera of " + png.string() + ", which has " +
+                         std::to_string(image->width) + " x " + std::to_string(image->height) + " pixels",
                  .where = camera_file.string(),
                  .fix = "give depth { width: … height: … fx: … fy: … cx: … cy: … } of the camera that took the PNG"};
   if (camera.ignore_above() > 0)

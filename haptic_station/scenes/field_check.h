@@ -65,16 +65,17 @@ class FieldCheck {
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   [[nodiscard]] const program::NumberPlaces& places() const noexcept { return places_; }
 
- private:
-  void complain(std::string what, std::string fix, std::string where) {
-    if (!error_) error_ = Error{.what = std::move(what), .where = std::move(where), .fix = std::move(fix)};
-  }
-  static std::string text(double value) {
+  /// A number as the errors show it.
+  [[nodiscard]] static std::string text(double value) {
     char buffer[40];
     std::snprintf(buffer, sizeof buffer, "%g", value);
     return buffer;
   }
 
+ private:
+  void complain(std::string what, std::string fix, std::string where) {
+    if (!error_) error_ = Error{.what = std::move(what), .where = std::move(where), .fix = std::move(fix)};
+  }
   std::string file_;
   program::NumberPlaces places_;
   const google::protobuf::Message* part_ = nullptr;  // borrowed

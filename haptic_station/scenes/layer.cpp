@@ -147,7 +147,12 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
   const auto tree =
       solid ? solids::build_tree(*solid) : Result<std::shared_ptr<const solids::SolidTree>>(solid.error());
   if (!tree) {
-    check.fail(tree.error());
+    Error error = tree.error();
+    if (solid) {  // an error of build_tree() names no place in the scene's file
+      error.what = "layer " + message.name() + ": " + error.what;
+      error.where = check.place();
+    }
+    check.fail(std::move(error));
     return effects::Solid(settings);
   }
   settings.layer = std::make_shared<const effects::SolidLayer>(effects::SolidLayer{message.name(), *tree, echo});

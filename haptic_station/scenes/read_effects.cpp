@@ -20,7 +20,8 @@ std::string tissue_names() {
 void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::SkinLaw& law) {
   check.in(message);
   if (int{message.has_linear_stiffness_n_per_m()} + int{message.has_tissue()} + int{message.has_measured()} > 1)
-    check.complain("skin gives more than one of linear_stiffness_N_per_m, tissue and measured", "give one of them");
+    check.complain("skin gives more than one of linear_stiffness_N_per_m, tissue and measured",
+                   "give only one of them");
   if (message.has_measured()) {
     const msg::SkinEffect::Curve& curve = message.measured();
     law = effects::linear_law(0.0);

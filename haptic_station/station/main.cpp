@@ -26,25 +26,25 @@ using namespace telepalp;
 
 program::Usage usage() {
   return {.program = "telepalp-station",
-          .purpose = "turns depth images from the server into a surface that the hand feels, at 2 kHz",
+          .purpose = "turns depth images from the server into a surface, and computes the force on the hand at 2 kHz",
           .positional = "",
           .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"accept-touch", "", "take the permission to palpate when you are offered it"},
                       {"scene", "FILE|NAME", "scene file, or one of telepalp's own scenes", "palpation"},
                       {"surface", "NAME|model:FILE", "surface setting or patient model; default: the scene's"},
-                      {"anyway", "", "touch a model even if it is refused as coarse or noisy"},
+                      {"anyway", "", "accept a model that is too coarse or too noisy"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
                       program::patience_option("seconds to wait for the first image; 0: for ever"),
                       {"device", station::kDeviceWords, "the haptic device", "simulated"},
                       {"tracker", station::kTrackerWords,
                        "the hand tracker; held: the hand grips the device; browser: a hand in the viewer", "simulated"},
                       {"check", "", "check the scene, list its effects, and exit"},
-                      {"control", "PATH", "socket for rearm and hand-over, or none"},
+                      {"control", "PATH", "socket for rearm and hand-over; none: no socket"},
                       {"state-dir", "DIR",
                        "folder for a recording of the last 10 s before a fault; default: the user's state folder"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
-                      {"realtime", "require|prefer", "if real-time priority is refused: fail, or run", "prefer"}},
+                      {"realtime", "require|prefer", "require: fail without real-time priority", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
           .commands = {
               {"trials", "", "run four palpation trials with a simulated hand", trials::trials_command},
@@ -120,7 +120,7 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   for (const msg::Effect& effect : scene->message.effects())
     if (const effects::TissuePreset* tissue = effects::find_tissue(effect.skin().tissue()))
       std::printf(
-          "skin as %s: fitted to the compression test of the silicone %s; RMS error %.1f %% of the largest load\n",
+          "skin: tissue %s, fitted to the compression test of the silicone %s; RMS error %.1f %% of the largest load\n",
           tissue->name.data(), tissue->material.data(), 100.0 * tissue->rms_error_share);
   const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
   if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())

@@ -150,9 +150,10 @@ void Station::look_at_signals() {
   const StationSignals::Asked asked = signals_.asked();
   if (asked == StationSignals::Asked::NewScene) stop("a new scene is accepted");
   if (asked != StationSignals::Asked::End) return;
-  program::end_within(program::kTimeToEnd,
-                      "telepalp-station: did not end within 5 s and is aborted. fix: run it again");
-  stop("the operator stopped the station");
+  program::end_within(
+      program::kTimeToEnd,
+      "telepalp-station: the station did not end within 5 s and is aborted. fix: start telepalp-station again");
+  stop("a signal stopped the station (Ctrl-C, kill, or its terminal was closed)");
 }
 
 void Station::stop(const std::string& reason) {
@@ -174,17 +175,28 @@ void Station::stop(const std::string& reason) {
 
 void Station::give_up(const Error& error) {
   if (!failure_) failure_ = error;
-  stop("the station cannot go on: " + error.what);
+  stop("the station cannot go on: " + (error.where.empty() ? "" : error.where + ": ") + error.what);
 }
 
 /// Ends the station because no surface came within the operator's time limit.
 void Station::lose_patience() {
-  const bool answered = link_.state() == wire::LinkState::Connected;
-  const std::string silent = not_connected_because_.empty() ? "does not answer" : not_connected_because_;
-  give_up({.what = answered ? "the server answers but sends no usable depth image" : silent,
-           .where = program::to_text({options_.host, options_.port}),
-           .fix = answered ? "check the camera or recording of the server (--source), or wait longer by --patience S"
-                           : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
+  const std::string where = program::to_text({options_.host, options_.port});
+  if (link_.state() == wire::LinkState::Connected)
+    return give_up(
+        {.what = "the server answers but sends no usable depth image",
+         .where = where,
+         .fix = "check the server's camera or recording (telepalp-server --source), or wait longer by --patience S"});
+  if (not_connected_because_.empty())
+    return give_up({.what = "does not answer",
+                    .where = where,
+                    .fix = "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
+  // The server's reason is one line of `what. fix: fix`, as to_string() writes it.
+  constexpr std::string_view kFix = ". fix: ";
+  const std::size_t at = not_connected_because_.find(kFix);
+  give_up({.what = "the server does not serve this station yet: " + not_connected_because_.substr(0, at),
+           .where = where,
+           .fix = "start the station again with a longer --patience S" +
+                  (at == std::string::npos ? "" : ", then: " + not_connected_because_.substr(at + kFix.size()))});
 }
 
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }

@@ -157,14 +157,15 @@ std::string to_html(std::span<const TrialResult> results) {
   std::string out =
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp: the four trials</title>\n"
       "<style>body{font-family:sans-serif;max-width:940px;margin:2em auto}"
-      "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>Run in virtual time by a "
-      "simulated hand on a simulated device, by the haptic loop that also drives a real device. Surface plane: a level "
-      "skin that is known exactly, so that errors come from the controller alone. Surface camera: a belly, built from "
+      "td,th{text-align:right;padding:2px 10px}</style>\n<h1>The four trials</h1>\n<p>A simulated hand "
+      "performs the trials on a simulated device. The haptic loop is the one that drives a real device; its time is "
+      "computed, not real. Surface plane: a level skin that is known exactly, so that errors come from the controller "
+      "alone. Surface camera: a belly, built from "
       "the depth images of a Kinect-like camera with noise and steps of depth. There is no network. Positions are in "
       "the haptic base's frame: y points up, and the origin is the middle of the skin. |d| is the indentation, |F| "
       "the force. The numbers in the charts name the controller's phase: 0 in body, 1 body to plane, 2 out body, 3 "
       "plane to body, -1 cylinder lateral, -2 around the cylinder, "
-      "-3 cylinder upper, 4 released, 5 faulted (without force).</p>\n";
+      "-3 cylinder upper, 4 released and 5 faulted (both without force).</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
     out += "<h2>" + std::string(title(result.trial)) + ", surface: " + result.surface + "</h2>\n<p>largest force " +

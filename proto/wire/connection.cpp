@@ -21,22 +21,25 @@ constexpr std::size_t kMaxReasonBytes = 512;
 constexpr auto kLinger = 500ms;
 constexpr std::uint64_t kLatestStamp = std::uint64_t{1} << 61;  // beyond it, sums of stamps could overflow
 
+/// on_bytes() puts the peer's address before it.
 Error bad_peer(std::string what) {
   return {.what = std::move(what),
-          .where = "peer",
+          .where = {},
           .fix = "install the same version of telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
 Error no_publisher(const Topic& topic) {
   return {.what = "this client may not publish " + std::string(topic.name),
-          .where = "peer",
+          .where = {},
           .fix = "publish only topics that begin with /station/, from a station that holds the touch"};
 }
 
 Error other_version(const std::string& detail) {
-  return {.what = "the server is of another version: " + detail,
+  return {.what = "the program at this port is no telepalp-server, or one of another version: " + detail,
           .where = {},
-          .fix = "install the same version of telepalp at both ends; --version prints the version of a program"};
+          .fix =
+              "connect to the server's --port, not to its --http-port, and install the same version of telepalp at "
+              "both ends; --version prints the version of a program"};
 }
 
 /// The peer's reason is one line of `what. fix: fix`, as to_string() writes it.
@@ -96,7 +99,7 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
 void Connection::start() {
   send(hello(options_));
   send(advertise(options_.publishes));
-  watch(kHandshakeDeadline, "no Hello message arrived within 5 s");
+  watch(kHandshakeDeadline, "no Hello message (the greeting of a telepalp program) arrived within 5 s");
   read();
 }
 
@@ -175,7 +178,7 @@ void Connection::finish(const std::string& reason) noexcept {
 
 void Connection::on_lost(const boost::system::error_code& code) noexcept {
   if (phase_ == Phase::Greeting) refusal_ = stream_->refusal(code);
-  finish(phase_ == Phase::Leaving ? leaving_because_ : "connection ended without a Goodbye message: " + code.message());
+  finish(phase_ == Phase::Leaving ? leaving_because_ : "the connection ended unexpectedly: " + code.message());
 }
 
 void Connection::watch(std::chrono::steady_clock::duration patience, std::string reason) {
@@ -218,11 +221,11 @@ void Connection::on_bytes(std::span<const std::byte> bytes) {
     Result<std::optional<Frame>> frame = parser_.next(bytes);
     if (!frame) {
       if (phase_ == Phase::Greeting && parser_.met_other_version()) refusal_ = other_version(frame.error().what);
-      return leave(to_string(frame.error()));
+      return leave(stream_->peer() + ": " + to_string(frame.error()));
     }
     if (!*frame) return;
     const Result<void> taken = on_frame(std::move(**frame));
-    if (!taken) return leave(to_string(taken.error()));
+    if (!taken) return leave(stream_->peer() + ": " + to_string(taken.error()));
   }
 }
 

@@ -29,6 +29,13 @@ constexpr std::uint64_t kMaxBodyBytes = 1024;  // of a token at the sign-in, or 
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
+constexpr std::string_view kOtherSite =
+    "this web page is from another site, which may not open the data stream. fix: allow the page's scheme and host: "
+    "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kNoToken =
+    "this program sends no valid token, so it may not open the data stream. fix: send the header Authorization: Bearer "
+    "TOKEN, where TOKEN is all that follows \"token:\" in the file that the technician gave you";
+
 /// True for an error in the bytes of a request, not for the end of the stream.
 bool is_malformed(beast::error_code failed) {
   return failed.category() == http::make_error_code(http::error::bad_method).category() &&
@@ -112,11 +119,9 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     const RequestPolicy& policy = context()->options.policy;
     const std::string_view host = view(request[http::field::host]);
     if (!host_is_ours(policy, host)) return write(refuse(request, http::status::misdirected_request, kNotOurHost));
-    if (!origin_is_allowed(policy, view(request[http::field::origin]), host, visit_->is_from_trusted_program()))
-      return write(refuse(
-          request, http::status::forbidden,
-          "this web page is from another site, which may not open the data stream. fix: allow the page's scheme and "
-          "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"));
+    const std::string_view origin = view(request[http::field::origin]);
+    if (!origin_is_allowed(policy, origin, host, visit_->is_from_trusted_program()))
+      return write(refuse(request, http::status::forbidden, origin.empty() ? kNoToken : kOtherSite));
     const auto subprotocol = foxglove::choose_subprotocol(view(request[http::field::sec_websocket_protocol]));
     if (!subprotocol)
       return write(refuse(request, http::status::bad_request,

@@ -20,8 +20,7 @@ struct RequestPolicy {
 /// The answer to a request whose Host header is not a name of this server.
 inline constexpr std::string_view kNotOurHost =
     "this server does not know the name by which it was addressed (Host header): use its IP address, or a host that "
-    "its "
-    "key names";
+    "its key names";
 
 /// Checks that `origin` has the form that a browser sends: scheme://host or scheme://host:port, in lower case. "*" and
 /// "null" are errors: they would let any web page, or any local file, read the patient's data.

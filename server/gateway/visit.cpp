@@ -32,6 +32,10 @@ bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
   return host_is_ours(policy, host) && view(request[http::field::origin]) == "https://" + std::string(host);
 }
 
+constexpr std::string_view kSignAtOwnPage =
+    "this page is not from this server, or was opened by a name that the server's key does not have. fix: open this "
+    "server's page by its IP address or a host that its key names";
+
 constexpr std::string_view kSignInFirst =
     "sign in first: open this server's page, or send the header Authorization: Bearer TOKEN";
 
@@ -101,8 +105,7 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
 
 HttpReply Visit::sign_in(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
-    return refuse(request, http::status::forbidden,
-                  "pages of another origin may not sign in here: use this server's own page");
+    return refuse(request, http::status::forbidden, kSignAtOwnPage);
   const Result<keys::Identity> who = context_.options.access->bearer(token_in_form(request.body()), address_);
   if (!who) {
     note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(who.error().what));
@@ -114,8 +117,7 @@ HttpReply Visit::sign_in(const HttpRequest& request) {
 
 HttpReply Visit::sign_out(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
-    return refuse(request, http::status::forbidden,
-                  "pages of another origin may not sign out here: use this server's own page");
+    return refuse(request, http::status::forbidden, kSignAtOwnPage);
   if (const auto who = context_.sessions.end(visitor_->cookie))
     note(access::AuditEvent::SignedOut, "who=" + describe(*who));
   return go_to(request, "/", "");
@@ -190,7 +192,8 @@ HttpReply Visit::recording(const HttpRequest& request) const {
   // A browser logs each 404 as an error of the page, so a GET gets an empty state instead.
   if (!recording.state)
     return commands ? refuse(request, http::status::not_found,
-                             "recording from the web page is off on this server. fix: telepalp-server --record-dir DIR")
+                             "recording from the web page is off on this server. fix: start telepalp-server with "
+                             "--record-dir DIR")
                     : json_reply(request, "{}");
   if (commands)
     note(access::AuditEvent::Records,

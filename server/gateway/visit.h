@@ -12,7 +12,7 @@ namespace telepalp::gateway {
 
 /// Refusals of a command for a played session, over HTTP and over the WebSocket.
 inline constexpr std::string_view kNoSession =
-    "this server plays no session. fix: telepalp-server --source session:FILE.mcap";
+    "this server plays no session. fix: start telepalp-server with --source session:FILE.mcap";
 inline constexpr std::string_view kOnlyForPlayers = "only technicians and QA may control a played session";
 
 /// Path of session playback: GET returns its state; POST carries out a command, such as a seek or a pause.

@@ -42,7 +42,7 @@ Result<asio::ip::address> listening_address(const std::string& address, bool has
   error_code code;
   const asio::ip::address parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, code);
   if (code)
-    return Error{.what = "'" + address + "' is not an address",
+    return Error{.what = "'" + address + "' is not an IP address",
                  .where = "--bind",
                  .fix = "give 127.0.0.1 for this machine alone, or 0.0.0.0 with --key"};
   if (!parsed.is_loopback() && !has_keys)
@@ -176,8 +176,9 @@ void PeerListener::let_a_stranger_go() {
   const auto oldest =
       std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
   if (oldest == peers_.end()) return;
-  const std::string text = "a connection is closed: more than " + std::to_string(options_.places.strangers) +
-                           " connections have not sent their Hello message yet";
+  const std::string text = "the connection from " + oldest->second->from() + " is closed: more than " +
+                           std::to_string(options_.places.strangers) +
+                           " connections have not sent their Hello message yet, the greeting of a telepalp program";
   options_.access->note(access::AuditEvent::Refused,
                         "who=stranger from=" + oldest->second->from() + " why=" + access::audit_text(text));
   note_refusal(text);
@@ -192,7 +193,7 @@ void PeerListener::let_idle_go_every_second() {
     peer->check_key();
     if (!peer->is_idle(now)) continue;
     ++counts_.let_go_idle;
-    peer->close("this client subscribed to no topic and published nothing, so the server frees its place for others");
+    peer->close("this client subscribes to no topic and publishes nothing, so the server frees its place for others");
   }
   second_.expires_after(std::chrono::seconds(1));
   second_.async_wait([this](const error_code& stopped) {

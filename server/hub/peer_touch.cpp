@@ -55,7 +55,8 @@ void PeerTouch::leave(bool on_purpose) {
 msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to) {
   const auto refuse = [&](const std::string& why) { return answer(to, false, why); };
   if (!access_.has_keys())
-    return refuse("without keys nobody holds the touch. fix: stop this station, then start the other station");
+    return refuse(
+        "this server has no keys, so nobody holds the touch. fix: stop this station, then start the other station");
   if (const Result<void> may = access_.may(who, keys::Operation::HandOver); !may) {
     note(access::AuditEvent::Refused, " why=" + access::audit_text(may.error().what));
     return refuse(to_string(may.error()));

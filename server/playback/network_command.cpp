@@ -44,8 +44,8 @@ Result<msg::NetworkCommand> read_network_command(const std::string& json) {
       Bounded{"jitter_ms is not from 0 to 500", command.has_jitter_ms(), command.jitter_ms(), 0.0, 500.0},
       Bounded{"loss_percent is not from 0 to 50", command.has_loss_percent(), command.loss_percent(), 0.0, 50.0},
       Bounded{"burst_packets is not from 1 to 50", command.has_burst_packets(), command.burst_packets(), 1.0, 50.0},
-      Bounded{"rate_Mbit_per_s is neither 0 nor from 0.1 to 1000", command.has_rate_mbit_per_s() && rate != 0.0, rate,
-              0.1, 1000.0}};
+      Bounded{"rate_Mbit_per_s is neither 0 (unlimited) nor from 0.1 to 1000",
+              command.has_rate_mbit_per_s() && rate != 0.0, rate, 0.1, 1000.0}};
   for (const Bounded& number : numbers)
     if (!is_within(number)) return Error{.what = number.name, .where = "playback/network", .fix = kExample};
   return command;

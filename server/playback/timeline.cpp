@@ -56,7 +56,7 @@ Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<s
   if (!has_one || summary.statistics.message_count == 0)
     return Error{.what = "holds no message on the topics that are played",
                  .where = file.string(),
-                 .fix = "add ,topics=A+B to the source, with topics that this command lists: telepalp-record info " +
+                 .fix = "add ,topics=A+B to --source, with topics that this command lists: telepalp-record info " +
                         file.string()};
   if (summary.statistics.message_end_time > static_cast<std::uint64_t>(INT64_MAX) ||
       summary.statistics.message_start_time > summary.statistics.message_end_time)

@@ -38,7 +38,7 @@ Result<GrayImage16> read_depth_image(const std::filesystem::path& file) {
   Result<AnyImage> image = read_image(file);
   if (!image) return image.error();
   if (auto* depth = std::get_if<GrayImage16>(&*image)) return std::move(*depth);
-  return Error{.what = "is an 8-bit image, not 16-bit grey depth",
+  return Error{.what = "is not a 16-bit grey image, as depth must be",
                .where = file.string(),
                .fix = "save depth as 16-bit grey PNG or TIFF"};
 }

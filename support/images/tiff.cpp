@@ -138,8 +138,9 @@ Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string
   const auto height = static_cast<int>(header.height);
   const std::size_t pixels = std::size_t{header.width} * header.height;
   if (header.bits == 16 && header.channels == 1) {
-    if (header.format != SAMPLEFORMAT_UINT || header.tiled)
-      return refuse("is 16-bit grey, but is stored in tiles, or its pixels are not unsigned integers");
+    if (header.tiled) return refuse("is a 16-bit grey image in tiles, but only strips of rows can be read");
+    if (header.format != SAMPLEFORMAT_UINT)
+      return refuse("is a 16-bit grey image whose pixels are not unsigned integers");
     if (static_cast<std::size_t>(TIFFScanlineSize(tiff.get())) != 2 * std::size_t{header.width})
       return refuse("has rows that do not hold 2 bytes a pixel");
     GrayImage16 image{width, height, std::vector<std::uint16_t>(pixels)};

@@ -20,7 +20,8 @@ inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model
     for (const std::uint32_t corner : triangle)
       if (corner >= model.points.size())
         return bad_mesh(name, "has " + std::to_string(model.points.size()) + " vertices, but a face names vertex " +
-                                  std::to_string(corner) + ", counted from 0");
+                                  (corner == 0xFFFFFFFF ? "numbers that are negative or above 4294967294"
+                                                        : std::to_string(corner) + ", counted from 0"));
   if (model.points.size() > kMostModelPoints)
     return Error{.what = "has more than 20 million points", .where = name, .fix = "simplify the model to fewer points"};
   return model;

@@ -95,7 +95,8 @@ Result<Header> parse_header(std::span<const std::byte> bytes, const std::string&
     }
     if (!understood)
       return bad(name, "line " + std::to_string(text.line_number()) + " of the header has a value of " +
-                           std::string(key) + " that is not allowed");
+                           std::string(key) +
+                           " that is not allowed; the limits are 20 million points, 64 fields and 4096 values a field");
   }
   return bad(name, "is not a PCD file: there is no DATA line");
 }

@@ -134,7 +134,8 @@ Result<void> read_vertices(const Element& element, Numbers& numbers, PointModel&
         if (property.name == wanted[k]) values[k] = value;
     }
     if (!numbers.ok())
-      return bad_mesh(name, "ends at vertex " + std::to_string(i) + " of " + std::to_string(element.count));
+      return bad_mesh(name, "a number of vertex " + std::to_string(i) + " of " + std::to_string(element.count) +
+                                ", counted from 0, is missing or is not a number");
     model.points.emplace_back(values[0], values[1], values[2]);
     if (with_normals) model.normals.emplace_back(values[3], values[4], values[5]);
   }
@@ -155,11 +156,14 @@ Result<void> read_lists(const Element& element, Numbers& numbers, PointModel& mo
     for (const Property& property : element.properties) {
       const double length = property.count_bytes == 0 ? 1.0 : numbers.next(property.count_bytes, false);
       if (!numbers.ok() || !(length >= 0.0 && length <= kMostCorners))
-        return bad_mesh(name, "is damaged at " + element.name + " " + std::to_string(i));
+        return bad_mesh(name, "the list of " + element.name + " " + std::to_string(i) +
+                                  ", counted from 0, is missing, or its length is not 0 to 1000");
       corners.clear();
       for (int k = 0; k < static_cast<int>(length); ++k)
         corners.push_back(to_corner(numbers.next(property.bytes, property.real)));
-      if (!numbers.ok()) return bad_mesh(name, "ends at " + element.name + " " + std::to_string(i));
+      if (!numbers.ok())
+        return bad_mesh(name, "a number of " + element.name + " " + std::to_string(i) +
+                                  ", counted from 0, is missing or is not a number");
       if (element.name == "face" && property.count_bytes != 0 && property.name.starts_with("vertex_ind"))
         add_fan(corners, model);
     }

@@ -57,11 +57,12 @@ Result<PointModel> read_point_model(const std::filesystem::path& file) {
 std::string unit_complaint(const PointModel& model) {
   const double size = extent(model);
   const auto looks = [&](const char* unit) {
-    return "the points span " + std::to_string(size) + " m, so their coordinates are probably in " + unit;
+    return "the points span " + std::to_string(size) +
+           " m, which is not a patient's size: the unit of the coordinates is probably " + unit;
   };
-  if (size > 100.0) return looks("millimetres (0.001 m)");
-  if (size > 12.0) return looks("decimetres (0.1 m) or centimetres (0.01 m)");
-  if (size > 0.0 && size < 0.002) return looks("kilometres (1000 m)");
+  if (size > 100.0) return looks("1000 times smaller");
+  if (size > 12.0) return looks("10 or 100 times smaller");
+  if (size > 0.0 && size < 0.002) return looks("1000 times larger");
   return {};
 }
 

@@ -8,7 +8,7 @@ Result<Address> parse_address(std::string_view text, std::string_view where, std
   const Error wrong{
       .what = "'" + std::string(text) + "' is not " + (default_port.empty() ? "HOST:PORT" : "HOST or HOST:PORT"),
       .where = std::string(where),
-      .fix = "write the address as 127.0.0.1:7400 or [::1]:7400"};
+      .fix = "write the address as 127.0.0.1:7400 or [::1]:7400, with a port from 1 to 65535"};
   // The last colon is before the port, but for an address in brackets that ends the text.
   const std::size_t colon = text.ends_with(']') ? std::string_view::npos : text.rfind(':');
   std::string_view host = text.substr(0, colon);

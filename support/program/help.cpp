@@ -96,7 +96,8 @@ std::string help_text(const Usage& usage) {
   const bool own_help = std::any_of(usage.commands.begin(), usage.commands.end(),
                                     [](const Command& command) { return command.run != nullptr; });
   if (!usage.commands.empty())
-    text += table(own_help ? "commands (details: COMMAND --help)" : "commands", command_rows(usage));
+    text += table(own_help ? "commands (details: " + std::string(usage.program) + " COMMAND --help)" : "commands",
+                  command_rows(usage));
   return text + table("options", option_rows(usage)) + "\nexample: " + std::string(usage.example) + "\n";
 }
 

@@ -66,7 +66,7 @@ Result<T> parse_bounded(std::string_view option, const std::string& text, T leas
     else
       std::snprintf(bounds, sizeof bounds, "whole number from %lld to %lld", static_cast<long long>(least),
                     static_cast<long long>(most));
-    return Error{.what = what + bounds, .where = "--" + std::string(option), .fix = "give a number in that range"};
+    return Error{.what = what + bounds, .where = "--" + std::string(option), .fix = std::string("give a ") + bounds};
   }
   return value;
 }

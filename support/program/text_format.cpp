@@ -38,9 +38,10 @@ class FirstError : public google::protobuf::io::ErrorCollector {
   [[nodiscard]] std::string fix() const {
     constexpr std::string_view kFoundNumber = "Expected identifier, got: ";
     if (message_.starts_with(kFoundNumber) && message_.find_first_of("0123456789") == kFoundNumber.size())
-      return "write a decimal point, as in 0.5, not a comma";
+      return "write a decimal point, as in 0.5, not a comma, and only one number after a field's name";
     if (message_.starts_with("Message is too deep"))
-      return "nest fewer pairs of braces; a solid's union may list more than two solids";
+      return "nest fewer pairs of braces; in a scene, put more than two solids into one union instead of nesting "
+             "unions";
     if (message_.starts_with("Interpreting non ascii") || message_.starts_with("Invalid control"))
       return "save the file as plain text in UTF-8";
     return "correct this line; the name of a quantity ends in its unit, as in radius_m";

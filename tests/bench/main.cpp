@@ -44,19 +44,20 @@ program::Usage usage() {
       .program = "telepalp-bench",
       .purpose = "measures one part of telepalp and compares it with its budget",
       .positional = {},
-      .options = {{"json", "", "print JSON instead of a table"},
-                  {"list", "", "print the benchmarks' names and exit"},
-                  {"input", "FILE|DIR",
-                   "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
-                  {"held-out", "SET,SET…", "depth: mean ratio of inputs not used for training"},
-                  {"part", "NAME",
-                   "accuracy: one of surface, patients, prediction, organ, solids, price, z-width, depth"},
-                  {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
-                  {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
-                  {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
-                  {"reached", "FILE", "hand: accept a miss of at most 10 % beyond FILE's value"},
-                  {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
-                  {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
+      .options =
+          {{"json", "", "print JSON instead of a table"},
+           {"list", "", "print the benchmarks' names and exit"},
+           {"input", "FILE|DIR",
+            "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
+           {"held-out", "SET,SET…",
+            "depth: also the mean compression ratio of these inputs, as for --input, which training did not use"},
+           {"part", "NAME", "accuracy: one of surface, patients, prediction, organ, solids, price, z-width, depth"},
+           {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
+           {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+           {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
+           {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
+           {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
+           {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
       .example = "telepalp-bench pipeline --json",
       .commands = {},
       .needs_command = true};
@@ -89,7 +90,8 @@ int main(int argc, char** argv) {
   const std::string wanted = arguments.positional().size() == 1 ? arguments.positional().front() : "";
   for (const bench::Bench& bench : kBenches)
     if (bench.name == wanted) return run(bench, arguments);
-  return program::fail({.what = "'" + wanted + "' is not a benchmark",
+  return program::fail({.what = wanted.empty() ? "the command line does not name exactly one benchmark"
+                                               : "'" + wanted + "' is not a benchmark",
                         .where = "telepalp-bench",
                         .fix = "to list the names: telepalp-bench --list"},
                        program::kAskedWrongly);

@@ -152,14 +152,20 @@ Report report_of(const Heard& heard, bool of_a_recording) {
 Error not_started(const char* program) {
   return {.what = std::string(program) + " did not start, or ended with an error",
           .where = "telepalp-bench pipeline",
-          .fix = "see the program's message above; to build all programs: ninja telepalp_programs"};
+          .fix = std::string("see the message of ") + program + " above"};
+}
+
+Error not_built(const char* name) {
+  return {.what = "the file does not exist",
+          .where = program::sibling_program(name).string(),
+          .fix = "build all programs: ninja telepalp_programs"};
 }
 
 }  // namespace
 
 Result<Report> measure_pipeline(const PipelineRun& run) {
-  if (!fs::exists(program::sibling_program("telepalp-server"))) return not_started("telepalp-server");
-  if (!fs::exists(program::sibling_program("telepalp-station"))) return not_started("telepalp-station");
+  for (const char* const name : {"telepalp-server", "telepalp-station"})
+    if (!fs::exists(program::sibling_program(name))) return not_built(name);
 
   const support::TemporaryFolder folder;
   const fs::path ready = folder.path() / "server";

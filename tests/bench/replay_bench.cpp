@@ -125,7 +125,7 @@ Result<void> add_sources(const Scenario& scenario, double seconds, Report& repor
   if (!oni)
     return Error{.what = "the recording deploy/demo_data/oni/3dj_test.oni is missing",
                  .where = "telepalp-bench replay",
-                 .fix = "run telepalp-bench in a checkout or an installation"};
+                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
   const std::string kinect = "oni:" + oni->string();
   const support::TemporaryFolder folder;
   const std::string patients = (folder.path() / "patient.mcap").string();
@@ -162,7 +162,7 @@ Result<void> add_live(const Scenario& scenario, double seconds, Report& report) 
   const replay::Figures& there = both->in_virtual_time;
   const replay::Figures& live = both->live;
   report.rows.push_back(at_most("real sockets: share of frames in time, difference from virtual time",
-                                std::abs(live.frames_in_time_pct - there.frames_in_time_pct), "points", 1.0));
+                                std::abs(live.frames_in_time_pct - there.frames_in_time_pct), "% points", 1.0));
   report.rows.push_back(at_most("real sockets: force RMSE, difference from virtual time",
                                 100.0 * std::abs(live.force_rmse_N / there.force_rmse_N - 1.0), "%", 10.0));
   report.rows.push_back(measured("virtual time: share of frames in time", there.frames_in_time_pct, "%"));

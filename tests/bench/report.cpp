@@ -77,12 +77,12 @@ std::string to_json(const Report& report) {
 std::string to_table(const Report& report) {
   std::size_t width = 20;
   for (const Row& row : report.rows) width = std::max(width, row.name.size());
-  std::string table = report.bench + "  (" + machine_name() + ", " + TELEPALP_COMMIT + ")\n";
+  std::string table = report.bench + "  (" + machine_name() + ", commit " + TELEPALP_COMMIT + ")\n";
   for (const Row& row : report.rows) {
     char line[400];
     std::snprintf(line, sizeof line, "  %-*s %12s %-8s %-14s %s\n", static_cast<int>(width), row.name.c_str(),
-                  number(row.value).c_str(), row.unit.c_str(), asked(row).c_str(),
-                  row.bound == Bound::None ? "" : (row.holds() ? "holds" : "MISSES"));
+                  std::isfinite(row.value) ? number(row.value).c_str() : "not finite", row.unit.c_str(),
+                  asked(row).c_str(), row.bound == Bound::None ? "" : (row.holds() ? "holds" : "MISSES"));
     table += line;
   }
   for (const std::string& note : report.notes) table += "  " + note + "\n";

@@ -48,7 +48,9 @@ Result<double> worst_error_mm(const capture::TriangleMesh& torso) {
 Result<Report> run_synthetic(const program::Arguments& /*arguments*/) {
   const std::optional<std::filesystem::path> file = program::shipped_file(kTorso);
   if (!file)
-    return Error{.what = "the file is missing", .where = kTorso, .fix = "run telepalp-bench from the source tree"};
+    return Error{.what = "the file is missing",
+                 .where = kTorso,
+                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
   const Result<capture::TriangleMesh> torso = capture::read_mesh(*file);
   if (!torso) return torso.error();
   const double before_s = cpu_s();

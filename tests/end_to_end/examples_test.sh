@@ -106,7 +106,7 @@ run() { # EXAMPLE
     "telepalp-station hand-over"*)
       say "refused: $line"
       timeout 20 bash -c "$line" >"$work/log" 2>&1 && failed "$line ended with 0"
-      grep -q '^error: without keys nobody holds the touch' "$work/log" || failed "$line"
+      grep -q '^error: this server has no keys, so nobody holds the touch' "$work/log" || failed "$line"
       return ;;
     "telepalp-replay diff"*)
       say "differs: $line"

@@ -331,7 +331,7 @@ TEST_F(StationProgram, AModelInAnotherUnitIsNamedUntilItsUnitIsSaid) {
   const fs::path model = folder_.path() / "mm.obj";
   std::ofstream(model) << "v 0 0 0\nv 300 0 0\nv 0 0 300\nv 300 0 300\nf 1 3 2\nf 2 3 4\n";
   EXPECT_EQ(run({"--surface", "model:" + model.string(), "--check"}), 1);
-  EXPECT_NE(text_of(log()).find("probably in millimetres"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("probably 1000 times smaller"), std::string::npos) << text_of(log());
   EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit_m=0.001,samples=2000", "--check"}), 0);
   EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit=mm", "--check"}), 1);
 }

@@ -258,7 +258,7 @@ TEST(HostilePeer, SilenceBeforeHelloAndAfterHalfAFrameAreBothEndedAfterFiveSecon
   half.say(control_frame(hello()) + control_frame(subscription("*")) + control_frame(subscription("*")).substr(0, 20));
   EXPECT_FALSE(site.run_until([&] { return mute.closed() || half.closed(); }, 4s));
   EXPECT_TRUE(site.run_until([&] { return mute.closed() && half.closed(); }, 3s));
-  EXPECT_EQ(mute.goodbye(), "no Hello message arrived within 5 s");
+  EXPECT_EQ(mute.goodbye(), "no Hello message (the greeting of a telepalp program) arrived within 5 s");
   EXPECT_EQ(half.goodbye(), "no message arrived for 5 s");
 }
 

@@ -64,7 +64,7 @@ TEST(Places, APeerWithoutTopicsIsDisconnectedWithinSecondsAndOthersAreKept) {
   Client publisher(site, {}, "publisher");  // advertises the station's topics
   ASSERT_TRUE(site.run_until([&] { return site.listener->counts().let_go_idle > 0; }, 4s));
   EXPECT_TRUE(site.run_until(
-      [&] { return any_contains(site.notes, "this client subscribed to no topic and published nothing"); }));
+      [&] { return any_contains(site.notes, "this client subscribes to no topic and publishes nothing"); }));
   EXPECT_EQ(subscriber.link.counts().connections, 1u);
   EXPECT_EQ(publisher.link.counts().connections, 1u);
 }

@@ -45,7 +45,7 @@ Result<void> compare_recordings(const std::filesystem::path& first, const std::f
                          " pixels differ from the first input by more than --bound allows, the first in " +
                          difference.first_beyond(),
                  .where = second.string(),
-                 .fix = "give a larger --bound, or encode this input again with the same --bound"};
+                 .fix = "give a larger --bound, or encode the first input again with the same --bound"};
   std::printf("no pixel of the second input differs from the first input by more than --bound allows\n");
   return {};
 }

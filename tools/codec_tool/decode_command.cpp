@@ -32,7 +32,7 @@ Result<void> decode_recording(const std::filesystem::path& input, const std::fil
                                      program::Readers::Group);
   };
   const auto pass_over = [&](const Error& error) {
-    if (unreadable++ == 0) std::fprintf(stderr, "frame %zu is left out: %s\n", frames, to_string(error).c_str());
+    if (unreadable++ == 0) std::fprintf(stderr, "frame %zu is left out: %s\n", frames, error.what.c_str());
     ++frames;
   };
   const Result<void> done = for_each_depth(input, 0.001, write, pass_over);

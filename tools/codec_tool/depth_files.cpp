@@ -52,7 +52,9 @@ Result<void> visit_image(const fs::path& file, double unit_m, bool colour_may_be
   auto* const depth = std::get_if<images::GrayImage16>(&*image);
   if (depth == nullptr) {
     if (colour_may_be) return {};
-    return Error{.what = "is not a 16-bit grey image", .where = file.string(), .fix = "give a 16-bit depth image"};
+    return Error{.what = "is not a 16-bit grey image",
+                 .where = file.string(),
+                 .fix = "give depth as a 16-bit grey PNG, TIFF or PGM"};
   }
   return visit(
       {file.filename().string(),
@@ -76,7 +78,12 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
                    .fix = "check the session: telepalp-record verify " + file.string()};
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
     if (!depth) {
-      if (!pass_over) return depth.error();
+      if (!pass_over)
+        return Error{.what = "depth image " + std::to_string(number) +
+                             ", counted from 0, cannot be decoded: " + depth.error().what,
+                     .where = file.string(),
+                     .fix = "to write the depth images that can be decoded: telepalp-codec decode " + file.string() +
+                            " OUT_DIR"};
       pass_over(depth.error());
       continue;
     }
@@ -100,7 +107,9 @@ Result<void> visit_source(const std::string& spec, const Visit& visit, const Pas
     } else if ((*source)->state() == capture::CaptureState::Ended) {
       const std::string complaint = (*source)->complaint();
       if (complaint.empty()) return {};
-      const Error damage{.what = complaint, .where = spec, .fix = "copy the whole recording again"};
+      const Error damage{.what = complaint,
+                         .where = spec,
+                         .fix = "if the recording is damaged or cut off, copy the whole recording again"};
       if (!pass_over || number == 0) return damage;
       pass_over(damage);
       return {};

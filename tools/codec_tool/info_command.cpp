@@ -13,11 +13,13 @@ void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::s
                 const wire::DepthFidelity& fidelity) {
   const std::string place =
       packet.since_key == 0 ? "key frame" : "frames since key frame: " + std::to_string(packet.since_key);
-  std::printf("%6zu  %-8s %-10s %d x %d pixels  depth unit %g mm  %d slices  %s  %zu B  compression ratio %.2f%s\n",
-              number, std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
-              packet.height, 1000.0 * packet.unit_m, packet.slices, place.c_str(), bytes,
-              2.0 * packet.width * packet.height / static_cast<double>(bytes),
-              fidelity.moved ? ("  " + wire::how_far(fidelity)).c_str() : "");
+  std::printf(
+      "frame %6zu  mode %-8s  coding %-10s %d x %d pixels  depth unit %g mm  %d slices  %s  %zu B  compression ratio "
+      "%.2f%s\n",
+      number, std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
+      packet.height, 1000.0 * packet.unit_m, packet.slices, place.c_str(), bytes,
+      2.0 * packet.width * packet.height / static_cast<double>(bytes),
+      fidelity.moved ? ("  " + wire::how_far(fidelity)).c_str() : "");
 }
 
 void add_frame(program::Json& json, const codec::DepthPacketInfo& packet, std::size_t bytes,
@@ -52,7 +54,11 @@ Result<Totals> for_each_packet(const std::filesystem::path& input, Visit visit) 
                    .where = input.string(),
                    .fix = "check the session: telepalp-record verify " + input.string()};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));
-    if (!packet) return packet.error();
+    if (!packet)
+      return Error{.what = "depth image " + std::to_string(totals.frames) +
+                           ", counted from 0, cannot be read: " + packet.error().what,
+                   .where = input.string(),
+                   .fix = "check the session: telepalp-record verify " + input.string()};
     visit(totals.frames, *packet, image.data().size(), wire::depth_fidelity(image));
     totals.add(1.0 * packet->width * packet->height, image.data().size());
   }

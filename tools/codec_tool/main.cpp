@@ -48,12 +48,14 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
               .json = arguments.has("json")};
   const std::string command = asked.words.empty() ? "" : asked.words.front();
   if (command != "encode" && command != "decode" && command != "info" && command != "compare")
-    return Error{.what = "'" + command + "' is not a command",
+    return Error{.what = asked.words.empty() ? "no command is given" : "'" + command + "' is not a command",
                  .where = std::string(kProgram),
                  .fix = "see telepalp-codec --help"};
   const std::size_t wanted = command == "info" ? 2 : 3;
   if (asked.words.size() != wanted)
-    return Error{.what = command + " takes " + std::to_string(wanted - 1) + " files",
+    return Error{.what = command + " takes " + std::to_string(wanted - 1) +
+                         (wanted == 2 ? " argument, not " : " arguments, not ") +
+                         std::to_string(asked.words.size() - 1),
                  .where = std::string(kProgram),
                  .fix = "see telepalp-codec --help"};
   if (command == "compare" && arguments.has("bound")) {

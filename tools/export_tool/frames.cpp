@@ -62,7 +62,7 @@ void Frames::note_color(const std::string& payload) {
 
 Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
   Result<codec::DecodedDepth> depth = depth_.read(std::as_bytes(std::span(waiting.packet)));
-  if (!depth) return depth.error();
+  if (!depth) return no_frame("the depth image cannot be decoded: " + depth.error().what);
   if (!pinhole_)
     return no_frame("no calibration of the camera (/camera/info) was recorded in the 10 s before the given time");
   RgbdFrame frame;

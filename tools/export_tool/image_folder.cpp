@@ -55,7 +55,7 @@ Result<std::uint64_t> write_images(const fs::path& file, const fs::path& out) {
   std::error_code ignored;
   const bool existed = fs::exists(out, ignored);
   if (existed && !fs::is_empty(out, ignored))
-    return Error{.what = "the folder is not empty", .where = out.string(), .fix = "give a new or an empty folder"};
+    return Error{.what = "is not an empty folder", .where = out.string(), .fix = "give a new or an empty folder"};
   Result<void> done;
   for (const fs::path& folder : {out, out / "depth", out / "rgb"})
     if (done) done = program::make_folder(folder, program::Readers::Group);

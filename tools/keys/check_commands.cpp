@@ -18,7 +18,9 @@ Result<std::string> show(const Asked& asked) {
   const Result<keys::KeyFile> key = keys::read_key(*text, asked.file);
   if (!key) return key.error();
   const bool expired = key->identity.expires <= asked.now;
-  return keys::in_words(*key) + (expired ? "EXPIRED:    to renew: telepalp-keys renew " + asked.file + "\n" : "");
+  return keys::in_words(*key) +
+         (expired ? "EXPIRED:    to renew: telepalp-keys renew " + asked.file + " --dir FOLDER-OF-THE-AUTHORITY\n"
+                  : "");
 }
 
 Result<std::string> verify_audit(const Asked& asked) {

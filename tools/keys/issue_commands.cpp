@@ -131,6 +131,11 @@ Result<std::string> revoke(const Asked& asked) {
   if (!folder) return folder.error();
   std::string serial = asked.file;
   if (!is_serial(serial)) {
+    if (!std::filesystem::exists(asked.file))
+      return Error{.what = "is neither a file nor a serial of 20 digits 0 to 9 and a to f",
+                   .where = asked.file,
+                   .fix = "give the file of the key or token, or its serial: telepalp-keys list --dir " +
+                          asked.folder.string() + " prints the serials"};
     const Result<std::string> text = read_file(asked.file, keys::kMaxKeyFileBytes);
     if (!text) return text.error();
     const Result<KeyFile> key = keys::read_key(*text, asked.file);

@@ -75,10 +75,10 @@ Result<KeyFolder> KeyFolder::open(const fs::path& folder) {
 
 Result<void> KeyFolder::keep(const std::string& key_text, const fs::path& file, bool replace) const {
   if (!replace && fs::exists(file))
-    return Error{
-        .what = "the file exists already",
-        .where = file.string(),
-        .fix = "to replace this key: telepalp-keys renew " + file.string() + "; for another key, give another --name"};
+    return Error{.what = "the file exists already",
+                 .where = file.string(),
+                 .fix = "to replace this key: telepalp-keys renew " + file.string() + " --dir " + folder_.string() +
+                        "; for another key, give another --name"};
   const Result<keys::KeyFile> key = keys::read_key(key_text, file.string());
   if (!key) return key.error();
   // Noted first: a key that exists can then always be revoked.

@@ -66,7 +66,8 @@ Result<const Row*> command_of(const program::Arguments& arguments) {
   for (const Row& row : kCommands) {
     if (row.name != words.front()) continue;
     if (words.size() == (row.takes_file ? 2U : 1U)) return &row;
-    return asked_wrongly(words.front() + (row.takes_file ? " takes one file" : " takes only options, no file"));
+    return asked_wrongly(words.front() +
+                         (row.takes_file ? " takes exactly one argument" : " takes only options, no file"));
   }
   return asked_wrongly("'" + words.front() + "' is not a command");
 }

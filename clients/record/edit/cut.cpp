@@ -101,6 +101,12 @@ wire::mcap::Metadata note_of(const std::filesystem::path& file, const CutOptions
   return note;
 }
 
+Error no_such_topic(const std::filesystem::path& file) {
+  return {.what = "no topic of the session matches --topics",
+          .where = file.string(),
+          .fix = "give topics that are listed by telepalp-record info " + file.string()};
+}
+
 Error nothing_there(const std::filesystem::path& file, const wire::mcap::Statistics& statistics) {
   const double seconds = static_cast<double>(statistics.message_end_time - statistics.message_start_time) * 1e-9;
   return {.what = "no message lies between --from and --to on the chosen topics; the session lasts " +
@@ -121,7 +127,8 @@ Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem:
   const std::uint64_t until =
       options.to ? statistics.message_start_time + static_cast<std::uint64_t>(options.to->count()) : INT64_MAX;
   const std::vector<std::string> topics = chosen_topics(reader->summary(), options.topics);
-  if (topics.empty() || from > statistics.message_end_time || until <= from) return nothing_there(file, statistics);
+  if (topics.empty()) return no_such_topic(file);
+  if (from > statistics.message_end_time || until <= from) return nothing_there(file, statistics);
 
   EditReport report;
   const std::vector<KeptMessage> before = prelude(*reader, from, options.topics, report.damages);

@@ -41,6 +41,14 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
+/// The file or, for a recording in parts, the name of its first part.
+std::string first_file(const RecordingOptions& options) {
+  const Splitting& splitting = options.splitting;
+  if (!splitting.bytes && !splitting.time && !splitting.keep_last) return options.file.string();
+  std::filesystem::path part = options.file;
+  return part.replace_extension(".0001" + options.file.extension().string()).string() + " and later parts";
+}
+
 std::uint64_t total(const std::map<std::string_view, std::uint64_t>& by_topic) {
   std::uint64_t sum = 0;
   for (const auto& [topic, count] : by_topic) sum += count;
@@ -147,7 +155,7 @@ class Recording {
       say("the server answers again after " + fixed(away_s, 1) + " s; the recording has no messages from this time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
-    say("recording " + program::to_text(options_.server) + " to " + options_.file.string());
+    say("recording " + program::to_text(options_.server) + " to " + first_file(options_));
     if (const Result<void> written =
             program::write_ready_file(options_.ready_file, "recording=" + options_.file.string() + "\n");
         !written)
@@ -261,7 +269,7 @@ std::string describe(const RecordingReport& report) {
   std::string text = fixed(report.seconds, 1) + " s from connecting to the server to the end of the recording, " +
                      std::to_string(report.messages) + " messages, " +
                      fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
-  if (report.files > 1) text += " in " + std::to_string(report.files) + " files";
+  if (report.files > 1) text += " in " + std::to_string(report.files) + " numbered files";
   if (report.dropped > 0)
     text += ", " + std::to_string(report.dropped) + " messages dropped because the disk was slow or full";
   if (report.gaps > 0) text += ", no connection to the server for " + fixed(report.gap_s, 1) + " s";

@@ -86,7 +86,8 @@ std::string account(const Comparison& comparison) {
     text += ", at most " + readable(ticks.largest->force_apart_N) + " N, " + number(ticks.largest->at_s, 3) +
             " s after the start";
   return text + ", and the states differ at " + readable(share) +
-         " % of the ticks. Out of contact the force moves only the free device, and the hand does not feel it.";
+         " % of the ticks. Out of contact the force moves the device; the hand feels only the lift in the state "
+         "“body to plane”.";
 }
 
 double pictured_s(const Comparison& comparison) {

@@ -63,7 +63,7 @@ std::string first_screen(const Session& session, const Summary& summary, const V
 std::string view_section(const Session& session, const std::string& view_png) {
   if (view_png.empty()) return "";
   if (session.states.empty())
-    return section("The patient", "What the camera saw. No station took part in this session.",
+    return section("The patient", "What the camera saw. The session has no position of the doctor's hand.",
                    "<img alt=\"the patient\" src=\"data:image/png;base64," + base64(view_png) + "\">\n");
   return section(
       "The augmented view at the deepest touch",
@@ -118,8 +118,8 @@ std::string motion_sections(const Session& session) {
                        "the skin (states -3 to -1).",
                        in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
-                       "State, height and force on one time axis. Outside the body, the force moves the free "
-                       "end-effector; the hand feels no force.",
+                       "State, height and force on one time axis. Outside the body, the force moves the end-effector; "
+                       "the hand feels only the lift in state 1 (body to plane).",
                        stacked(timeline(session)));
 }
 

@@ -21,7 +21,7 @@ Check depth_check(const Summary& s) {
   const wire::DepthFidelity& depth = s.depth;
   const bool known = s.ticks > 0 && (depth.moved || !depth.mode.empty());
   const std::string meaning =
-      "the hand touched near-lossless depth (" + wire::in_words(depth) +
+      "the station made its surface from near-lossless depth (" + wire::in_words(depth) +
       "); only lossless depth is for touching: start telepalp-server with --depth-mode fast, intra or temporal";
   if (depth.moved && !depth.within)
     return {"depth is near-lossless, bound not stated (1: yes, 0: no)", known ? 1.0 : kUnknown, 0.0, "", true, meaning};
@@ -75,16 +75,18 @@ std::vector<Check> checks_of(const Summary& s) {
       {"largest force", s.force_max_N, 10.0, "N", true,
        "the station commanded more than 10 N, the device's peak force"},
       {"numbers that are not finite", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
-       "a force, position or depth was not a finite number"},
+       "a position, force, indentation or distance was not a finite number"},
       {"faults", faulted, 0.0, "", true, "the station faulted, and the device gave no force"},
-      {"control rate", s.ticks_per_s, 1990.0, "Hz", false, "the control loop ran slower than 2 kHz"},
+      {"control rate", s.ticks_per_s, 1990.0, "Hz", false,
+       "fewer than 1990 ticks a second are in the file: the control loop was too slow, or the recording has gaps"},
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true,
        "more than one tick in a thousand took longer than its period of 500 µs"},
       {"depth frame: camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
        "a typical frame became touchable only after the next frame was captured"},
       {"depth frame: camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true,
        "more than one frame in a hundred was older than 100 ms when it became touchable"},
-      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, "the camera sent fewer than 25 depth frames a second"},
+      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false,
+       "fewer than 25 depth frames a second are in the file: the camera was too slow, or the recording has gaps"},
       {"depth frames that the server dropped, of all for the station",
        percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped)), 5.0, "%", true,
        "the network or the station was too slow, so that frames were lost"},
@@ -106,7 +108,7 @@ std::string timers_part(const Summary& s) {
 std::string account_of(const Summary& s) {
   std::string text;
   if (s.ticks == 0)
-    return "The session lasts " + number(s.seconds, 1) + " s and has no message of a station." +
+    return "The session lasts " + number(s.seconds, 1) + " s and has no ticks of a station." +
            (s.depth.moved ? " The depth of its images is " + wire::in_words(s.depth) + "." : "");
   if (s.touches == 0 && !(s.contact_s > 0.0)) {
     text = "In " + number(s.seconds, 1) + " s the doctor's hand did not touch the patient.";
@@ -135,7 +137,7 @@ std::string senders_warning(const Summary& s) {
   std::string text = std::to_string(s.senders.size()) + " programs published as the station:";
   for (const SenderSummary& sender : s.senders)
     text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
-            " ticks, " + std::to_string(sender.states) + " states)";
+            " ticks, " + std::to_string(sender.states) + " messages of /station/state)";
   return text + "; the figures are those of the first program, and the messages of the others may be forged. ";
 }
 
@@ -151,7 +153,7 @@ std::string headline_of(const std::vector<Check>& checks, bool judged) {
   if (misses > 0 && only_the_computer) return "The run was good, but the station's computer was late: " + missed + ".";
   if (misses > 0) return "Check this run: " + missed + ".";
   return judged ? "The run was good: every measured figure meets its requirement."
-                : "The run is not judged: no station took part in this session.";
+                : "The run is not judged: the session has no ticks of a station.";
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ def main():
         "CC BY 4.0, see ATTRIBUTION.md; one closed skin of its parts; metres, y towards the head, +z front",
     ]
     write_ply(target, comments, relaxed(points, triangles), triangles)
-    print(f"{len(points)} vertices, {len(triangles)} triangles, {1e6 * len(solid) * CELL_M**3:.0f} ml")
+    print(f"{len(points)} vertices, {len(triangles)} triangles, {1e6 * len(solid) * CELL_M**3:.0f} ml of liver")
 
 
 if __name__ == "__main__":

@@ -34,18 +34,19 @@ Result<void> HaplyDevice::start(std::chrono::milliseconds limit) {
   boost::asio::post(thread_.io(), [this] { line_.start(); });
   thread_.run();
   if (thread_.wait_for_answer(limit)) return {};
-  return Error{.what = "is not ready: " + thread_.obstacle(),
-               .where = name_,
-               .fix =
-                   "start the Haply Inverse service with an Inverse3 plugged in, or try the station without one by "
-                   "--device simulated"};
+  return Error{
+      .what = "is not ready: " + thread_.obstacle(),
+      .where = name_,
+      .fix =
+          "start the Haply Inverse service, 3.1 or later, at this address, with an Inverse3 plugged in, or try "
+          "the station without a device by --device simulated"};
 }
 
 void HaplyDevice::on_text(std::string_view text) {
   const auto read = haply::parse_text(text, device_id_);
   if (!read) {
     if (refused_.fetch_add(1, std::memory_order_relaxed) == 0) say_(name_ + ": " + to_string(read.error()));
-    thread_.obstacle(to_string(read.error()));
+    thread_.obstacle(read.error().what);  // without its fix, because start() gives one
   } else if (*read) {
     const haply::State& state = **read;
     if (!std::exchange(line_is_up_, true))

@@ -24,9 +24,8 @@ program::Usage usage() {
             "site.calibration.textproto"},
            {"pairs", "FILE",
             "for 'points', and for 'offset' without a device: CSV of places that both instruments measured; columns: "
-            "place "
-            "(its number), to_x_m, to_y_m, to_z_m (by the device), from_x_m, from_y_m, from_z_m (by the tracker or "
-            "camera), in metres"},
+            "place (its number), to_x_m, to_y_m, to_z_m (by the device), from_x_m, from_y_m, from_z_m (by the "
+            "tracker or camera), in metres"},
            {"from", "tracker|camera", "for 'points': the instrument that measured from_x_m, from_y_m, from_z_m",
             "tracker"},
            {"device", kDeviceWords, "for 'offset': the haptic device", "haply"},
@@ -74,12 +73,14 @@ int calibrate_command(int argc, const char* const* argv) {
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
   const program::Arguments& arguments = **read;
-  const std::string how = arguments.positional().size() == 1 ? arguments.positional().front() : "";
+  const bool one = arguments.positional().size() == 1;
+  const std::string how = one ? arguments.positional().front() : "";
   const auto method = std::ranges::find(kMethods, how, &Method::name);
   if (method == kMethods.end())
-    return program::fail({.what = "'" + how + "' is not points, offset or probe",
+    return program::fail({.what = one ? "'" + how + "' is not points, offset or probe"
+                                      : "none, or more than one, of points, offset and probe is given",
                           .where = "telepalp-station calibrate",
-                          .fix = "give one of them; see telepalp-station calibrate --help"},
+                          .fix = "give exactly one of them; see telepalp-station calibrate --help"},
                          program::kAskedWrongly);
   const Result<Measured> measured = method->measure(arguments);
   if (!measured) return program::fail(measured.error());

@@ -47,9 +47,9 @@ Result<std::vector<calibration::Touch>> measure_touches(const program::Arguments
   if (!choice) return choice.error();
   const auto* leap = std::get_if<Leap>(&choice->tracker);
   if (std::holds_alternative<Simulated>(choice->device) || leap == nullptr)
-    return Error{.what = "a simulated device or tracker cannot be calibrated",
+    return Error{.what = "only a real device with a Leap tracker can be calibrated",
                  .where = "calibrate offset",
-                 .fix = "give --device haply or udp:HOST:PORT, and --tracker leap"};
+                 .fix = "give --device haply or --device udp:HOST:PORT, and --tracker leap"};
   const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return patience.error();
   const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience->value_or(program::kForEver));
@@ -106,7 +106,7 @@ Result<Measured> from_probe(const program::Arguments& arguments) {
   const auto fit = calibration::calibrate_hand_on_probe(*poses, *probe_from_hand);
   if (!fit) return fit.error();
   const double widest_rad = *std::max_element(fit->angles_rad.begin(), fit->angles_rad.end());
-  std::printf("the rotations of the poses differ from their mean by at most %.2f degrees\n",
+  std::printf("the tracker's rotation, computed from each pose alone, differs from the mean by at most %.2f degrees\n",
               widest_rad * 180.0 / std::numbers::pi);
   return Measured{calibration::measured(fit->haptic_from_tracker, fit->residuals, "hand on probe",
                                         std::chrono::system_clock::now()),

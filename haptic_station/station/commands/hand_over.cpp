@@ -55,11 +55,9 @@ bool HandOver::on_command(const std::string& command, const ControlSocket::Reply
   if (command == "accept") {
     link_.accept_touch();
     const bool holds = link_.state() == wire::LinkState::Connected;
-    reply(
-        holds
-            ? "nothing to accept: this station is connected, so it holds the touch (the permission to palpate) already"
-            : std::string(kDone) +
-                  "this station takes the touch (the permission to palpate) as soon as another doctor offers it");
+    reply(holds ? "nothing to accept: this station is connected to its server, so it may already palpate"
+                : std::string(kDone) +
+                      "this station takes the touch (the permission to palpate) as soon as another doctor offers it");
     return true;
   }
   if (command == "withdraw") {

@@ -53,7 +53,7 @@ Result<void> write(const std::string& bytes, const std::filesystem::path& file) 
   if (std::filesystem::file_size(file, code) != bytes.size() || code)
     return Error{.what = "cannot be written",
                  .where = file.string(),
-                 .fix = "check that the folder exists and the disk has space"};
+                 .fix = "check that the folder exists, that you may write there, and that the disk has space"};
   std::printf("wrote %s\n", file.string().c_str());
   return {};
 }
@@ -182,7 +182,7 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
   if (layer == scene.layers.end())
     return Error{
         .what = name.empty() ? "the scene has no layer" : "the scene has no layer '" + name + "'",
-        .where = name.empty() ? "SCENE" : "--layer",
+        .where = name.empty() ? scene.name : "--layer",
         .fix =
             "name a scene with a layer, and one of its layers; telepalp-station scene check SCENE lists all effects, "
             "layers by their names"};

@@ -13,7 +13,7 @@ program::Usage usage() {
   return {.program = "telepalp-station tissue",
           .purpose =
               "fits the skin's stiffness to a compression test of a tissue or phantom, and prints the fit's error; "
-              "without a test, lists the presets and their errors",
+              "without a test, lists the tissue presets and their errors",
           .positional = "",
           .options = {{"test", "FILE", "CSV: a header row, then rows compression_mm,load_N"},
                       {"diameter-mm", "MM", "diameter of the specimen, in millimetres", "50"},
@@ -32,9 +32,8 @@ void print_law(const effects::SkinLaw& law) {
 
 int list_presets() {
   std::printf(
-      "force of the skin at an indentation of 10, 20 and 30 mm, for each tissue that a scene names by skin { tissue "
-      "}\n%-14s %-12s %10s "
-      "%10s %10s   %s\n",
+      "force of the skin at an indentation of 10, 20 and 30 mm, for each tissue that a scene can name by "
+      "skin { tissue: \"NAME\" }\n%-14s %-12s %10s %10s %10s   %s\n",
       "tissue", "material", "N at 10 mm", "N at 20 mm", "N at 30 mm", "RMS fit error, % of the largest load");
   for (const effects::TissuePreset& preset : effects::kTissuePresets) {
     const auto force_N = [&](double d) { return preset.law.stiffness_N_per_m(d) * d; };

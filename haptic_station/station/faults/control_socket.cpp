@@ -66,7 +66,7 @@ std::optional<std::string> in_the_way(const OwnFolder::Entry& entry, const std::
   if (!S_ISSOCK(entry.mode)) return "the path is a file or a folder, not a socket; it is left as it is";
   if (entry.owner != ::geteuid()) return "the path is a socket of another user";
   const error_code error = connecting_to(path);
-  if (!error) return "another station listens there";
+  if (!error) return "another station listens on this socket";
   if (error == boost::asio::error::connection_refused) return std::nullopt;
   return "the path is a socket of another program: " + error.message();
 }

@@ -118,8 +118,8 @@ InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers) {
     if (!mesh) inside.left_out.push_back("layer " + layer->name + ": " + to_string(mesh.error()));
     if (mesh && mesh->points.empty())
       inside.left_out.push_back("layer " + layer->name +
-                                ": its shapes enclose no volume, so the hand does not feel the layer either. fix: "
-                                "correct the shapes of the layer in the scene");
+                                ": its shapes enclose no volume, or are too thin to be drawn (thinner than 1.2 mm, or "
+                                "than 1/200 of the layer's length). fix: correct the shapes of the layer in the scene");
     if (!mesh || mesh->points.empty()) continue;
     msg::InnerStructure& structure = *inside.drawn.add_structures();
     structure.set_name(layer->name);

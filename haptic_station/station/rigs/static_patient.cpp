@@ -67,11 +67,12 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   settings.flip_normals = asked.flip_normals();
   settings.anyway = anyway;
   if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
-    return Error{.what = "patient_surface.static_model: unit_m or samples is out of range",
-                 .where = scene.name,
-                 .fix =
-                     "give unit_m above 0 (metres per unit of the file), and samples 0 (as many as the shape needs) "
-                     "or 100 to 1000000"};
+    return Error{
+        .what = "unit_m or samples of the patient model (static_model) is out of range",
+        .where = scene.name,
+        .fix =
+            "give, in --surface or in the scene, unit_m above 0 (metres per unit of the file), and samples 0 (as "
+            "many as the shape needs) or 100 to 1000000"};
   Result<surface::StaticModel> made = surface::make_static_model(*read, settings);
   if (!made) {
     Error error = made.error();

@@ -115,7 +115,7 @@ msg::StationEvent phase_event(const loop::TickSample& sample, std::uint8_t from)
   event.set_kind(msg::EVENT_KIND_PHASE);
   event.set_from(static_cast<msg::Phase>(from));
   event.set_to(phase_of(sample));
-  event.set_text(std::string(before) + " to " + control::name(static_cast<control::Phase>(sample.phase)));
+  event.set_text(std::string(before) + " → " + control::name(static_cast<control::Phase>(sample.phase)));
   return event;
 }
 

@@ -54,9 +54,10 @@ void TelemetryPublisher::watch_heat(SessionTime now) {
   constexpr float kWarnAhead_s = 4.0F;  // the hand feels the warning at the same time
   const bool near = last_.yields_in_s < kWarnAhead_s && last_.phase != 0;
   if (near && !heat_warned_)
-    publish_event(now, msg::EVENT_KIND_HEAT,
-                  "the device's motors are warm: within 4 s the force falls slowly to the force that they can hold "
-                  "without limit of time. fix: press less");
+    publish_event(
+        now, msg::EVENT_KIND_HEAT,
+        "the device's motors are warm: in at most 4 s the force begins to fall, slowly, to the force that the "
+        "motors can hold without a time limit. fix: press less");
   // Warns again only after the force was low enough to be held without limit.
   if (near || std::isinf(last_.yields_in_s)) heat_warned_ = near;
 }

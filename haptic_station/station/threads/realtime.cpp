@@ -37,8 +37,8 @@ Result<RealtimeGrant> enter_realtime(Realtime wanted) {
                        said("locked memory", locking),
                .where = "telepalp-station",
                .fix =
-                   "use the package's telepalp-station.service, or run sudo setcap cap_sys_nice,cap_ipc_lock=ep "
-                   "telepalp-station, or start with --realtime prefer"};
+                   "use the package's telepalp-station.service, or run sudo setcap cap_sys_nice,cap_ipc_lock=ep FILE "
+                   "(FILE: the path of telepalp-station), or start with --realtime prefer"};
 }
 
 }  // namespace telepalp::station

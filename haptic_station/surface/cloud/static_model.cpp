@@ -135,11 +135,11 @@ bool spans_a_surface(const models::PointModel& model) {
 }
 
 Error no_surface() {
-  return {
-      .what =
-          "has no surface: it has no points with finite coordinates, or all of them lie in one place or on one line",
-      .where = "model",
-      .fix = "give a cloud of a surface: three points or more that are not on a line"};
+  return {.what =
+              "has no surface: no point has finite coordinates and, if the file gives normals, a usable normal; or all "
+              "points lie on one line",
+          .where = "model",
+          .fix = "give a mesh whose faces have an area, or a cloud of three points or more that are not on one line"};
 }
 
 Result<StaticModel> make_static_model(const models::PointModel& model, const StaticModelSettings& settings) {

@@ -32,8 +32,9 @@ Result<void> LeapTracker::start(std::chrono::milliseconds limit) {
   return Error{.what = "is not ready: " + thread_.obstacle(),
                .where = name_,
                .fix =
-                   "start a Leap service that speaks version 6 of the Leap protocol, allow WebSockets in its settings, "
-                   "or try the station without one by --device simulated --tracker simulated"};
+                   "start, at this address, a Leap service that speaks version 6 of the Leap protocol (/v6.json), and "
+                   "allow WebSockets in its settings; or try the station without a tracker by --device simulated "
+                   "--tracker simulated"};
 }
 
 void LeapTracker::refuse(const std::string& why) {
@@ -43,7 +44,10 @@ void LeapTracker::refuse(const std::string& why) {
 
 void LeapTracker::on_text(std::string_view text) {
   const Result<leap::Text> read = leap::parse_text(text);
-  if (!read) return refuse(to_string(read.error()));
+  if (!read) {
+    refuse(to_string(read.error()));
+    return thread_.obstacle(read.error().what);  // without its fix, because start() gives one
+  }
   if (const auto* hello = std::get_if<leap::Hello>(&*read)) on_hello(*hello);
   if (const auto* frame = std::get_if<leap::Frame>(&*read)) on_frame(*frame);
 }

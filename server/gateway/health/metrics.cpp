@@ -27,7 +27,7 @@ std::string refused(const hub::DatagramCounts& datagrams) {
   const std::string name = "telepalp_datagrams_refused_total";
   std::string text =
       described(name, "counter",
-                "UDP datagrams that were dropped without an answer, by reason; stranger: of no running session.");
+                "UDP datagrams that were dropped without an answer, by reason; stranger: of no connected program.");
   for (const auto& [why, count] : {std::pair{"stranger", datagrams.strangers},
                                    {"malformed", datagrams.malformed},
                                    {"replayed", datagrams.replayed},

@@ -34,7 +34,7 @@ Result<DepthSequence> recorded_room() {
   if (!file)
     return Error{.what = "the recording is missing",
                  .where = "deploy/demo_data/oni/3dj_test.oni",
-                 .fix = "run telepalp-bench from the repository"};
+                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
   auto source = capture::open_source("oni:" + file->string(),
                                      {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = false, .paced = false});
   if (!source) return source.error();

@@ -25,7 +25,7 @@ constexpr Priced kPriced[] = {
     {"appendix-rebound", "caecum", "`solid`, one ellipsoid"},
     {"liver-enlarged", "spleen", "`solid`, a blend of two shapes"},
     {"liver-enlarged", "aorta", "`solid`, a capsule that pulses"},
-    {"long-reach", "aorta", "`solid`, the same with a fingertip of 6 mm"},
+    {"long-reach", "aorta", "`solid`, a capsule that pulses, and a fingertip of 6 mm"},
     {"ribs-ultrasound", "ribs", "`solid`, 24 ribs and a fingertip of 6 mm"},
     {"liver-enlarged", "liver", "`solid`, a mesh"},
 };
@@ -38,9 +38,9 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 Result<Section> price_section() {
   Section section;
-  PageTable table{.head = {"effect, as in", "cost a tick, µs", "memory of the tree, kB", "reading its scene, ms",
-                           "error of the depth"},
-                  .rows = {}};
+  PageTable table{
+      .head = {"effect", "cost a tick, µs", "memory of the tree, kB", "reading its scene, ms", "error of the depth"},
+      .rows = {}};
   for (const Priced& priced : kPriced) {
     const auto start = std::chrono::steady_clock::now();
     const auto scene = scenes::read_scene(std::string(TELEPALP_SOURCE_DIR "/haptic_station/scenes/") + priced.scene +

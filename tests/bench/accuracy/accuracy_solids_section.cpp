@@ -131,9 +131,9 @@ std::string balls(int count) {
 PageTable trees_table(const SolidTree& ribs, std::vector<Row>& rows) {
   const Path over{.middle = {0.0, -0.008, 0.0}, .swing = {0.1, 0.005, 0.1}};
   const Path over_ribs{.middle = {0.05, -0.027, 0.0}, .swing = {0.02, 0.005, 0.1}};
-  PageTable table{
-      .head = {"tree", "proxy error µm, p50 / p99", "step µs, p50 / p99", "the same, the whole tree each time"},
-      .rows = {}};
+  PageTable table{.head = {"tree", "proxy error µm, p50 / p99", "step µs, p50 / p99",
+                           "step µs, p50 / p99, the whole tree each time"},
+                  .rows = {}};
   const auto add = [&](const std::string& name, const SolidTree& tree, const Path& path) {
     const ProxyPrice usual = price_of(tree, path, {});
     const ProxyPrice whole = price_of(tree, path, {.remembers = false});

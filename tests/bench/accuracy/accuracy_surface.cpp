@@ -207,7 +207,7 @@ Result<FilmedTorso> kinect_torso(double above_m) {
   if (!file)
     return Error{.what = "the mesh is missing",
                  .where = "deploy/demo_data/torso/visible_human_torso.ply",
-                 .fix = "run telepalp-bench from the repository"};
+                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
   const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
   if (!mesh) return mesh.error();
   return film(capture::SyntheticPatient::make(*mesh, {.camera_above_body_m = above_m, .amplitude_m = 0.0}));

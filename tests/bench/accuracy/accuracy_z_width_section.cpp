@@ -22,7 +22,9 @@ Result<Section> z_width_section() {
   Section section;
   PageTable table{.head = {"damping, N s/m"}, .rows = {}};
   for (const double rate_hz : kRates_hz) table.head.push_back(cell(rate_hz) + " Hz");
-  plot::Chart chart{.title = "the stiffest wall that comes to rest: measured (dots), theory 2 b / T (lines)",
+  plot::Chart chart{.title =
+                        "the stiffest wall that comes to rest: measured (dots), theory 2 b / T (lines); b: damping, T: "
+                        "sampling period",
                     .x = {.label = "sampling rate [Hz]", .logarithmic = true},
                     .y = {.label = "stiffness [N/m]", .logarithmic = true}};
   chart.height_px = 420.0;
@@ -41,9 +43,10 @@ Result<Section> z_width_section() {
       theory.x.push_back(rate_hz);
       theory.y.push_back(limit);
       table.rows.back().push_back(cell(shown));
-      section.rows.push_back(measured("Z-width at " + cell(rate_hz) + " Hz, " + damping_name(damping) +
-                                          ": stiffest wall at rest, divided by 2 b / T",
-                                      shown / limit, ""));
+      section.rows.push_back(
+          measured("Z-width at " + cell(rate_hz) + " Hz, " + damping_name(damping) +
+                       ": stiffest wall at rest, divided by 2 b / T (b: damping, T: sampling period)",
+                   shown / limit, ""));
     }
     chart.series.push_back(std::move(theory));
     chart.series.push_back(std::move(measured_dots));

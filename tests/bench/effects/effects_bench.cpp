@@ -134,7 +134,8 @@ void measure_masses(Report& report) {
         if (asked)
           report.rows.push_back(measured("mass of 20 mm, 20 mm deep, 900 N/m: time of one search", hand_s, "s"));
       }
-  report.rows.push_back(at_most("no mass: share of searches that report one", found_percent({}, 40, hand_s), "%", 0.0));
+  report.rows.push_back(
+      at_most("no mass: share of searches that report a mass", found_percent({}, 40, hand_s), "%", 0.0));
 }
 
 /// A scene is billed for the effects that it names.

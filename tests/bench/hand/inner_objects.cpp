@@ -159,16 +159,18 @@ std::vector<Row> measure_depth(const std::string& name, Object object, const Opt
   const Shifted slid_by =
       shifted_by(object, {slid(0.02, 0.0), slid(0.0, 0.02), slid(-0.02, 0.0)},
                  object == Object::Cylinder ? std::vector{-edge_m, edge_m} : std::vector{0.0}, options);
-  return {at_most(name + ": change of its depth below the skin when the skin rises or sinks 10 mm, worst",
-                  1e3 * risen_by.worst_m, "mm", 2.0),
-          at_most(name + ": change of its depth below the skin when the skin slides 20 mm sideways, worst",
-                  1e3 * slid_by.worst_m, "mm", 3.0),
-          at_most(name + ": distance from its place in the body after the skin slides 20 mm sideways, worst",
-                  1e3 * slid_by.beside_m, "mm", 3.0),
-          at_most(name + ": skin rises or sinks 10 mm, and the station calls this motion unseen, share",
-                  100.0 * risen_by.flagged_share, "%", 0.0),
-          at_most(name + ": skin slides 20 mm, and the station calls this motion unseen, share",
-                  100.0 * slid_by.flagged_share, "%", 0.0)};
+  return {
+      at_most(name + ": change of the object's depth below the skin when the skin rises or sinks up to 10 mm, worst",
+              1e3 * risen_by.worst_m, "mm", 2.0),
+      at_most(name + ": change of the object's depth below the skin when the skin slides 20 mm sideways, worst",
+              1e3 * slid_by.worst_m, "mm", 3.0),
+      at_most(
+          name + ": distance of the displayed object from its true place after the skin slides 20 mm sideways, worst",
+          1e3 * slid_by.beside_m, "mm", 3.0),
+      at_most(name + ": skin rises or sinks up to 10 mm, and the station calls this motion unseen, share of presses",
+              100.0 * risen_by.flagged_share, "%", 0.0),
+      at_most(name + ": skin slides 20 mm, and the station calls this motion unseen, share of presses",
+              100.0 * slid_by.flagged_share, "%", 0.0)};
 }
 
 /// The least upward force during a push straight down to `far_m` below the skin.

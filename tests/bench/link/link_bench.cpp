@@ -179,15 +179,16 @@ Result<Report> run_link(const program::Arguments& arguments) {
   report.notes.push_back(
       "the kernel's TCP (" + link::kernel_congestion_control() +
       "): --seconds of real time between two network namespaces, its packets over the same simulated path");
+  report.notes.push_back("the kernel's TCP has no rows if network namespaces or /dev/net/tun are not permitted");
 #ifdef TELEPALP_HAVE_SRT
   report.notes.push_back(
-      "SRT: --seconds of real time through telepalp-link, encrypted; its latency is set to the rest of the 100 ms");
+      "SRT: --seconds of real time through telepalp-link, encrypted; its latency is set to 100 ms less the times of "
+      "encoding and path");
 #else
   report.notes.push_back("SRT is not measured: Debian's libsrt-openssl-dev was not installed at build time");
 #endif
-  report.notes.push_back(link::RealTimePriority().granted()
-                             ? "SRT and the kernel's TCP ran with real-time priority"
-                             : "SRT and the kernel's TCP ran without real-time priority");
+  report.notes.push_back(link::RealTimePriority().granted() ? "the runs in real time had real-time priority"
+                                                            : "the runs in real time had no real-time priority");
   report.notes.push_back("overhead: bytes sent beyond the bytes of the images, without IP and UDP headers");
   return report;
 }

@@ -34,10 +34,19 @@ double cpu_s(pid_t process) {
   return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-Error not_started(const char* program) {
-  return {.what = std::string(program) + " did not start",
+constexpr const char* kBuild = "; to build all programs: ninja telepalp_programs";
+
+Error server_not_started() {
+  return {.what = "telepalp-server did not start within 20 s",
           .where = "telepalp-bench session",
-          .fix = "see the program's message above; to build all programs: ninja telepalp_programs"};
+          .fix = std::string("see the message of telepalp-server above") + kBuild};
+}
+
+/// The error of a program that writes its messages to a file, which ends with the benchmark.
+Error not_heard(const std::string& program, const std::string& what) {
+  return {.what = program + what,
+          .where = "telepalp-bench session",
+          .fix = "run " + program + " beside a telepalp-server, and see its message" + kBuild};
 }
 
 /// Hears the ticks of the station, as any subscriber does.
@@ -101,12 +110,12 @@ Result<RecordingCost> recording_cost(const fs::path& folder, double seconds) {
   support::ChildProcess server(program::sibling_program("telepalp-server"),
                                {"--port", "0", "--ready-file", (folder / "server").string()});
   const std::optional<std::string> port = support::await_ready(folder / "server", "port");
-  if (!port) return not_started("telepalp-server");
+  if (!port) return server_not_started();
   const std::string address = "127.0.0.1:" + *port;
   support::ChildProcess station(program::sibling_program("telepalp-station"), {"--connect", address},
                                 folder / "station.log");
   TickListener ticks(static_cast<std::uint16_t>(std::stoi(*port)));
-  if (!ticks.await_ticks(60s)) return not_started("telepalp-station");
+  if (!ticks.await_ticks(60s)) return not_heard("telepalp-station", " sent no tick within 60 s");
   Turns alone, recorded;
   const double turn_s = seconds / (2.0 * kRecordingTurns);
   for (int turn = 0; turn < kRecordingTurns; ++turn) {
@@ -116,7 +125,8 @@ Result<RecordingCost> recording_cost(const fs::path& folder, double seconds) {
         program::sibling_program("telepalp-record"),
         {"--connect", address, "--out", (folder / (name + ".mcap")).string(), "--ready-file", (folder / name).string()},
         folder / "recorder.log");
-    if (!support::await_ready(folder / name, "recording")) return not_started("telepalp-record");
+    if (!support::await_ready(folder / name, "recording"))
+      return not_heard("telepalp-record", " did not begin to record within 20 s");
     take_turn(recorded, ticks, turn_s, server.pid(), recorder.pid());
     recorder.signal(SIGINT);
     (void)recorder.wait(20s);

@@ -132,8 +132,8 @@ TEST(Senders, AForgedStateIsSeparatedAndIsAWarningOnTheFirstLine) {
   EXPECT_FALSE(verdict.good);
   EXPECT_TRUE(
       verdict.headline.starts_with("2 programs published as the station: telepalp-station at "
-                                   "127.0.0.1:5001 (4000 ticks, 200 states), telepalp-station at "
-                                   "127.0.0.1:6660 (0 ticks, 1 states)"))
+                                   "127.0.0.1:5001 (4000 ticks, 200 messages of /station/state), telepalp-station at "
+                                   "127.0.0.1:6660 (0 ticks, 1 messages of /station/state)"))
       << verdict.headline;
   EXPECT_NE(html_of(session).find("<h2>Senders"), std::string::npos);
 }

@@ -102,7 +102,9 @@ class BadInput11 : public InsiderTest {};
 TEST_F(BadInput11, AHandshakeThatStopsInTheMiddleIsEndedBesideTheDoctor) {
   session().expect_undisturbed_by(
       [&] { EXPECT_TRUE(is_ended_after(session().port(), std::string("\x16\x03\x01", 3), 20s)); });
-  EXPECT_TRUE(comes(session().file("audit.log"), "no Hello message arrived within 5 s")) << session().audit();
+  EXPECT_TRUE(
+      comes(session().file("audit.log"), "no Hello message (the greeting of a telepalp program) arrived within 5 s"))
+      << session().audit();
 }
 
 /// The running process may open `more` further files while this lives.

@@ -138,7 +138,7 @@ TEST(ControlSocket, ASocketThatACrashedStationLeftIsReplacedAndALiveOneIsNot) {
   ASSERT_TRUE(fs::is_socket(path));
   const Listening station(path);
   ASSERT_EQ(station.problem, "");
-  EXPECT_NE(problem_at(path).find("another station listens there"), std::string::npos);
+  EXPECT_NE(problem_at(path).find("another station listens on this socket"), std::string::npos);
   const Result<std::string> answer = ask_station(path, "rearm");
   ASSERT_TRUE(answer) << to_string(answer.error());
   EXPECT_EQ(*answer, "heard rearm");

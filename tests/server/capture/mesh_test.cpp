@@ -50,7 +50,7 @@ TEST(Mesh, EachFaultIsNamedWithAFix) {
        "two elements called"},
       {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 7"), "has 4 vertices, but a face names vertex 7"},
       {replaced(kSquare, "4 0 1 2 3", "4 0 1 2 -1"), "names vertex"},
-      {replaced(kSquare, "4 0 1 2 3", "2000 0 1 2"), "damaged at face 0"},
+      {replaced(kSquare, "4 0 1 2 3", "2000 0 1 2"), "the list of face 0"},
       {replaced(kSquare, "1 1 0 9", "1 nan 0 9"), "not a finite number"},
       {replaced(kSquare, "4 0 1 2 3", "2 0 1 2 3"), "no triangles"},
   };

@@ -69,8 +69,9 @@ std::string in_words(const Scenario& scenario) {
   if (!faults.outages.empty()) text += ", outage " + windows_in_words(faults.outages);
   if (!faults.restarts.empty()) text += ", server off " + windows_in_words(faults.restarts);
   if (!faults.tracker_lost.empty()) text += ", tracker lost " + windows_in_words(faults.tracker_lost);
-  if (!faults.glitches.empty()) text += ", " + std::to_string(faults.glitches.size()) + " encoder glitches";
-  if (!faults.clock_steps.empty()) text += ", " + std::to_string(faults.clock_steps.size()) + " clock steps";
+  if (!faults.glitches.empty()) text += ", false device position " + std::to_string(faults.glitches.size()) + " times";
+  if (!faults.clock_steps.empty())
+    text += ", false station clock " + std::to_string(faults.clock_steps.size()) + " times";
   return text + "; seed " + std::to_string(scenario.seed);
 }
 

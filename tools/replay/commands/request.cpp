@@ -33,7 +33,7 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
     return Error{
         .what = "the surface setting " + name + " cannot run in virtual time, because it needs a thread of its own",
         .where = file->string(),
-        .fix = "give a scene with another surface setting"};
+        .fix = "give a scene with another surface setting, such as fast"};
   request.surface = *surface;
   request.scene = std::make_unique<const scenes::Scene>(std::move(*scene));
   return {};
@@ -66,9 +66,10 @@ Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   Result<RecordedHand> hand = read_session_hand(session);
   if (!hand) return hand.error();
   if (hand->empty() && asked == "recorded")
-    return Error{.what = "holds no recorded hand: the session has no message on /station/ticks",
-                 .where = session,
-                 .fix = "give --hand examine, tap or search"};
+    return Error{
+        .what = "holds no recorded hand: a hand needs messages on /station/ticks, /camera/info and /camera/depth",
+        .where = session,
+        .fix = "give --hand examine, tap or search"};
   request.recorded = std::move(*hand);
   return {};
 }
@@ -160,7 +161,7 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
   if (!std::filesystem::is_directory(folder))
     return Error{.what = folder.string() + " is not a folder",
                  .where = "--junit",
-                 .fix = "make this folder, or name another one"};
+                 .fix = "make this folder, or name a file in another folder"};
   return {};
 }
 
@@ -170,7 +171,7 @@ program::Usage usage() {
   program::Usage usage{
       .program = "telepalp-replay",
       .purpose = "measures the effect of a simulated bad network on the force",
-      .positional = "SOURCE",
+      .positional = "SESSION.mcap|FILE.oni|FILE.pcd|synthetic:MODEL",
       .options = {{"scene", "FILE|NAME", "file, or one of telepalp's own scenes", "palpation"}},
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};

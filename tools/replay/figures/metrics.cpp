@@ -18,9 +18,12 @@ constexpr auto kMetrics = std::to_array<Metric>({
      "RMS difference between the force along the true skin's normal and the force that the true skin would give",
      &Figures::true_force_rmse_N},
     {"true_force_p99_N",
-     "99th percentile of the force along the true skin's normal minus the force that the true skin would give",
+     "99th percentile of the difference between the force along the true skin's normal and the force that the true "
+     "skin would give",
      &Figures::true_force_p99_N},
-    {"contact_lost_pct", "share of the ticks with the device over 2 mm deep in the true skin that have no contact",
+    {"contact_lost_pct",
+     "share of the ticks without contact, of those with the device over 2 mm deep in the true skin (if unknown: with "
+     "contact in the unimpaired run)",
      &Figures::contact_lost_pct},
     {"phase_differs_pct", "share of all ticks in which the controller's phase differs from the unimpaired run's",
      &Figures::phase_differs_pct},

@@ -23,7 +23,7 @@ std::optional<double> number(std::string_view text) {
 }
 
 Error refused(std::string_view text, std::string_view option, std::string_view form) {
-  return {.what = "'" + std::string(text) + "' is not understood",
+  return {.what = "'" + std::string(text) + "' is not valid",
           .where = "--" + std::string(option),
           .fix = "give " + std::string(form)};
 }
@@ -73,7 +73,7 @@ Result<double> parse_share(std::string_view text, std::string_view option) {
   const bool percent = text.ends_with('%');
   const std::optional<double> value = number(percent ? text.substr(0, text.size() - 1) : text);
   const double share = value ? (percent ? *value / 100.0 : *value) : -1.0;
-  if (share < 0.0 || share > 1.0) return refused(text, option, "a share such as 5% or 0.05");
+  if (share < 0.0 || share > 1.0) return refused(text, option, "a share from 0% to 100%, such as 5% or 0.05");
   return share;
 }
 
@@ -82,7 +82,8 @@ Result<Nanoseconds> parse_span(std::string_view text, std::string_view option) {
   const std::size_t unit = milliseconds ? 2 : (text.ends_with('s') ? 1 : 0);
   const std::optional<double> value = number(text.substr(0, text.size() - unit));
   const double span_s = value ? *value * (milliseconds ? 1e-3 : 1.0) : kLongest_s + 1.0;
-  if (unit == 0 || std::abs(span_s) > kLongest_s) return refused(text, option, "a time such as 500ms or 1.5s");
+  if (unit == 0 || std::abs(span_s) > kLongest_s)
+    return refused(text, option, "a time of at most 86400s, such as 500ms or 1.5s");
   return Nanoseconds{std::llround(span_s * 1e9)};
 }
 
@@ -99,7 +100,7 @@ Result<std::vector<Window>> parse_windows(std::string_view text, std::string_vie
 }
 
 Result<std::vector<EncoderGlitch>> parse_glitches(std::string_view text, std::string_view option) {
-  constexpr std::string_view kForm = "BEGIN+LENGTH:MILLIMETRES, such as 10s+4ms:20";
+  constexpr std::string_view kForm = "BEGIN+LENGTH:MILLIMETRES with at most 1000 mm, such as 10s+4ms:20";
   std::vector<EncoderGlitch> glitches;
   const Result<void> parsed = for_each_part(text, option, [&](std::string_view part) -> Result<void> {
     const Result<WindowWithValue> glitch = parse_with_value(part, option, kForm);

@@ -41,7 +41,7 @@ export function bannerFor(health: Health): Banner | undefined {
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
-    return {level: 'alarm', title: 'Station faulted', text: 'The device gives no force. The station’s terminal names the cause. Remove it, then run there: telepalp-station rearm'};
+    return {level: 'alarm', title: 'Station faulted', text: 'No force. Remove the cause that the station’s terminal names, then run on its machine: telepalp-station rearm'};
   if (health.graphicsLost)
     return {
       level: 'alarm',

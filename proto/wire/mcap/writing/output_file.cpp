@@ -62,10 +62,10 @@ OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-Error OutputFile::failure(int code) const {
+Error OutputFile::failure(int code, const std::string& consequence) const {
   const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
   const std::string folder = folder_of(name_).string();
-  return {.what = std::string("cannot be written: ") + std::strerror(code) + "; the messages written before are stored",
+  return {.what = std::string("cannot be written: ") + std::strerror(code) + "; " + consequence,
           .where = partial(name_).string(),
           .fix = full ? "free space in " + folder + ", or record to another disk" : "check the disk under " + folder};
 }
@@ -74,7 +74,7 @@ Result<void> OutputFile::append(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return failure(errno);
+    if (written < 0) return failure(errno, "the messages written before are stored");
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return {};
@@ -95,8 +95,9 @@ Result<void> OutputFile::publish() {
   const bool synced = ::fsync(descriptor_) == 0;
   const int sync_error = errno;
   const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
-  if (!synced) return failure(sync_error);
-  if (!closed) return failure(errno);
+  constexpr const char* kInDoubt = "the last messages may be lost";
+  if (!synced) return failure(sync_error, kInDoubt);
+  if (!closed) return failure(errno, kInDoubt);
   if (rename_without_replacing(partial(name_), name_) != 0)
     return Error{
         .what = "is complete but cannot be renamed to " + name_.filename().string() + ": " + std::strerror(errno),

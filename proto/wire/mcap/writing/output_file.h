@@ -36,7 +36,7 @@ class OutputFile {
 
  private:
   OutputFile(std::filesystem::path name, int descriptor) noexcept : name_(std::move(name)), descriptor_(descriptor) {}
-  [[nodiscard]] Error failure(int code) const;
+  [[nodiscard]] Error failure(int code, const std::string& consequence) const;
 
   std::filesystem::path name_;
   int descriptor_;

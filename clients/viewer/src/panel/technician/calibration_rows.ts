@@ -10,7 +10,7 @@ export function placeRows(fit: OffsetFit | undefined): Row[] {
   return (fit?.places ?? []).map(({place, touches, rms_m, moved_m}) => ({
     name: `Place ${place}`,
     value: `${mm(rms_m)}, ${touches} pairs`,
-    says: `Residual (RMS) of this place’s ${touches} pairs. Meanwhile, the hand moved by up to ${mm(moved_m)}.`,
+    says: `Residual (RMS) of this place’s ${touches} pairs. The hand moved by up to ${mm(moved_m)}.`,
     level: rms_m > MOST_MOVED_M || moved_m > MOST_MOVED_M ? 'warn' : 'good',
   }));
 }
