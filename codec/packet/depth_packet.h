@@ -28,7 +28,7 @@ inline constexpr std::uint8_t kLastCoding = 4;
 /// The header of every packet, 32 bytes:
 /// "TPD3" | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m f64 | reference u32 |
 /// since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of the other 28 bytes, then of the decoded samples. As it
-/// covers the decoded samples, it detects wrong trained tables or a wrong reference frame as well as a flipped bit.
+/// covers the decoded samples, it detects a decoder's wrong reference frame or probability tables, and a flipped bit.
 struct PacketHeader {
   DepthMode mode = DepthMode::Fast;
   Coding coding = Coding::Stored;

@@ -29,8 +29,8 @@ using ObjectPlacements = std::array<ObjectPlacement, effects::kMostEffects>;
 /// (a followed point of the skin) above it: measured up to the newest capture, then predicted to now along the skin's
 /// normal. The displayed object approaches its target with bounded speed and acceleration. If a contact begins while
 /// the skin is displayed lower than measured, the objects are at once displayed lower by the same distance and rise
-/// with the skin. The exception is an object whose mark is not seen, if the contact is above the skin last seen over
-/// this object. Owner: the haptic thread. Nothing here allocates, locks or throws.
+/// with the skin. An object whose mark is not seen is not lowered if the contact is on the outer side of the skin that
+/// was last seen over this object. Owner: the haptic thread. Nothing here allocates, locks or throws.
 class BodyFrame {
  public:
   explicit BodyFrame(const surface::FollowLimits& limits) noexcept : limits_(limits) {}

@@ -9,8 +9,8 @@
 namespace telepalp::tracking {
 
 /// How long the hand keeps its velocity, learnt from its recent movements: the distance covered in 30 to 80 ms is
-/// compared with the velocity at the beginning of that time. The time is short for a hand that pokes and stops, and
-/// long for a hand that sweeps. No allocation.
+/// compared with the velocity at the beginning of these 30 to 80 ms. A hand that pokes and stops keeps its velocity for
+/// a short time, and a hand that sweeps for a long time. No allocation.
 class VelocityPersistence {
  public:
   /// `expected_s`: the velocity's time constant before any movement was seen. `memory_s`: time over which it is learnt.

@@ -16,7 +16,7 @@ struct Packet {
   std::vector<std::byte> bytes;
   std::uint64_t flow = 0;  ///< number of its stream or pair of sockets, chosen by the caller of send()
   /// True: a segment of a TCP stream. A segment is neither lost nor damaged, nor overtaken in its stream. A loss delays
-  /// the segment, and all segments behind it in the stream, by the round trip of a retransmission.
+  /// the segment, and all segments behind it in the stream, by twice the link's delay: time to be sent again.
   bool stream = false;
 };
 

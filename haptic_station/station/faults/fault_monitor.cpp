@@ -49,18 +49,22 @@ void FaultMonitor::look(bool ending) {
         how_to_rearm());
     telemetry_.publish_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
   }
-  if (auto ticks = watch_.due(ending)) {
+  say_when_written(ending);
+  if (flight_recorder_.valid()) return;  // the disk is slow: the next call of look() starts the next file
+  if (auto ticks = watch_.due(ending))
     flight_recorder_ =
         std::async(std::launch::async, [folder = state_folder_, ticks = std::move(*ticks), scene = scene_] {
           return write_flight_record(folder, ticks, scene);
         });
-  }
-  if (flight_recorder_.valid() && (ending || flight_recorder_.wait_for(0s) == std::future_status::ready)) {
-    const Result<std::filesystem::path> written = flight_recorder_.get();
-    say(written ? "flight recorder: " + written->string() +
-                      " holds the last seconds before the fault; show them by telepalp-report"
-                : "the last seconds before the fault could not be written: " + to_string(written.error()));
-  }
+  if (ending) say_when_written(true);
+}
+
+void FaultMonitor::say_when_written(bool wait) {
+  if (!flight_recorder_.valid() || (!wait && flight_recorder_.wait_for(0s) != std::future_status::ready)) return;
+  const Result<std::filesystem::path> written = flight_recorder_.get();
+  say(written ? "flight recorder: " + written->string() +
+                    " holds the last seconds before the fault; show them by telepalp-report"
+              : "the last seconds before the fault could not be written: " + to_string(written.error()));
 }
 
 void FaultMonitor::stop() {

@@ -43,6 +43,8 @@ class FaultMonitor {
   void stop();
 
  private:
+  /// Logs the path of the flight recorder's file once it is written. `wait`: waits for this.
+  void say_when_written(bool wait);
   void on_command(const std::string& command, const ControlSocket::Reply& reply);
   void rearm(const ControlSocket::Reply& reply);
   [[nodiscard]] bool is_faulted() const;

@@ -19,15 +19,15 @@ using BreathTerms = Eigen::Matrix<double, 5, 1>;
 /// longer follows the model, as when the patient holds the breath, speaks or coughs.
 class BreathingModel {
  public:
-  /// Adds a frame. `displacement_m`: change of each cell's depth since the start. `weight`: weight of each cell in the
-  /// fit of the rate, larger for a cell that moves more. The number of cells is the same in every frame.
+  /// Adds a frame. `displacement_m`: change of each cell's depth since the first frame. `weight`: weight of each cell
+  /// in the fit of the rate, larger for a cell that moves more. The number of cells is the same in every frame.
   void add(std::span<const float> displacement_m, std::span<const float> weight, double dt_s);
 
   [[nodiscard]] double rad_per_s() const noexcept { return fit_.rad_per_s; }
   /// Weight of the model's prediction, 0 (unused) to 1; it changes gradually.
   [[nodiscard]] double confidence() const noexcept { return confidence_; }
   /// The coefficients of a cell's predicted change of depth at the time τ from now: A (cos ωτ − 1) + B sin ωτ, plus two
-  /// terms alike with 2ω. The coefficients of the linear terms, the first and the last, are 0.
+  /// terms alike with 2ω. The first and the last coefficient of MotionTerms, those of motions linear in τ, are 0.
   [[nodiscard]] MotionTerms motion_of(std::size_t cell) const noexcept;
 
  private:

@@ -27,8 +27,8 @@ class CellGains {
   /// Adds a frame. `seen`: the cells' innovations. `wide`: their means over neighbourhoods, as from wide_means().
   void add(std::span<const CellInnovation> seen, std::span<const CellMean> wide);
 
-  /// Gains for the position and for the velocity times the frame period. In the first frames, the position's gain is
-  /// large; in the first two, the velocity's gain is 0.
+  /// The gains g and h: position += g · innovation, velocity += h · innovation / frame period. In the first frames, g
+  /// is large; in the first two, h is 0.
   [[nodiscard]] double position(std::size_t cell) const noexcept;
   [[nodiscard]] double velocity(std::size_t cell) const noexcept;
 

@@ -61,7 +61,7 @@ class MotionField {
   std::vector<double> energy_;  ///< running mean of each cell's squared speed, shared part included; gives weight_
   std::vector<CellMean> means_;
   CellGains gains_;
-  std::vector<float> displacement_;  ///< estimated displacement of each cell since the start [m]
+  std::vector<float> displacement_;  ///< estimated displacement of each cell since the first frame [m]
   std::vector<float> observed_;      ///< measured displacement of each cell; the breathing model is fitted to it
   std::vector<float> weight_;        ///< of each cell in the fit of the breathing rate
   std::vector<float> change_;

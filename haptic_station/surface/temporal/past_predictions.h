@@ -15,10 +15,10 @@ namespace telepalp::surface {
 class PastPredictions {
  public:
   /// Judges the predictions for the frame that has just been measured, `dt_s` after the last one. `measured_m`: change
-  /// of each cell's depth since the start. `weight`: weight of each cell's error; 0: not measured.
+  /// of each cell's depth since the first frame. `weight`: weight of each cell's error; 0: not measured.
   void judge(std::span<const float> measured_m, std::span<const float> weight, double dt_s);
-  /// Remembers this frame's predictions: the change of each cell's depth since the start, and the terms of its motion.
-  /// `own` and `straight` in `model` are ignored, because each prediction is judged alone.
+  /// Remembers this frame's predictions: the change of each cell's depth since the first frame, and the terms of its
+  /// motion. `own` and `straight` in `model` are ignored, because each prediction is judged alone.
   void remember(std::span<const float> displacement_m, std::span<const MotionTerms> terms, const MotionModel& model);
 
   [[nodiscard]] ForesightShare own() const noexcept { return weights_of(0); }

@@ -9,7 +9,8 @@ namespace telepalp::surface {
 /// How far the skin moved within the last half second. Owner: surface thread.
 class RecentWay {
  public:
-  /// Adds a frame. `displacement_m`: change of each cell's depth since the start. `weight`: weight of each cell in m().
+  /// Adds a frame. `displacement_m`: change of each cell's depth since the first frame. `weight`: weight of each cell
+  /// in m().
   void add(std::span<const float> displacement_m, std::span<const float> weight, double dt_s);
   /// The greatest distance between the skin now and the skin at an instant of the last half second: the weighted root
   /// mean square over the cells [m].

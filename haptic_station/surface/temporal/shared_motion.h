@@ -38,7 +38,7 @@ class SharedMotion {
   /// than 85 % of the measured cells agree, the motion is not shared (the camera was pushed): all estimates start anew,
   /// and unmodelled() is 1.
   void correct(std::span<const SharedInnovation> seen, double dt_s);
-  /// Learns the shares of the cells from the measured change of each cell's depth since the start [m].
+  /// Learns the shares of the cells from the measured change of each cell's depth since the first frame [m].
   void learn(std::span<const float> displacement_m, double dt_s);
 
   /// The cell's displacement per shared displacement, by linear regression; 1 at the start.
@@ -97,7 +97,7 @@ class SharedMotion {
   double learned_s_ = 0.0;      ///< time over which the shares were learned
   double now_s_ = 0.0;
   double rad_per_s_ = 1.0;
-  double shared_m_ = 0.0;  ///< displacement since the start
+  double shared_m_ = 0.0;  ///< displacement since the first frame
   double speed_m_per_s_ = 0.0;
   double acceleration_m_per_s2_ = 0.0;
   double innovation_m_ = 0.0;

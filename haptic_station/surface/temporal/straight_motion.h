@@ -18,9 +18,10 @@ class StraightMotion {
   /// Advances each cell by its velocity. Call once for each frame, before correct().
   void predict(double dt_s) noexcept;
   /// Updates the filters with a frame. `seen` holds innovations relative to `modelled_m`, the change of each cell's
-  /// depth since the start that MotionField had predicted, as spline coefficients.
+  /// depth since the first frame that MotionField had predicted, as spline coefficients.
   void correct(std::span<const CellInnovation> seen, std::span<const float> modelled_m, double dt_s);
-  /// Takes the smoothed change of each cell's depth since the start [m], measured in the frame given to correct().
+  /// Takes the smoothed change of each cell's depth since the first frame [m], measured in the frame given to
+  /// correct().
   void measure(std::span<const float> measured_m, double dt_s);
 
   /// The velocity of the cell's filter, limited to kMeasuredShare of the speed between the last two frames in the
@@ -35,7 +36,7 @@ class StraightMotion {
   CellLattice lattice_;
   CellGains gains_;
   std::vector<double> velocity_m_per_s_;
-  std::vector<float> displacement_m_;  ///< since the start, as spline coefficients
+  std::vector<float> displacement_m_;  ///< since the first frame, as spline coefficients
   std::vector<float> measured_m_;      ///< displacement that the last frame measured
   std::vector<float> measured_m_per_s_;
 };

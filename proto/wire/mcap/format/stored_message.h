@@ -35,7 +35,7 @@ class ChannelTable {
   std::map<std::uint16_t, StoredChannel> channels_;
 };
 
-/// One message of a file. Valid until the reader's next call.
+/// One message of a file. Valid until the next call of the reader that returned it.
 struct StoredMessage {
   const StoredChannel* channel = nullptr;
   MessageRecord record;
