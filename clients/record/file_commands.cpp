@@ -91,7 +91,7 @@ int with_file(const program::Usage& usage, int argc, const char* const* argv, Ru
 int run_finish(const std::filesystem::path& partial) {
   const Result<RepairReport> report = finish(partial);
   if (!report) return program::fail(report.error());
-  for (const std::string& damage : report->damages) program::log(kProgram, partial.string() + ": " + damage);
+  for (const std::string& damage : report->damages) program::log(kProgram, partial.string() + ": damage: " + damage);
   program::log(kProgram, in_words(*report));
   return program::kDone;
 }
@@ -152,7 +152,7 @@ int run_repair(const std::string& file, const std::string& out) {
                                " messages can be read; no copy is written");
     return program::kDone;
   }
-  for (const std::string& damage : report->damages) program::log(kProgram, file + ": " + damage);
+  for (const std::string& damage : report->damages) program::log(kProgram, file + ": damage: " + damage);
   program::log(kProgram, "recovered " + std::to_string(report->messages) + " messages to " + report->file.string());
   return program::kDone;
 }

@@ -113,10 +113,7 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
                                           scene->message.patient_surface().static_model().file() +
                                           (model->remarks.empty() ? "" : " (" + model->remarks + ")")
                                     : "setting " + parts->surface.name;
-  std::string effects;
-  for (const effects::EffectBill& line : scene->effects.bill()) effects += std::string(" ") + line.name;
-  std::printf("%s: %s; surface: %s; effects:%s\n", scene->name.c_str(), scene->message.purpose().c_str(),
-              touched.c_str(), effects.c_str());
+  std::printf("%s; surface: %s\n", station::validity_in_words(*scene).c_str(), touched.c_str());
   for (const msg::Effect& effect : scene->message.effects())
     if (const effects::TissuePreset* tissue = effects::find_tissue(effect.skin().tissue()))
       std::printf(

@@ -196,7 +196,7 @@ void Station::lose_patience() {
   give_up({.what = "the server does not serve this station yet: " + not_connected_because_.substr(0, at),
            .where = where,
            .fix = "start the station again with a longer --patience S" +
-                  (at == std::string::npos ? "" : ", then: " + not_connected_because_.substr(at + kFix.size()))});
+                  (at == std::string::npos ? "" : ", and while it waits: " + not_connected_because_.substr(at + kFix.size()))});
 }
 
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }

@@ -53,8 +53,8 @@ Result<void> AuditVerifier::add(std::string_view line) {
     return Error{.what = "the hash of line " + number +
                          " does not match: this line was altered, or lines directly before it were removed",
                  .where = "line " + number,
-                 .fix = "compare the audit log with a copy from an earlier day; all lines before line " + number +
-                        " are unaltered"};
+                 .fix = "compare the audit log with a copy from an earlier day; the hashes of all lines before line " +
+                        number + " match"};
   position_ = {.lines = position_.lines + 1, .hash = hash};
   return {};
 }

@@ -84,7 +84,7 @@ std::string PeerTouch::is_held(const keys::Identity& who) const {
   const access::TouchLease& lease = access_.touch();
   const std::string holder = lease.holder(Clock::now()).value_or("?");
   if (lease.offered_to(Clock::now()) == who.name)
-    return "doctor " + holder + " offers you the touch. fix: accept it: telepalp-station hand-over --accept";
+    return "doctor " + holder + " offers you the touch. fix: to accept the touch, run telepalp-station hand-over --accept";
   return "doctor " + holder +
          " holds the touch. fix: wait until that doctor's station ends or is silent for 10 s, or ask that doctor to "
          "offer you the touch: telepalp-station hand-over --to " +

@@ -18,7 +18,8 @@ Result<void> read_json(const std::string& json, google::protobuf::Message& messa
                        std::string fix) {
   const auto parsed = google::protobuf::util::JsonStringToMessage(json, &message);
   if (parsed.ok()) return {};
-  return Error{.what = "the JSON cannot be read: " + std::string(parsed.message()),
+  const std::string what(parsed.message());  // the lines after the first one mark the place in the JSON
+  return Error{.what = "the JSON cannot be read: " + what.substr(0, what.find('\n')),
                .where = std::move(where),
                .fix = std::move(fix)};
 }

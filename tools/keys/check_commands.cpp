@@ -35,7 +35,7 @@ Result<std::string> verify_audit(const Asked& asked) {
                               "the last line is cut off: the server was ended while it wrote this line, or bytes were "
                               "removed",
                           .where = "line " + std::to_string(verifier.position().lines + 1),
-                          .fix = "compare the log with an earlier copy; the lines before this line are unaltered"}
+                          .fix = "compare the log with an earlier copy; the hashes of the lines before this line match"}
                   : verifier.add(line);
     if (!follows)
       return Error{

@@ -43,7 +43,7 @@ program::Usage usage() {
       .example = "telepalp-station calibrate points --pairs pairs.csv --from camera --out site.calibration.textproto",
       .commands = {{"points", "", "find the pose of tracker or camera, from pairs of points (--pairs)"},
                    {"offset", "", "find the tracker's position by a hand that rests on the end-effector"},
-                   {"probe", "", "find the tracker's pose, from poses of a hand on a probe (--poses)"}},
+                   {"probe", "", "find the tracker's pose, from poses of a hand on the device's probe (--poses)"}},
       .needs_command = true};
 }
 

@@ -81,9 +81,7 @@ Result<ReadScene> read_scene_named(const std::string& name) {
 Result<void> check(const ReadScene& read, const program::Arguments&) {
   const scenes::Scene& scene = read.scene;
   if (const Result<SceneParts> parts = read_parts(scene, read.file, false); !parts) return parts.error();
-  std::printf("%s: %s; effects:", scene.name.c_str(), scene.message.purpose().c_str());
-  for (const effects::EffectBill& line : scene.effects.bill()) std::printf(" %s", line.name);
-  std::printf("\n");
+  std::printf("%s\n", validity_in_words(scene).c_str());
   return {};
 }
 

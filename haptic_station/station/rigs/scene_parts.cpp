@@ -22,4 +22,11 @@ Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem:
   return parts;
 }
 
+std::string validity_in_words(const scenes::Scene& scene) {
+  std::string effects;
+  for (const effects::EffectBill& line : scene.effects.bill())
+    effects += (effects.empty() ? std::string() : std::string(", ")) + line.name;
+  return scene.name + ": the scene is valid; " + scene.message.purpose() + "; effects: " + effects;
+}
+
 }  // namespace telepalp::station

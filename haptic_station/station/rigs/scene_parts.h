@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/rigs/static_patient.h"
@@ -21,5 +22,8 @@ struct SceneParts {
 /// `scene_file`. `anyway`: as for open_static_patient(). Error: an unknown surface setting or an unusable file.
 [[nodiscard]] Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file,
                                             bool anyway);
+
+/// "palpation: the scene is valid; PURPOSE; effects: skin, cylinder", without a line break.
+[[nodiscard]] std::string validity_in_words(const scenes::Scene& scene);
 
 }  // namespace telepalp::station

@@ -43,8 +43,10 @@ Result<msg::SessionNotes> read_notes(const std::filesystem::path& session) {
     return Error{.what = "the notes cannot be read",
                  .where = file.string(),
                  .fix = "allow the user of this program to read the file, or move the file away"};
-  if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok())
-    return unreadable(file, "the JSON cannot be read: " + std::string(parsed.message()));
+  if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok()) {
+    const std::string what(parsed.message());  // the lines after the first one mark the place in the JSON
+    return unreadable(file, "the JSON cannot be read: " + what.substr(0, what.find('\n')));
+  }
   if (notes.notes_size() > kMostNotes) return unreadable(file, "the file has more than 1000 notes");
   if (!std::all_of(notes.notes().begin(), notes.notes().end(), has_a_time))
     return unreadable(file, "the field at_s of a note is not a number of seconds, 0 or more");

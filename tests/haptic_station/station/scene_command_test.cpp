@@ -47,7 +47,7 @@ class SceneCommand : public ::testing::Test {
 TEST_F(SceneCommand, CheckNamesTheEffects) {
   const Outcome done = run({"check", kMass});
   EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_EQ(done.out, "mass-search: search for a hidden mass by palpation; effects: skin mass\n");
+  EXPECT_EQ(done.out, "mass-search: the scene is valid; search for a hidden mass by palpation; effects: skin, mass\n");
 }
 
 TEST_F(SceneCommand, BillPricesTheEffectsThatTheSceneNames) {

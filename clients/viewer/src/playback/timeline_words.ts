@@ -51,4 +51,4 @@ export function refusal(status: number, text: string): string {
   return `The command failed: ${reason || `HTTP status ${status}`}`;
 }
 
-export const GONE = 'The server does not answer. You can move in the session again when it answers.';
+export const GONE = 'The server does not answer. Try again when it answers.';
