@@ -193,10 +193,12 @@ void Station::lose_patience() {
   // The server's reason is one line of `what. fix: fix`, as to_string() writes it.
   constexpr std::string_view kFix = ". fix: ";
   const std::size_t at = not_connected_because_.find(kFix);
-  give_up({.what = "the server does not serve this station yet: " + not_connected_because_.substr(0, at),
-           .where = where,
-           .fix = "start the station again with a longer --patience S" +
-                  (at == std::string::npos ? "" : ", and while it waits: " + not_connected_because_.substr(at + kFix.size()))});
+  give_up(
+      {.what = "the server does not serve this station yet: " + not_connected_because_.substr(0, at),
+       .where = where,
+       .fix = "start the station again with a longer --patience S" +
+              (at == std::string::npos ? ""
+                                       : ", and while it waits: " + not_connected_because_.substr(at + kFix.size()))});
 }
 
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }
