@@ -69,7 +69,7 @@ TEST(Verdict, AForceBeyondThePeakIsNamedFirst) {
 TEST(Verdict, WithoutAStationThereIsNothingToJudge) {
   const Verdict verdict = judge(summarise(session_of({.with_station = false})));
   EXPECT_FALSE(verdict.good);
-  EXPECT_NE(verdict.headline.find("no station"), std::string::npos) << verdict.headline;
+  EXPECT_NE(verdict.headline.find("no ticks of a station"), std::string::npos) << verdict.headline;
 }
 
 TEST(MotionFigures, TheCylinderIsShownOnlyWhenVisited) {
