@@ -58,6 +58,8 @@ function openView(): SceneView {
 
 let coming: Instant | undefined;   // in the scene, but not drawn yet
 let drawing: Instant | undefined;  // being drawn
+let last: Instant | undefined;     // drawn last
+let withHand = false;  // the first drawings have no hand: its shape and shaders take 0.3 s without a graphics card
 
 const playback = new PlaybackLink(askServer('playback'));
 const notes = new PlayedPart<Note[], NoteCommand>(askServer('playback/notes'), readNotes, (_, next) => next);
@@ -66,7 +68,7 @@ const link = new SiteLink({
     coming = instant;
     state.taken(instant);
     status.decode_ms = instant.picture?.decode_ms ?? status.decode_ms;
-    showInstant(view, instant);
+    showInstant(view, withHand ? instant : {...instant, hand: 'none'});
   },
   news: (news) => {
     state.news = news;
@@ -97,8 +99,15 @@ view.onShown = () => {
 };
 view.onDrawn = () => {
   if (drawing !== undefined) state.drawn(drawing, now_ms());
+  if (last === undefined) setTimeout(addHand, 100);
+  last = drawing ?? last;
   drawing = undefined;
 };
+function addHand(): void {
+  withHand = true;
+  const newest = coming ?? last;
+  if (newest !== undefined) showInstant(view, {...newest, picture: undefined});
+}
 view.onGraphics = (lost) => (state.graphicsLost = lost);
 view.onFree = () => {
   if (coming === undefined) link.ask('instant');

@@ -1,4 +1,4 @@
-import type {FromWorker, ToWorker} from './worker_messages';
+import type {FromWorker} from './worker_messages';
 
 /** The link worker, with the messages that came before the page could take them. */
 export interface EarlyWorker {
@@ -6,7 +6,7 @@ export interface EarlyWorker {
   early: FromWorker[];
 }
 
-/** Starts the link worker, and asks it for the first instant. The page's scripts share the one that is kept here. */
+/** Starts the link worker, which answers with its news and the first instant. The page's scripts share the worker. */
 export function linkWorker(): EarlyWorker {
   const kept = globalThis as {telepalpLink?: EarlyWorker};
   return (kept.telepalpLink ??= begin());
@@ -16,6 +16,5 @@ function begin(): EarlyWorker {
   const worker = new Worker('link_worker.js', {type: 'module'});
   const early: FromWorker[] = [];
   worker.onmessage = ({data}: MessageEvent<FromWorker>) => early.push(data);
-  worker.postMessage({ask: 'instant'} satisfies ToWorker);
   return {worker, early};
 }

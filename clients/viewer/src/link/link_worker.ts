@@ -174,3 +174,5 @@ onmessage = ({data}: MessageEvent<ToWorker>) => {
 };
 
 clock.start();
+instants.ask();  // for the page, whose own requests wait until its large script has run
+post({news: news()});

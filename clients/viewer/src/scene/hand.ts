@@ -18,19 +18,20 @@ const CELL_MM = {card: 3, software: 5};
 export class Hand {
   private readonly material = new MeshPhongMaterial(
       {color: CALM, specular: '#1a1512', shininess: 18, vertexColors: true, transparent: true});
-  readonly mesh: Mesh;
+  readonly mesh = new Mesh(undefined, this.material);  // without a shape until a hand is shown
 
   private known = false;
   private shown = true;  // as the user has set it
+  private shaped = false;
 
   /** `software`: the browser has no graphics card. */
-  constructor(software: boolean) {
-    this.mesh = new Mesh(handGeometry(software ? CELL_MM.software : CELL_MM.card), this.material);
+  constructor(private readonly software: boolean) {
     this.mesh.visible = false;
   }
 
   /** `at` undefined: the station has no hand, and none is drawn. */
   show(at: Vector3 | undefined, attitude: Quaternion | undefined, indentation_m: number): void {
+    if (at !== undefined) this.shape();
     if (at !== undefined) this.mesh.position.copy(at);
     this.mesh.quaternion.copy(attitude ?? PALM_DOWN);
     this.known = at !== undefined;
@@ -38,6 +39,12 @@ export class Hand {
     const red = Math.min(1, Math.max(0, indentation_m / ALL_RED_M));
     this.material.color.copy(CALM).lerp(DEEPEST, red);
     this.material.emissive.copy(DEEPEST).multiplyScalar(0.25 * red);
+  }
+
+  /** Makes the shape once: this takes 0.1 s, which the patient's first picture does not wait for. */
+  private shape(): void {
+    if (!this.shaped) this.mesh.geometry = handGeometry(this.software ? CELL_MM.software : CELL_MM.card);
+    this.shaped = true;
   }
 
   setShown(wanted: boolean): void {
