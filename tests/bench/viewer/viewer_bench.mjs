@@ -57,6 +57,15 @@ function watch() {
   }, 4);
 }
 
+/** Runs before the page's own scripts: notes the first picture, and nothing else. */
+function watchFirst() {
+  const timer = setInterval(() => {
+    if (!(window.telepalp?.frames > 0)) return;
+    window.first_ms = performance.now();
+    clearInterval(timer);
+  }, 8);
+}
+
 const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))] ?? NaN;
 
 /** `withProbe`: the hand holds an ultrasound probe on the skin. `source`: the server's option --source. */
@@ -107,12 +116,12 @@ async function firstPictures(runs) {
       const folder = join(place.folder, String(run));
       mkdirSync(folder);
       const {context, page} = await openBrowser(folder, SIZE);
-      await page.addInitScript(watch);
+      await page.addInitScript(watchFirst);
       await sleep(5000);
       for (const into of [times.new_ms, times.again_ms]) {
         await page.goto(`http://127.0.0.1:${http_port}/`);
         await sleep(4000);
-        into.push(await page.evaluate(() => window.seen.first_ms));
+        into.push(await page.evaluate(() => window.first_ms));
       }
       await context.close();
     }
