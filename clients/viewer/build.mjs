@@ -1,6 +1,6 @@
 // Bundles the viewer into the folder named on the command line, each file also compressed by Brotli as NAME.br:
 // node build.mjs OUT
-import {build} from 'esbuild';
+import {build, transform} from 'esbuild';
 import {mkdir, readFile, writeFile} from 'node:fs/promises';
 import {basename, join} from 'node:path';
 import {brotliCompressSync} from 'node:zlib';
@@ -32,5 +32,11 @@ if (unlisted.length > 0) {
   process.exit(1);
 }
 
-for (const file of [...Object.keys(metafile.outputs), 'src/depth/depth_decoder.wasm'])
+const styles = ['viewer.css', 'views.css', 'inside.css'];
+for (const name of styles) {
+  const {code} = await transform(await readFile(join('src', name), 'utf8'), {loader: 'css', minify: true});
+  await writeFile(join(out, name), code);
+}
+const page = [...styles.map((name) => join(out, name)), 'src/index.html', 'src/depth/depth_decoder.wasm'];
+for (const file of [...Object.keys(metafile.outputs), ...page])
   await writeFile(join(out, `${basename(file)}.br`), brotliCompressSync(await readFile(file)));

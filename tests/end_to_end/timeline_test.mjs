@@ -169,6 +169,7 @@ test('QA notes a moment: it is kept beside the session, drawn, listed, shared, a
   await page.click('#share');
   await until('the address has moment and note', async () => new URL(page.url()).search === `?view=qa&at_s=5.00&note=${note.number}`);
   await page.reload();
+  await untilStatus(page, 'the page runs', () => true);
   if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
   await page.locator('#notes li[aria-current]').waitFor();
   assert.match(await page.locator('#notes li[aria-current]').textContent(), /rebound, d. here/);

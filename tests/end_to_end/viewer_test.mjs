@@ -217,6 +217,7 @@ test('window.telepalp can be read and not set; views are chosen by address, key 
     const running = await startStage(workplace);
     browser = await openBrowser(workplace.folder);
     await browser.page.goto(running.address);
+    await untilStatus(browser.page, 'the page runs', () => true);
     const after = await browser.page.evaluate(() => {
       try {
         window.telepalp = {connected: 'no'};

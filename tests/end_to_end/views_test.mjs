@@ -121,7 +121,7 @@ test('QA shares a moment, and the address brings another visitor to it', async (
   await until('it is elsewhere', async () => (await playback()).position_s === 8);
   await page.goto(shared);
   await until('the address leads back', async () => (await playback()).position_s === 4);
-  assert.equal((await status(page)).view, 'qa');
+  await untilStatus(page, 'it is QA\'s view', (now) => now.view === 'qa');
   await untilStatus(page, 'the mesh is drawn again', (now) => now.meshVertices > 200);
 });
 
