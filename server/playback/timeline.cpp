@@ -14,6 +14,9 @@ using namespace std::chrono_literals;
 /// unless much was lost.
 constexpr Nanoseconds kLookBack[] = {1s, 10s};
 
+/// The station's states of this time show the hand of the last picture, whose capture is at most this old.
+constexpr Nanoseconds kStatesBack = 150ms;
+
 /// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key
 /// frame.
 constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
@@ -82,12 +85,20 @@ std::vector<std::string> Timeline::needed_topics() const {
 
 std::vector<wire::Message> Timeline::seek(SessionTime at) {
   const std::vector<std::string> needed = needed_topics();
+  std::vector<std::string> topics = needed;
+  if (is_played(wire::kStationState.name)) topics.emplace_back(wire::kStationState.name);
   std::map<std::string_view, std::vector<wire::Message>> found;
+  std::vector<wire::Message> all;
   for (const Nanoseconds back : kLookBack) {
-    if (needed.empty() || found.size() == needed.size()) break;
+    if (found.size() == needed.size()) break;
     found.clear();
-    reader_.select({.topics = needed, .from = at - back, .until = at});
+    all.clear();
+    reader_.select({.topics = topics, .from = at - back, .until = at});
     while (std::optional<wire::Message> message = next()) {
+      if (message->topic.name == wire::kStationState.name) {
+        if (message->published >= at - kStatesBack) all.push_back(std::move(*message));
+        continue;
+      }
       const bool is_predicted = message->topic.name == wire::kCameraDepth.name && !is_key_frame(*message);
       std::vector<wire::Message>& of_topic = found[message->topic.name];
       if (!is_predicted) of_topic.clear();
@@ -96,7 +107,6 @@ std::vector<wire::Message> Timeline::seek(SessionTime at) {
       if (of_topic.empty()) found.erase(message->topic.name);
     }
   }
-  std::vector<wire::Message> all;
   for (auto& [topic, messages] : found)
     all.insert(all.end(), std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
   std::stable_sort(all.begin(), all.end(),

@@ -21,8 +21,9 @@ class Timeline {
   [[nodiscard]] SessionTime end() const noexcept { return end_; }
 
   /// Moves to `at`: next() then returns the messages from `at` on. Returns the earlier messages that a receiver needs
-  /// at `at`, in order of time: the last camera models, the last colour image, and the depth images since the last key
-  /// frame. Looks for them in the second before `at`; if one is missing there, in the 10 s before `at`.
+  /// at `at`, in order of time: the last camera models, the last colour image, the depth images since the last key
+  /// frame, and the station's states of the last 150 ms. Looks for them in the second before `at`; if one is missing
+  /// there, in the 10 s before `at`.
   [[nodiscard]] std::vector<wire::Message> seek(SessionTime at);
   /// The next message; nullopt at the end. Damaged parts are skipped and counted.
   [[nodiscard]] std::optional<wire::Message> next();

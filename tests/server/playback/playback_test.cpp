@@ -140,6 +140,19 @@ TEST(Timeline, ASeekReturnsTheLastColourImageSoThatAPausedPictureHasTheColourOfI
   EXPECT_EQ(colour.data(), "colour 14");
 }
 
+TEST(Timeline, ASeekReturnsTheStatesAroundThePictureSoThatAPausedPictureShowsTheHand) {
+  auto timeline = Timeline::open(session("hand", 60), {"/camera/depth", "/station/state"});
+  ASSERT_TRUE(timeline) << to_string(timeline.error());
+  const SessionTime at = at_ms(33 * 30);
+  int states = 0;
+  for (const wire::Message& message : timeline->seek(at)) {
+    if (message.topic.name != wire::kStationState.name) continue;
+    EXPECT_GE(message.published, at - 150ms);
+    ++states;
+  }
+  EXPECT_EQ(states, 4) << "this session has a state with each picture";
+}
+
 TEST(Timeline, AFileWithoutTheTopicsIsAnError) {
   const auto timeline = Timeline::open(session("none", 3), {"/nothing/*"});
   ASSERT_FALSE(timeline);
