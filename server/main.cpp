@@ -86,12 +86,13 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
       .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "give yes or no"};
 }
 
-Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Arguments& arguments) {
+Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Arguments& arguments,
+                                                               const std::string& address) {
   if (!arguments.has("http-port")) return std::optional<gateway::GatewayOptions>{};
   const Result<std::int64_t> port = arguments.whole("http-port", 0, 65535);
   if (!port) return port.error();
   gateway::GatewayOptions options;
-  options.address = arguments.text("bind");
+  options.address = address;
   options.port = static_cast<std::uint16_t>(*port);
   options.server_name = arguments.text("name");
   options.log = [](const std::string& text) { program::log(kProgram, text); };
@@ -170,7 +171,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!depth) return depth.error();
   const Result<boost::asio::ip::address> address = hub::listening_address(arguments.text("bind"), arguments.has("key"));
   if (!address) return address.error();
-  const Result<std::optional<gateway::GatewayOptions>> gateway = gateway_options(arguments);
+  const Result<std::optional<gateway::GatewayOptions>> gateway = gateway_options(arguments, address->to_string());
   if (!gateway) return gateway.error();
   const Result<std::optional<access::Access::Options>> keys = key_options(arguments);
   if (!keys) return keys.error();
@@ -185,7 +186,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .ready_file = arguments.text("ready-file"),
                .keys = *keys,
                .server = {.name = arguments.text("name"),
-                          .bind = arguments.text("bind"),
+                          .bind = address->to_string(),
                           .port = static_cast<std::uint16_t>(*port),
                           .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                           .log = say},

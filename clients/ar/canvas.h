@@ -11,7 +11,7 @@ namespace telepalp::ar {
 
 /// Material of a mesh.
 struct Paint {
-  float opacity = 1.0F;    ///< where no mesh hides this one; at 1 this mesh hides meshes that are drawn later behind it
+  float opacity = 1.0F;    ///< where no mesh hides this one; with 1, it hides all meshes behind it
   float behind = 0.0F;     ///< opacity where another mesh hides it
   float shine = 0.0F;      ///< strength of the specular highlight
   float rim = 0.0F;        ///< opacity added at the silhouette, for a look of glass

@@ -1,11 +1,12 @@
 #include "haptic_station/calibration/tissue_fit.h"
 
 #include <Eigen/Dense>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "haptic_station/calibration/number_rows.h"
 
 namespace telepalp::calibration {
 namespace {
@@ -28,22 +29,6 @@ std::optional<Eigen::Vector3d> solve_over(const Eigen::MatrixXd& basis, const Ei
   for (std::size_t i = 0; i < columns.size(); ++i) all[columns[i]] = some[static_cast<Eigen::Index>(i)];
   if (!all.allFinite() || all.minCoeff() < 0.0) return std::nullopt;
   return all;
-}
-
-constexpr std::string_view kBlanks = " \t\r";
-
-/// The sample of a row `compression_mm,load_N`; nullopt: the row is not two numbers.
-std::optional<CompressionSample> sample_of(std::string_view row) noexcept {
-  double mm = 0.0;
-  double load_N = 0.0;
-  const char* end = row.data() + row.size();
-  const auto first = std::from_chars(row.data(), end, mm);
-  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != ',') return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, load_N);
-  if (second.ec != std::errc{} ||
-      std::string_view(second.ptr, end).find_first_not_of(kBlanks) != std::string_view::npos)
-    return std::nullopt;
-  return CompressionSample{mm * 1e-3, load_N};
 }
 
 }  // namespace
@@ -94,23 +79,23 @@ Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
 }
 
 Result<std::vector<CompressionSample>> read_compression_test(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  if (!std::getline(stream, line))
-    return Error{.what = "cannot be read, or is empty",
-                 .where = file.string(),
-                 .fix = "check the path, your permissions, and that the file has rows"};
+  const Result<std::string> rows = read_rows(file);
+  if (!rows) return rows.error();
+  std::string_view text = *rows;
+  if (text.empty()) return Error{.what = "is empty", .where = file.string(), .fix = "give a file that has rows"};
+  (void)next_line(text);  // the header
   std::vector<CompressionSample> samples;
-  for (std::size_t number = 2; std::getline(stream, line); ++number) {
+  for (std::size_t number = 2; !text.empty(); ++number) {
+    const std::string_view line = next_line(text);
+    if (line.empty()) continue;
     if (samples.size() == kMostSamples)
       return Error{.what = "has more than 1000000 rows", .where = file.string(), .fix = "give fewer rows"};
-    if (line.find_first_not_of(kBlanks) == std::string::npos) continue;
-    const auto sample = sample_of(line);
-    if (!sample)
-      return Error{.what = "the row is not two numbers",
+    const auto row = numbers<2>(line);
+    if (!row)
+      return Error{.what = "the row is not two finite numbers",
                    .where = file.string() + ":" + std::to_string(number),
                    .fix = "give rows compression_mm,load_N with a decimal point"};
-    samples.push_back(*sample);
+    samples.push_back({(*row)[0] * 1e-3, (*row)[1]});
   }
   return samples;
 }

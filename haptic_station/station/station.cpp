@@ -14,6 +14,7 @@
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/vector_message.h"
 #include "proto/wire/viewer/viewer_hand.h"
+#include "proto/words/error_line.h"
 #include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
@@ -190,15 +191,11 @@ void Station::lose_patience() {
     return give_up({.what = "does not answer",
                     .where = where,
                     .fix = "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
-  // The server's reason is one line of `what. fix: fix`, as to_string() writes it.
-  constexpr std::string_view kFix = ". fix: ";
-  const std::size_t at = not_connected_because_.find(kFix);
-  give_up(
-      {.what = "the server does not serve this station yet: " + not_connected_because_.substr(0, at),
-       .where = where,
-       .fix = "start the station again with a longer --patience S" +
-              (at == std::string::npos ? ""
-                                       : ", and while it waits: " + not_connected_because_.substr(at + kFix.size()))});
+  const Error reason = error_in(not_connected_because_);
+  give_up({.what = "the server does not serve this station yet: " + reason.what,
+           .where = where,
+           .fix = "start the station again with a longer --patience S" +
+                  (reason.fix.empty() ? "" : ", and while it waits: " + reason.fix)});
 }
 
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "proto/words/demand.h"
+#include "proto/words/error_line.h"
 
 namespace telepalp::wire {
 namespace {
@@ -42,12 +43,10 @@ Error other_version(const std::string& detail) {
               "both ends; --version prints the version of a program"};
 }
 
-/// The peer's reason is one line of `what. fix: fix`, as to_string() writes it.
 Error final_goodbye(const std::string& reason) {
-  constexpr std::string_view kFix = ". fix: ";
-  const std::size_t at = reason.find(kFix);
-  if (at == std::string::npos) return {.what = "the server refuses: " + reason, .where = {}, .fix = {}};
-  return {.what = "the server refuses: " + reason.substr(0, at), .where = {}, .fix = reason.substr(at + kFix.size())};
+  Error error = error_in(reason);
+  error.what = "the server refuses: " + error.what;
+  return error;
 }
 
 Nanoseconds local_now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }

@@ -21,8 +21,7 @@ Error cannot_listen(const GatewayOptions& options, const boost::system::error_co
 
 Result<tcp::acceptor> listen(asio::io_context& io, const GatewayOptions& options) {
   boost::system::error_code failed;
-  const asio::ip::address address =
-      asio::ip::make_address(options.address == "localhost" ? "127.0.0.1" : options.address, failed);
+  const asio::ip::address address = asio::ip::make_address(options.address, failed);
   if (failed) return cannot_listen(options, failed);
   const tcp::endpoint endpoint{address, options.port};
   tcp::acceptor acceptor(io);

@@ -90,7 +90,7 @@ std::vector<wire::Message> Timeline::seek(SessionTime at) {
   std::map<std::string_view, std::vector<wire::Message>> found;
   std::vector<wire::Message> all;
   for (const Nanoseconds back : kLookBack) {
-    if (found.size() == needed.size()) break;
+    if (topics.empty()) break;
     found.clear();
     all.clear();
     reader_.select({.topics = topics, .from = at - back, .until = at});
@@ -106,6 +106,7 @@ std::vector<wire::Message> Timeline::seek(SessionTime at) {
       if (bytes_of(of_topic) > kMostGroupBytes) of_topic.clear();
       if (of_topic.empty()) found.erase(message->topic.name);
     }
+    if (found.size() == needed.size()) break;
   }
   for (auto& [topic, messages] : found)
     all.insert(all.end(), std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "proto/words/error_line.h"
+
 namespace telepalp::program {
 
 std::string to_json(const google::protobuf::Message& message) {
@@ -18,8 +20,7 @@ Result<void> read_json(const std::string& json, google::protobuf::Message& messa
                        std::string fix) {
   const auto parsed = google::protobuf::util::JsonStringToMessage(json, &message);
   if (parsed.ok()) return {};
-  const std::string what(parsed.message());  // the lines after the first one mark the place in the JSON
-  return Error{.what = "the JSON cannot be read: " + what.substr(0, what.find('\n')),
+  return Error{.what = "the JSON cannot be read: " + first_line(std::string(parsed.message())),
                .where = std::move(where),
                .fix = std::move(fix)};
 }

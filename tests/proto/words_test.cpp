@@ -4,6 +4,7 @@
 #include <numbers>
 #include <thread>
 
+#include "proto/words/error_line.h"
 #include "proto/words/frames.h"
 #include "proto/words/latest_value.h"
 #include "proto/words/result.h"
@@ -14,6 +15,19 @@
 
 namespace telepalp {
 namespace {
+
+TEST(ErrorLine, GivesBackWhatAndFixOfAPrintedError) {
+  const Error error = error_in(to_string({.what = "bert holds the touch", .where = {}, .fix = "wait"}));
+  EXPECT_EQ(error.what, "bert holds the touch");
+  EXPECT_EQ(error.fix, "wait");
+  EXPECT_EQ(error_in("closed").what, "closed");
+  EXPECT_EQ(error_in("closed").fix, "");
+}
+
+TEST(ErrorLine, TheFirstLineEndsAtALineBreak) {
+  EXPECT_EQ(first_line("Expected a value.\n\n^"), "Expected a value.");
+  EXPECT_EQ(first_line("one line"), "one line");
+}
 
 TEST(Result, AnErrorSaysWhatWhereAndHowToFix) {
   const Result<int> result = Error{.what = "truncated", .where = "a.mcap: chunk 3", .fix = "repair it"};

@@ -324,12 +324,6 @@ TEST(Gateway, APortInUseIsAnErrorThatNamesIt) {
   EXPECT_NE(to_string(second.error()).find(std::to_string(server.port())), std::string::npos);
 }
 
-TEST(Gateway, ListensOnLocalhostAsThePortOfTheProgramsDoes) {
-  Running server({.address = "localhost"});
-  const Viewer viewer(server.port());
-  EXPECT_TRUE(server.comes_to(1));
-}
-
 TEST(Gateway, ClosingItClosesItsViewers) {
   auto server = std::make_unique<Running>();
   Viewer viewer(server->port());

@@ -111,6 +111,11 @@ TEST(ServerProgram, StopsByItselfAfterTheSecondsAskedFor) {
   EXPECT_EQ(server.process.wait(20s), 0) << server.logged();
 }
 
+TEST(ServerProgram, OpensBothItsPortsAtLocalhost) {
+  RunningServer server({"--source", "synthetic", "--seconds", "0.5", "--bind", "localhost", "--http-port", "0"});
+  EXPECT_EQ(server.process.wait(20s), 0) << server.logged();
+}
+
 TEST(ServerProgram, NamesThePortThatIsInUse) {
   RunningServer first({"--source", "synthetic"});
   const std::string port = std::to_string(first.port());

@@ -41,12 +41,10 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
-/// The file or, for a recording in parts, the name of its first part.
+/// The file or, for a recording in parts, its first part, in words.
 std::string first_file(const RecordingOptions& options) {
-  const Splitting& splitting = options.splitting;
-  if (!splitting.bytes && !splitting.time && !splitting.keep_last) return options.file.string();
-  std::filesystem::path part = options.file;
-  return part.replace_extension(".0001" + options.file.extension().string()).string() + " and later parts";
+  return options.splitting.in_parts() ? part_file(options.file, 1).string() + " and later parts"
+                                      : options.file.string();
 }
 
 std::uint64_t total(const std::map<std::string_view, std::uint64_t>& by_topic) {

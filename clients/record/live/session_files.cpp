@@ -45,16 +45,17 @@ Result<std::unique_ptr<SessionFiles>> SessionFiles::open(Plan plan, Alarm alarm)
   return files;
 }
 
-/// One file has the asked name. Parts are numbered: session.0001.mcap.
+std::filesystem::path part_file(const std::filesystem::path& name, int number) {
+  char text[16];
+  std::snprintf(text, sizeof text, ".%04d", number);
+  std::filesystem::path file = name;
+  return file.replace_extension(text + name.extension().string());
+}
+
+/// One file has the asked name. Parts are numbered.
 std::filesystem::path SessionFiles::next_name() {
-  const Splitting& splitting = plan_.splitting;
-  const bool in_parts = splitting.bytes || splitting.time || splitting.keep_last;
   ++part_number_;
-  if (part_number_ == 1 && !in_parts) return plan_.name;
-  char number[16];
-  std::snprintf(number, sizeof number, ".%04d", part_number_);
-  std::filesystem::path name = plan_.name;
-  return name.replace_extension(number + plan_.name.extension().string());
+  return part_number_ == 1 && !plan_.splitting.in_parts() ? plan_.name : part_file(plan_.name, part_number_);
 }
 
 Result<void> SessionFiles::begin_part() {

@@ -22,7 +22,12 @@ struct Splitting {
   std::optional<std::uint64_t> bytes;    ///< at this size, a file ends at the next depth key frame, or 2 s later
   std::optional<Nanoseconds> time;       ///< likewise at this duration of the file
   std::optional<Nanoseconds> keep_last;  ///< files last a tenth of this, at least 1 s; removed when their end is older
+
+  [[nodiscard]] bool in_parts() const noexcept { return bytes || time || keep_last; }
 };
+
+/// The file of part `number`, from 1, of a recording in parts: session.0001.mcap for the name session.mcap.
+[[nodiscard]] std::filesystem::path part_file(const std::filesystem::path& name, int number);
 
 /// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session. A
 /// later part begins with the last message of each latched topic (such as camera model and status) and with a depth key

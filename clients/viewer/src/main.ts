@@ -99,7 +99,7 @@ view.onShown = () => {
 };
 view.onDrawn = () => {
   if (drawing !== undefined) state.drawn(drawing, now_ms());
-  if (last === undefined) setTimeout(addHand, 100);
+  if (last === undefined && drawing !== undefined) setTimeout(addHand, 100);
   last = drawing ?? last;
   drawing = undefined;
 };

@@ -74,7 +74,7 @@ class Touch {
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s,
                                  bool felt = true) noexcept;
 
-  /// The displacement after the last step; zero without a foot. Evaluates the surface twice.
+  /// Displacement at the foot after the last step; zero while no foot is known. Evaluates the surface twice.
   [[nodiscard]] Displaced displaced() const noexcept;
 
   [[nodiscard]] std::uint64_t out_of_order() const noexcept { return out_of_order_; }

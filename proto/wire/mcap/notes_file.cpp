@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "proto/words/error_line.h"
+
 namespace telepalp::wire {
 namespace {
 
@@ -44,8 +46,7 @@ Result<msg::SessionNotes> read_notes(const std::filesystem::path& session) {
                  .where = file.string(),
                  .fix = "allow the user of this program to read the file, or move the file away"};
   if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok()) {
-    const std::string what(parsed.message());  // the lines after the first one mark the place in the JSON
-    return unreadable(file, "the JSON cannot be read: " + what.substr(0, what.find('\n')));
+    return unreadable(file, "the JSON cannot be read: " + first_line(std::string(parsed.message())));
   }
   if (notes.notes_size() > kMostNotes) return unreadable(file, "the file has more than 1000 notes");
   if (!std::all_of(notes.notes().begin(), notes.notes().end(), has_a_time))

@@ -64,7 +64,7 @@ TEST(TissueFit, ReadsBlankLinesAndDosLineEndsAndRefusesTextAfterTheNumbers) {
     std::ofstream(file) << "compression_mm,load_N\n" << rows;
     return read_compression_test(file);
   };
-  const auto good = read("1,2\r\n\n3,4 \n");
+  const auto good = read("1,2\r\n\n3,4\n");
   ASSERT_TRUE(good.ok());
   ASSERT_EQ(good->size(), 2u);
   EXPECT_DOUBLE_EQ(good->back().load_N, 4.0);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "proto/words/result.h"
+
+namespace telepalp {
+
+/// `text` up to its first line break. Messages of libraries may have more lines, but an Error is printed as one line.
+[[nodiscard]] inline std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
+}
+
+/// The error that another program printed or sent as the line `what. fix: fix` of to_string(). `where` is empty: a
+/// place in the line remains a part of `what`. A line without a fix becomes `what` as a whole.
+[[nodiscard]] inline Error error_in(std::string_view line) {
+  constexpr std::string_view kFix = ". fix: ";
+  const std::size_t at = line.find(kFix);
+  if (at == std::string_view::npos) return {.what = std::string(line), .where = {}, .fix = {}};
+  return {.what = std::string(line.substr(0, at)), .where = {}, .fix = std::string(line.substr(at + kFix.size()))};
+}
+
+}  // namespace telepalp
