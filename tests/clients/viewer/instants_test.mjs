@@ -167,6 +167,21 @@ test('numbers that come seldom do not stop the pictures, which come without a ha
   for (const {station: values, hand} of pictures) assert.deepEqual([values, hand], [undefined, 'none']);
 });
 
+test('a picture of a paused session, whose numbers never come, is presented after half a second', () => {
+  const {seen, instants, depth, station, answer} = bench();
+  instants.ask();
+  station(992);
+  depth(1000);
+  seen.now_ms = 400;
+  instants.timePassed();
+  assert.equal(seen.decodings, 0, 'its numbers may still come');
+  seen.now_ms = 501;
+  instants.timePassed();
+  answer();
+  assert.equal(seen.presented[0].decoded.frame, 1000);
+  assert.deepEqual([seen.presented[0].station, seen.presented[0].hand], [undefined, 'none']);
+});
+
 test('what was being decoded when the connection ended is not presented by the next one', () => {
   const {seen, instants, depth, answer} = bench();
   instants.ask();

@@ -8,6 +8,7 @@ import {WorkerCanvas} from '../inside/worker_canvas';
 import type {FrameTimes} from '../present/time_account';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
+import {LONGEST_WAIT_MS} from '../present/presented_instant';
 import {StationPast} from '../present/station_past';
 import type {CompressedImage, StationState} from './messages';
 import {milliseconds, now_ms, SessionClock} from './session_clock';
@@ -23,6 +24,7 @@ const past = new StationPast();
 const taker = new TouchTaker((touches) => post({touches}));
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
+let waitEnds: ReturnType<typeof setTimeout> | undefined;
 let ultrasound: WorkerCanvas | undefined;  // undefined until the page has sent it
 let lightMeter: LightMeter | undefined;  // undefined: the present view does not show the light
 
@@ -96,6 +98,8 @@ const stream = new Stream(
       '/camera/depth': (image, published_ns) => {
         facts.depthCame(image);
         instants.depthCame({bytes: image.data, captured_ns: image.capturedNs, published_ns});
+        clearTimeout(waitEnds);
+        waitEnds = setTimeout(() => instants.timePassed(), LONGEST_WAIT_MS + 1);
       },
       '/camera/color': (image, published_ns) =>
           instants.colorCame({data: image.data, captured_ns: takenAt(image, published_ns)}),

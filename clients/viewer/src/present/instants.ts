@@ -3,7 +3,7 @@ import type {StationState, Vec3} from '../link/messages';
 import type {Instant, Touch} from './instant';
 import {type Packet, PacketLine} from './packet_line';
 import {
-  continuesWithoutPicture, handWithoutPicture, isSkipped, nearest, presentableUntil, valuesAt,
+  continuesWithoutPicture, handWithoutPicture, isSkipped, LONGEST_WAIT_MS, nearest, presentableUntil, valuesAt,
 } from './presented_instant';
 
 const MOST_STATES = 256;  // 2.5 s of /station/state
@@ -55,6 +55,7 @@ export class Instants {
   private outdated: Packet | undefined;  // packet that was being decoded when the connection ended
   private ready: {decoded: DecodedDepth; captured_ns: bigint} | undefined;
   private newestCapture_ns = 0n;
+  private newestArrival_ms = 0;
   private presentedCapture_ns: bigint | undefined;
   private presentedStamp_ns = 0n;
   private first_ns: bigint | undefined;  // time of the first of the station's values
@@ -78,6 +79,7 @@ export class Instants {
 
   depthCame(packet: DepthPacket): void {
     this.newestCapture_ns = packet.captured_ns;
+    this.newestArrival_ms = this.callbacks.now_ms();
     this.arrivals.push({captured_ns: packet.captured_ns, published_ns: packet.published_ns, complete_ms: undefined});
     if (this.arrivals.length > 2 * MOST_STATES) this.arrivals.shift();
     if (!this.line.push(packet)) this.callbacks.requestKeyFrame();
@@ -131,8 +133,18 @@ export class Instants {
         isSkipped(captured_ns, this.newestState.stampNs, this.presentedCapture_ns);
   }
 
+  /** To be called LONGEST_WAIT_MS after a picture's arrival: of a paused session, nothing else may ever arrive. */
+  timePassed(): void {
+    this.serve();
+  }
+
+  private get presentableUntil_ns(): bigint {
+    if (this.callbacks.now_ms() - this.newestArrival_ms >= LONGEST_WAIT_MS) return this.newestCapture_ns;
+    return presentableUntil(this.newestState?.stampNs, this.newestCapture_ns);
+  }
+
   private serve(): void {
-    const until_ns = presentableUntil(this.newestState?.stampNs, this.newestCapture_ns);
+    const until_ns = this.presentableUntil_ns;
     this.noteComplete(until_ns);
     if (this.decoding === undefined) {
       this.decoding = this.line.next(until_ns, this.asked && this.ready === undefined);

@@ -11,8 +11,9 @@ const TOGETHER_NS = 5_000_000n;
  * 1.6 mm.
  */
 const BRIDGED_NS = 50_000_000n;
-/** If the station's values are later than the pictures by more than this, the viewer does not wait for them. */
-const LONGEST_WAIT_NS = 500_000_000n;
+/** A picture waits at most this long for the station's values: in the times of both, and from its arrival on. */
+export const LONGEST_WAIT_MS = 500;
+const LONGEST_WAIT_NS = BigInt(LONGEST_WAIT_MS) * 1_000_000n;
 /**
  * If the newest picture is older than the station's newest values by more than this, the values are presented without a
  * new picture.
