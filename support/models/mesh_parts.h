@@ -19,7 +19,8 @@ inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model
   for (const auto& triangle : model.triangles)
     for (const std::uint32_t corner : triangle)
       if (corner >= model.points.size())
-        return bad_mesh(name, "has " + std::to_string(model.points.size()) + " vertices, but a face names vertex " +
+        return bad_mesh(name, "has " + std::to_string(model.points.size()) +
+                                  (model.points.size() == 1 ? " vertex" : " vertices") + ", but a face names vertex " +
                                   (corner == 0xFFFFFFFF ? "numbers that are negative or above 4294967294"
                                                         : std::to_string(corner) + ", counted from 0"));
   if (model.points.size() > kMostModelPoints)

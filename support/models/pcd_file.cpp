@@ -90,7 +90,9 @@ Result<Header> parse_header(std::span<const std::byte> bytes, const std::string&
       if (!sized) header.points = header.width * header.height;
       if (header.fields.empty() || header.points > kMostModelPoints ||
           (header.width > 0 && header.width * header.height != header.points))
-        return bad(name, "the header's WIDTH, HEIGHT and POINTS disagree, or FIELDS is missing");
+        return bad(
+            name,
+            "the header's WIDTH, HEIGHT and POINTS disagree or give more than 20 million points, or FIELDS is missing");
       return header;
     }
     if (!understood)
@@ -113,7 +115,7 @@ Result<FieldIndices> fields_of(const Header& header, const std::string& name) {
     return false;
   };
   if (!find("x", fields.at[0]) || !find("y", fields.at[1]) || !find("z", fields.at[2]))
-    return bad(name, "has no fields x, y and z of TYPE F (floating-point numbers)");
+    return bad(name, "does not have all three fields x, y and z with TYPE F (floating-point numbers)");
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
     const Field& field = header.fields[i];
     if ((field.name != "rgb" && field.name != "rgba") || field.bytes != 4 || field.count != 1) continue;

@@ -90,8 +90,9 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> bytes, const std::
     } else if (key == "element") {
       const auto count = TextCursor::number<std::size_t>(TextCursor::word_of(rest));
       if (!count || *count > 3 * kMostModelPoints || *count > bytes.size())
-        return bad_mesh(name, "declares a number of elements of the kind '" + std::string(first) +
-                                  "' that is not a whole number, or is too large for the file's size");
+        return bad_mesh(name,
+                        "declares a number of elements of the kind '" + std::string(first) +
+                            "' that is not a whole number, is above 60 million, or is too large for the file's size");
       const auto same = [&](const Element& element) { return element.name == first; };
       if (std::any_of(header.elements.begin(), header.elements.end(), same))
         return bad_mesh(name, "has two elements called '" + std::string(first) + "'");
@@ -123,7 +124,8 @@ Result<void> read_vertices(const Element& element, Numbers& numbers, PointModel&
   std::array<bool, 6> present{};
   for (const Property& property : element.properties)
     for (std::size_t k = 0; k < 6; ++k) present[k] = present[k] || property.name == wanted[k];
-  if (!present[0] || !present[1] || !present[2]) return bad_mesh(name, "has vertices without x, y and z");
+  if (!present[0] || !present[1] || !present[2])
+    return bad_mesh(name, "has vertices that do not have all three properties x, y and z");
   const bool with_normals = present[3] && present[4] && present[5];
   for (std::size_t i = 0; i < element.count; ++i) {
     for (const Property& property : element.properties) {

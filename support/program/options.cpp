@@ -62,7 +62,7 @@ Result<T> parse_bounded(std::string_view option, const std::string& text, T leas
     std::string what = "'" + text + "' is not a ";
     char bounds[80];
     if constexpr (std::is_floating_point_v<T>)
-      std::snprintf(bounds, sizeof bounds, "number from %g to %g", least, most);
+      std::snprintf(bounds, sizeof bounds, "number from %.15g to %.15g", least, most);
     else
       std::snprintf(bounds, sizeof bounds, "whole number from %lld to %lld", static_cast<long long>(least),
                     static_cast<long long>(most));

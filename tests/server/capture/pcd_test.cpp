@@ -148,7 +148,7 @@ TEST(Pcd, EachFaultIsNamedWithAFix) {
       {replaced(as_binary(), "WIDTH 16\nHEIGHT 12", "WIDTH 192\nHEIGHT 1"), "not organised"},
       {replaced(as_binary(), "WIDTH 16", "WIDTH 99999999"), "a value of WIDTH that is not allowed"},
       {replaced(as_binary(), "HEIGHT 12", "HEIGHT 1"), "disagree"},
-      {replaced(as_binary(), "x y z", "a y z"), "no fields x, y and z"},
+      {replaced(as_binary(), "x y z", "a y z"), "all three fields x, y and z"},
       {replaced(as_binary(), "COUNT 1", "COUNT 9999999999"), "a value of COUNT that is not allowed"},
       {replaced(as_binary(), "DATA binary", "DATA zipped"), "DATA 'zipped'"},
       {"VERSION 0.7\nFIELDS x y z\n", "no DATA line"},
