@@ -71,8 +71,8 @@ Result<std::optional<std::string>> first_difference(const std::filesystem::path&
     if (!*left && !*right) return std::optional<std::string>{};
     if (!*left || !*right)
       return std::optional("the " + std::string(*left ? "second" : "first") + " file ends after " +
-                           std::to_string(number - 1) + " messages; the " + (*left ? "first" : "second") +
-                           " file has more\n");
+                           std::to_string(number - 1) + (number == 2 ? " message; the " : " messages; the ") +
+                           (*left ? "first" : "second") + " file has more\n");
     if (!equal(**left, **right)) return std::optional(describe(number, **left, **right));
   }
 }
