@@ -189,7 +189,7 @@ std::string Server::summary() const {
   const hub::Hub::TopicCount depth = found == hub_.topic_counts().end() ? hub::Hub::TopicCount{} : found->second;
   char line[200];
   std::snprintf(line, sizeof line,
-                "%.1f s, %llu frames captured; depth images: %llu published, %llu sent to subscribers, %llu dropped",
+                "%.1f s; frames captured: %llu; depth images: %llu published, %llu sent to subscribers, %llu dropped",
                 seconds, static_cast<unsigned long long>(frames()), static_cast<unsigned long long>(depth.published),
                 static_cast<unsigned long long>(depth.sent), static_cast<unsigned long long>(depth.dropped));
   return line;

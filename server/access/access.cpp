@@ -134,9 +134,13 @@ void Access::look_at_revocations() {
   const auto changed = fs::last_write_time(revoked_file_, failed);
   if (failed || changed == revoked_read_) return;
   const Result<void> read = read_revocations();
-  say_(read ? "the revocation list was read again: it revokes " + std::to_string(revocations_.all().size()) +
-                  " keys and tokens"
-            : to_string(read.error()) + "; the previous list stays valid");
+  const std::size_t count = revocations_.all().size();
+  if (read)
+    return say_("the revocation list was read again: it revokes " + std::to_string(count) +
+                (count == 1 ? " key or token" : " keys and tokens"));
+  Error unread = read.error();
+  unread.what += "; the previous list stays valid";
+  say_(to_string(unread));
 }
 
 void Access::note(AuditEvent event, const std::string& text) {

@@ -225,8 +225,9 @@ void PeerListener::note_refusal(const std::string& text) {
   refusal_noted_ = now;
   const std::uint64_t unsaid = counts_.refused - refused_when_noted_ - 1;
   refused_when_noted_ = counts_.refused;
-  note(text +
-       (unsaid == 0 ? "" : " (and " + std::to_string(unsaid) + " other refusals since the last logged refusal)"));
+  note(text + (unsaid == 0 ? ""
+                           : " (and " + std::to_string(unsaid) + (unsaid == 1 ? " other refusal" : " other refusals") +
+                                 " since the last logged refusal)"));
 }
 
 void PeerListener::note(const std::string& text) const {

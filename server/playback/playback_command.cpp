@@ -53,7 +53,7 @@ Result<msg::PlaybackCommand> read_command(const std::string& json) {
 }
 
 Result<void> check(const msg::PlaybackCommand& command) {
-  if (command.has_seek_s() && !is_position(command.seek_s())) return wrong("seek_s is not from 0 to 1e7");
+  if (command.has_seek_s() && !is_position(command.seek_s())) return wrong("seek_s is not from 0 to 10000000");
   if (command.has_speed() && !is_speed(command.speed())) return wrong("speed is not from 0.1 to 10");
   if (command.has_step() && (command.step() < 1 || command.step() > kMostSteps))
     return wrong("step is not from 1 to 100 depth images");
@@ -74,7 +74,7 @@ Result<PlaybackSpec> read_spec(const std::string& text) {
     if (equals == std::string::npos || !set(spec, pair.substr(0, equals), pair.substr(equals + 1)))
       return Error{.what = "'" + pair + "' is not an option of a played session, or its value is not allowed",
                    .where = "--source session:" + text,
-                   .fix = "give from_s=0 to 1e7, speed=0.1 to 10, paused=yes or no, topics=/camera/*+/station/*"};
+                   .fix = "give from_s=0 to 10000000, speed=0.1 to 10, paused=yes or no, topics=/camera/*+/station/*"};
   }
   return spec;
 }

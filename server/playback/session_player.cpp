@@ -266,8 +266,9 @@ void SessionPlayer::publish_status_when_due() {
   status.set_state(ended_ ? msg::CAPTURE_STATE_ENDED : playing_ ? msg::CAPTURE_STATE_LIVE : msg::CAPTURE_STATE_WAITING);
   status.set_source("session:" + file_);
   status.set_detail("recorded session " + file_ + ", " + how + speed);
-  if (timeline_.damaged() > 0)
-    status.set_detail(status.detail() + "; " + std::to_string(timeline_.damaged()) + " damaged parts skipped");
+  if (const auto damaged = timeline_.damaged(); damaged > 0)
+    status.set_detail(status.detail() + "; " + std::to_string(damaged) +
+                      (damaged == 1 ? " damaged part skipped" : " damaged parts skipped"));
   status.set_frames(depth_images_);
   status.set_color_registered(color_registered_);
   hand_over(wire::make_message(wire::kCameraStatus, now, status));

@@ -56,7 +56,11 @@ Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<s
   const bool has_one =
       std::any_of(summary.channels.all().begin(), summary.channels.all().end(),
                   [&](const auto& entry) { return entry.second.topic && is_wanted(topics, entry.second.topic->name); });
-  if (!has_one || summary.statistics.message_count == 0)
+  if (summary.statistics.message_count == 0)
+    return Error{.what = "holds no message, or its summary does not count its messages",
+                 .where = file.string(),
+                 .fix = "give a session with messages, or try telepalp-record repair " + file.string()};
+  if (!has_one)
     return Error{.what = "holds no message on the topics that are played",
                  .where = file.string(),
                  .fix = "add ,topics=A+B to --source, with topics that this command lists: telepalp-record info " +

@@ -37,9 +37,14 @@ Result<RecordedCamera> checked(const msg::CameraFile& file, const program::Numbe
   camera.model.depth = intrinsics_of(file.depth());
   camera.model.color = file.has_color() ? intrinsics_of(file.color()) : camera.model.depth;
   camera.model.color_registered = file.color_registered();
-  if (!is_well_formed(camera.model.depth) || !is_well_formed(camera.model.color))
+  if (!is_well_formed(camera.model.depth))
     return wrong("has no usable camera intrinsics",
                  "give depth { width: … height: … fx: … fy: … cx: … cy: … } in pixels");
+  if (!is_well_formed(camera.model.color))
+    return wrong(
+        "has no usable intrinsics of the colour camera",
+        "give color { width: … height: … fx: … fy: … cx: … cy: … } in pixels, or leave color out if the colour "
+        "images have the depth camera's intrinsics");
   if (camera.model.depth.width != width || camera.model.depth.height != height)
     return wrong("is for depth images of " + size_text(camera.model.depth.width, camera.model.depth.height) +
                      " pixels, but the depth images have " + size_text(width, height),

@@ -101,7 +101,8 @@ Result<std::vector<RgbdFrame>> load_all(const Recording& recording) {
 
 std::string describe(const Recording& recording) {
   const Intrinsics& pinhole = recording.camera.model.depth;
-  std::string text = std::to_string(recording.pairs.size()) + " images " + size_text(pinhole.width, pinhole.height) +
+  std::string text = std::to_string(recording.pairs.size()) + (recording.pairs.size() == 1 ? " image " : " images ") +
+                     size_text(pinhole.width, pinhole.height) +
                      (recording.color_width > 0 ? " with colour" : " without colour") + " from " +
                      recording.folder.string();
   return recording.camera.warning.empty() ? text : recording.camera.warning + "; playing " + text;

@@ -134,8 +134,9 @@ std::string OniFrames::complaint() const {
 
 std::string OniFrames::describe() const {
   const OniStream& depth = recording_.depth;
-  return "recording " + file_ + ", " + std::to_string(depth.images.size()) + " frames of " +
-         std::to_string(depth.width) + "x" + std::to_string(depth.height) +
+  return "recording " + file_ + ", " + std::to_string(depth.images.size()) +
+         (depth.images.size() == 1 ? " frame of " : " frames of ") + std::to_string(depth.width) + "x" +
+         std::to_string(depth.height) +
          (recording_.color.images.empty() ? " depth" : " depth and colour, colour not aligned with depth");
 }
 

@@ -143,14 +143,16 @@ std::string complaint_of(const OniRecordWalk& walk, std::uint64_t senseless, con
     say(complaint, std::to_string(walk.damaged()) + (walk.damaged() == 1 ? " part" : " parts") +
                        " damaged, the first at byte " + std::to_string(walk.first_damage_at()) + " of " +
                        std::to_string(walk.file_bytes()));
-  if (senseless > 0) say(complaint, std::to_string(senseless) + " records are invalid and are left out");
+  if (senseless > 0)
+    say(complaint, std::to_string(senseless) + (senseless == 1 ? " record is invalid and is left out"
+                                                               : " records are invalid and are left out"));
   if (!walk.reached_end_record())
     say(complaint,
         "the recording is cut off at byte " + std::to_string(walk.file_bytes()) + ", without its end record");
   const std::size_t images = depth.stream.images.size();
   if (depth.declared_frames > 0 && images != depth.declared_frames)
-    say(complaint, "the recording holds " + std::to_string(images) + " depth images, but its header says " +
-                       std::to_string(depth.declared_frames));
+    say(complaint, "the recording holds " + std::to_string(images) + (images == 1 ? " depth image" : " depth images") +
+                       ", but its header says " + std::to_string(depth.declared_frames));
   return complaint;
 }
 

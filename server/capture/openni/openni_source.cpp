@@ -11,7 +11,9 @@ Result<std::unique_ptr<CaptureSource>> open_camera(const std::string& uri, const
   // A file is not passed to OpenNI2, because a damaged file crashes OpenNI2's player.
   std::error_code code;
   if (std::filesystem::exists(uri, code) && !std::filesystem::is_character_file(uri, code))
-    return Error{.what = "is a file, not a camera", .where = uri, .fix = "give --source oni:" + uri};
+    return std::filesystem::is_directory(uri, code)
+               ? Error{.what = "is a folder, not a camera", .where = uri, .fix = "give --source images:" + uri}
+               : Error{.what = "is a file, not a camera", .where = uri, .fix = "give --source oni:" + uri};
   std::unique_ptr<CameraDevice> device = make_openni_device(uri, options.clock);
   if (const Result<void> opened = device->open(); !opened) return opened.error();
   const wire::SessionClock clock = options.clock;

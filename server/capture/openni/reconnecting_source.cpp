@@ -73,7 +73,8 @@ std::string ReconnectingSource::detail() const {
   if (phase_ == CameraPhase::Lost)
     return device_->describe() + " is lost: " + why_lost_ +
            ". fix: plug the camera in again; the server looks for it once a second";
-  const std::string lost = times_lost_ == 0 ? "" : "; was lost " + std::to_string(times_lost_) + " times";
+  const std::string lost =
+      times_lost_ == 0 ? "" : "; was lost " + std::to_string(times_lost_) + (times_lost_ == 1 ? " time" : " times");
   return device_->describe() + lost;
 }
 

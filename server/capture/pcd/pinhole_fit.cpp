@@ -86,11 +86,17 @@ Result<RgbdFrame> frame_of(const models::PointModel& cloud, const std::string& n
   const std::string fix =
       "give the cloud of one camera in its own frame (x right, y down, z into the scene), one point a pixel";
   if (across.count() < kFewestPoints)
-    return Error{.what = "has only " + std::to_string(across.count()) + " points in front of the camera",
+    return Error{.what = "has too few points in front of the camera: " + std::to_string(across.count()) +
+                         " instead of at least " + std::to_string(kFewestPoints),
                  .where = name,
                  .fix = fix};
-  if (!(across.rms() <= kMostResidual_px && down.rms() <= kMostResidual_px && across.focal() > 0.0 &&
-        down.focal() > 0.0))
+  if (!(across.focal() > 0.0 && down.focal() > 0.0))
+    return Error{.what =
+                     "is not in its camera's frame: x does not grow from the left to the right column of the "
+                     "cloud, or y does not grow from the upper to the lower row",
+                 .where = name,
+                 .fix = fix};
+  if (!(across.rms() <= kMostResidual_px && down.rms() <= kMostResidual_px))
     return Error{.what = "was not seen by a pinhole camera: points lie " +
                          std::to_string(std::max(across.rms(), down.rms())) +
                          " pixels (root mean square) from where a pinhole camera sees them",

@@ -130,7 +130,9 @@ std::optional<RgbdFrame> SessionFrames::take() {
 }
 
 std::string SessionFrames::complaint() const {
-  return damaged_ == 0 ? "" : std::to_string(damaged_) + " damaged parts skipped";
+  return damaged_ == 0
+             ? ""
+             : std::to_string(damaged_) + (damaged_ == 1 ? " damaged part skipped" : " damaged parts skipped");
 }
 
 }  // namespace telepalp::capture
