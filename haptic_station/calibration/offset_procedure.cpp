@@ -19,10 +19,10 @@ bool usable(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff()
 
 Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const OffsetSettings& settings) {
   if (touches.empty() || touches.size() < settings.least_touches)
-    return refusal("only " + std::to_string(touches.size()) +
-                       " pairs of positions of hand and end-effector were measured; " +
-                       std::to_string(settings.least_touches) + " are needed",
-                   "keep the hand on the end-effector, in the tracker's view, until the measurement ends");
+    return refusal(
+        "too few pairs of positions of hand and end-effector were measured: " + std::to_string(touches.size()) +
+            " instead of at least " + std::to_string(settings.least_touches),
+        "keep the hand on the end-effector, in the tracker's view, until the measurement ends");
   Vector3d hand = Vector3d::Zero();
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {

@@ -91,7 +91,8 @@ std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3
   const bool by_device = rank < 2 && to[rank] < from[rank];  // the positions by the device lack this width
   if (places.size() < 3)
     return refusal("only " + std::to_string(places.size()) +
-                       " different places are measured (their scatter matrix has rank " + std::to_string(rank) +
+                       (places.size() == 1 ? " different place is" : " different places are") +
+                       " measured (the scatter matrix of the places has rank " + std::to_string(rank) +
                        "); a rotation needs three places that are not on a line",
                    "measure at least three places, better four or more, spread over the workspace");
   if (rank < 2)

@@ -96,7 +96,8 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
                      .fix = "export the mesh again"};
   if (const std::size_t open = open_edges(triangles); open > 0)
     return Error{.what = "is not closed: " + std::to_string(open) +
-                         " edges lack a face, or join two faces of opposite orientation",
+                         (open == 1 ? " edge lacks a face, or joins" : " edges lack a face, or join") +
+                         " two faces of opposite orientation",
                  .where = {},
                  .fix = "close its holes, and orient all faces outwards"};
   const double volume = volume_m3(triangles, mesh.points);

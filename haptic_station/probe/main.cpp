@@ -129,7 +129,7 @@ void say_summary(const std::vector<probe::Felt>& felt) {
   const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
   std::nth_element(step_us.begin(), middle, step_us.end());
   std::fprintf(stderr,
-               "%zu waypoints, %zu in contact; largest force %.3g N; median computing time of a waypoint %.3g us\n",
+               "waypoints: %zu, in contact: %zu; largest force %.3g N; median computing time of a waypoint %.3g us\n",
                felt.size(), in_body, most_N, *middle);
 }
 

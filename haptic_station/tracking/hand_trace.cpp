@@ -122,9 +122,10 @@ Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name)
     trace.samples.push_back(row->sample);
   }
   if (trace.samples.size() < 2)
-    return Error{.what = "fewer than two usable rows (" + std::to_string(trace.skipped) +
-                         " rows were skipped: no number, a coordinate beyond 10000 mm, another hand_id, or a time not "
-                         "after the row before)",
+    return Error{.what = "fewer than two usable rows (skipped rows: " + std::to_string(trace.skipped) +
+                         "; a row is skipped if its time or palm position is not a finite number, a coordinate is "
+                         "beyond 10000 mm, its hand_id is not that of the first row, or its time is not after that "
+                         "of the row before)",
                  .where = std::string(name),
                  .fix =
                      "give at least two rows of numbers, with the same hand_id, and with a timestamp_us that grows "

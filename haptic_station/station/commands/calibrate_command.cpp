@@ -87,10 +87,11 @@ int calibrate_command(int argc, const char* const* argv) {
   if (const Result<void> kept = keep(*measured, arguments.text("out")); !kept) return program::fail(kept.error());
   const msg::MeasuredTransform& m = measured->transform;
   std::printf(
-      "transform haptic_from_%s from %u measurements: residual mean %.2f mm, standard deviation %.2f mm, largest %.2f "
-      "mm; written to %s\n",
-      measured->of_camera ? "camera" : "tracker", m.measurements(), m.residual_mean_m() * 1e3,
-      m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3, arguments.text("out").c_str());
+      "transform haptic_from_%s from %u %s: residual mean %.2f mm, standard deviation %.2f mm, largest %.2f mm; "
+      "written to %s\n",
+      measured->of_camera ? "camera" : "tracker", m.measurements(),
+      m.measurements() == 1 ? "measurement" : "measurements", m.residual_mean_m() * 1e3, m.residual_deviation_m() * 1e3,
+      m.residual_largest_m() * 1e3, arguments.text("out").c_str());
   return program::kDone;
 }
 

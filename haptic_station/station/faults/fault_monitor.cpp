@@ -98,6 +98,9 @@ void FaultMonitor::rearm(const ControlSocket::Reply& reply) {
       return reply("re-armed: the station gives force again");
     }
     const auto stands = static_cast<control::FaultCause>(last_.fault_stands);
+    if (stands == control::FaultCause::None)
+      return reply(
+          "not re-armed: the fault is not over yet, although its cause is gone at this moment. fix: try again");
     reply(std::string("not re-armed: ") + control::name(stands) + ". fix: remove the cause, then try again");
   });
 }

@@ -23,8 +23,9 @@ void ImageAges::add(const msg::SurfaceReport& report) {
 
 std::string ImageAges::in_words() const {
   if (ages_.total() == 0) return "";
-  const std::string text = std::to_string(ages_.total()) + " images: their surfaces were touchable " +
-                           in_ms(1e-9 * ages_.quantile_ns(0.5)) + " (median) and " +
+  const std::string text = std::to_string(ages_.total()) +
+                           (ages_.total() == 1 ? " image: its surface was" : " images: their surfaces were") +
+                           " touchable " + in_ms(1e-9 * ages_.quantile_ns(0.5)) + " (median) and " +
                            in_ms(1e-9 * ages_.quantile_ns(0.99)) + " (99th percentile) after capture; ";
   if (!std::isfinite(clock_error_s_))
     return text + "the error of both is unknown, because the server's clock is not known";

@@ -72,8 +72,10 @@ void say(std::string& remarks, const std::string& remark) { remarks += (remarks.
 /// be reversed, else 1.
 float mended(models::PointModel& mesh, const Winding& winding, std::string& remarks) {
   if (winding.turned > 0)
-    say(remarks, std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
-                     " faces were oriented against their neighbours: telepalp has reversed them");
+    say(remarks,
+        std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
+            (winding.turned == 1 ? " faces was oriented against its neighbours: telepalp has reversed it"
+                                 : " faces were oriented against their neighbours: telepalp has reversed them"));
   if (mesh.normals.empty()) say(remarks, "the mesh has no normals: telepalp uses the normals of its faces");
   Closure closure = closure_of(mesh);
   constexpr double kLeastAgreement = 0.4;  // smooth shading over the edges of a cube gives 0.58
@@ -84,10 +86,13 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
   }
   if (closure.without_place > 0)
     say(remarks,
-        std::to_string(closure.without_place) + " triangles with a corner that is not a number (NaN) are left out");
+        std::to_string(closure.without_place) +
+            (closure.without_place == 1 ? " triangle with a corner that is not a finite number is left out"
+                                        : " triangles with a corner that is not a finite number are left out"));
   if (winding.open_edges > 0) {
     say(remarks, "the mesh is open (" + std::to_string(winding.open_edges) +
-                     " edges with a face on one side only), so telepalp takes the side to which its " +
+                     (winding.open_edges == 1 ? " edge" : " edges") +
+                     " with a face on one side only), so telepalp takes the side to which its " +
                      (mesh.normals.empty() ? "faces" : "normals") + " point as its outside");
     return 1.0F;
   }

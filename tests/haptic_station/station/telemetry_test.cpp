@@ -46,7 +46,7 @@ TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
   ImageAges ages;
   ages.add(touchable_after(-2ms, std::numeric_limits<double>::infinity()));
   EXPECT_EQ(ages.in_words(),
-            "1 images: their surfaces were touchable 0.0 ms (median) and 0.0 ms (99th percentile) after capture; the "
+            "1 image: its surface was touchable 0.0 ms (median) and 0.0 ms (99th percentile) after capture; the "
             "error of both is unknown, because the server's clock is not known");
 }
 

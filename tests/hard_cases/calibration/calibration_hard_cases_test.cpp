@@ -76,7 +76,7 @@ const Eigen::Matrix3d kMirrorX = Vector3d(-1, 1, 1).asDiagonal();
 INSTANTIATE_TEST_SUITE_P(
     Table, CalibrationHardCase,
     testing::Values(
-        Case{"none", {}, "0 different places", "rank 0"}, Case{"one", {{0, 0, 0}}, "1 different places", "rank 0"},
+        Case{"none", {}, "0 different places", "rank 0"}, Case{"one", {{0, 0, 0}}, "1 different place is", "rank 0"},
         Case{"two", {{0, 0, 0}, {0.1, 0, 0}}, "2 different places", "rank 1"},
         Case{"one place many times", {4, Vector3d(0.1, 0.2, 0.3)}, "lie at one point", "rank 0"},
         Case{"collinear",
