@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "messages/scene.pb.h"
+#include "proto/words/error_line.h"
 #include "proto/words/frames.h"
 #include "proto/words/result.h"
 #include "proto/words/rotation_vector.h"
@@ -38,10 +39,10 @@ class FieldCheck {
       into = value;
       return;
     }
-    complain(std::string(field) + " is " + text(value) + " " + std::string(range.unit) + ", outside " +
-                 text(range.least) + " to " + text(range.most) + " " + std::string(range.unit),
-             "give " + std::string(field) + " in " + std::string(range.unit) + " from " + text(range.least) + " to " +
-                 text(range.most),
+    complain(std::string(field) + " is " + number_text(value) + " " + std::string(range.unit) + ", outside " +
+                 number_text(range.least) + " to " + number_text(range.most) + " " + std::string(range.unit),
+             "give " + std::string(field) + " in " + std::string(range.unit) + " from " + number_text(range.least) +
+                 " to " + number_text(range.most),
              part_ == nullptr ? places_.where(file_, field, value) : places_.where(file_, *part_, field, value));
   }
 
@@ -64,13 +65,6 @@ class FieldCheck {
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   [[nodiscard]] const program::NumberPlaces& places() const noexcept { return places_; }
-
-  /// A number as the errors show it.
-  [[nodiscard]] static std::string text(double value) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%g", value);
-    return buffer;
-  }
 
  private:
   void complain(std::string what, std::string fix, std::string where) {

@@ -49,8 +49,8 @@ void read_limits(FieldCheck& check, const msg::Scene& message, control::ControlS
   TELEPALP_READ(check, "limits.", limit, thermal_time_s, control.limits.thermal_time_s, {0.1, 600, "s"});
   TELEPALP_READ(check, "limits.", limit, slew_n_per_s, control.limits.slew_N_per_s, {10, 5000, "N/s"});
   if (control.limits.continuous_N > control.limits.peak_N)
-    check.in(limit).complain("limits.continuous_N, " + FieldCheck::text(control.limits.continuous_N) +
-                                 " N, is above limits.peak_N, " + FieldCheck::text(control.limits.peak_N) + " N",
+    check.in(limit).complain("limits.continuous_N, " + number_text(control.limits.continuous_N) +
+                                 " N, is above limits.peak_N, " + number_text(control.limits.peak_N) + " N",
                              "give limits.peak_N at least the value of limits.continuous_N; a limit that the "
                              "scene does not give has its default");
 }

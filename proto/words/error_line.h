@@ -1,5 +1,7 @@
 #pragma once
 
+#include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,14 @@ namespace telepalp {
 /// `text` up to its first line break. Messages of libraries may have more lines, but an Error is printed as one line.
 [[nodiscard]] inline std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find('\n')));
+}
+
+/// A number as an error shows it: the shortest text that reads back as `value`, from 1e-7 to 1e12 without an exponent.
+[[nodiscard]] inline std::string number_text(double value) {
+  const bool plain = value == 0.0 || (std::abs(value) >= 1e-7 && std::abs(value) < 1e12);
+  char text[64];
+  const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
+  return {text, std::to_chars(text, text + sizeof text, value, format).ptr};
 }
 
 /// The error that another program printed or sent as the line `what. fix: fix` of to_string(). `where` is empty: a

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdio>
 
+#include "proto/words/error_line.h"
 #include "support/program/log.h"
 #include "support/program/terminal.h"
 
@@ -59,14 +60,13 @@ Result<T> parse_bounded(std::string_view option, const std::string& text, T leas
   T value{};
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc{} || end != text.data() + text.size() || !(value >= least) || !(value <= most)) {
-    std::string what = "'" + text + "' is not a ";
-    char bounds[80];
+    std::string bounds;
     if constexpr (std::is_floating_point_v<T>)
-      std::snprintf(bounds, sizeof bounds, "number from %.15g to %.15g", least, most);
+      bounds = "number from " + number_text(least) + " to " + number_text(most);
     else
-      std::snprintf(bounds, sizeof bounds, "whole number from %lld to %lld", static_cast<long long>(least),
-                    static_cast<long long>(most));
-    return Error{.what = what + bounds, .where = "--" + std::string(option), .fix = std::string("give a ") + bounds};
+      bounds = "whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    return Error{
+        .what = "'" + text + "' is not a " + bounds, .where = "--" + std::string(option), .fix = "give a " + bounds};
   }
   return value;
 }

@@ -29,6 +29,16 @@ TEST(ErrorLine, TheFirstLineEndsAtALineBreak) {
   EXPECT_EQ(first_line("one line"), "one line");
 }
 
+TEST(ErrorLine, ANumberIsShownWithAllItsDigitsAndWithoutAnExponent) {
+  EXPECT_EQ(number_text(1e-6), "0.000001");
+  EXPECT_EQ(number_text(1e7), "10000000");
+  EXPECT_EQ(number_text(-0.5), "-0.5");
+  EXPECT_EQ(number_text(5000.0001), "5000.0001");
+  EXPECT_EQ(number_text(0.0), "0");
+  EXPECT_EQ(number_text(1e300), "1e+300");
+  EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "inf");
+}
+
 TEST(Result, AnErrorSaysWhatWhereAndHowToFix) {
   const Result<int> result = Error{.what = "truncated", .where = "a.mcap: chunk 3", .fix = "repair it"};
   ASSERT_FALSE(result.ok());

@@ -1,7 +1,8 @@
 #include "haptic_station/solids/solid.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "proto/words/error_line.h"
 
 namespace telepalp::solids {
 namespace {
@@ -79,12 +80,6 @@ Bounds bounds_of(Unit unit) noexcept {
   return {0.0, 0.0, ""};
 }
 
-std::string shown(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 /// The index of the first of three numbers that are a direction; nullopt for a word without one.
 std::optional<std::size_t> direction_of(const Word& word) noexcept {
   for (std::size_t i = 0; i < word.numbers.size(); ++i)
@@ -98,8 +93,9 @@ std::optional<Complaint> range_complaint(const Node& node) {
     const Bounds bounds = bounds_of(kind.unit);
     if (std::isfinite(node.numbers[i]) && node.numbers[i] >= bounds.least && node.numbers[i] <= bounds.most) continue;
     return Complaint{
-        .what = std::string(kind.name) + " of " + std::string(node.kind().word) + " is " + shown(node.numbers[i]),
-        .fix = "give " + std::string(bounds.meaning) + ", from " + shown(bounds.least) + " to " + shown(bounds.most),
+        .what = std::string(kind.name) + " of " + std::string(node.kind().word) + " is " + number_text(node.numbers[i]),
+        .fix = "give " + std::string(bounds.meaning) + ", from " + number_text(bounds.least) + " to " +
+               number_text(bounds.most),
         .number = i};
   }
   return std::nullopt;
@@ -127,9 +123,10 @@ std::optional<Complaint> complaint_about(const Node& node) {
   if (node.kind().op == Op::Arc) {
     const double sweep_deg = node.numbers[3] - node.numbers[2];
     if (!(sweep_deg >= 0.0 && sweep_deg <= 360.0))
-      return Complaint{.what = word + " goes from " + shown(node.numbers[2]) + " to " + shown(node.numbers[3]) + " deg",
-                       .fix = "give to_deg a value from from_deg to from_deg + 360",
-                       .number = 3};
+      return Complaint{
+          .what = word + " goes from " + number_text(node.numbers[2]) + " to " + number_text(node.numbers[3]) + " deg",
+          .fix = "give to_deg a value from from_deg to from_deg + 360",
+          .number = 3};
   }
   return std::nullopt;
 }
