@@ -155,7 +155,7 @@ std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile&
   const int reason = ERR_GET_REASON(code);
   if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED) return bad_server(SSL_get_verify_result(&session), key, host);
   if (reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_HTTP_REQUEST || reason == SSL_R_UNSUPPORTED_PROTOCOL)
-    return refused("the server does not use TLS, so it cannot check a key",
+    return refused("the server does not use TLS 1.3, so it cannot check a key",
                    "start the server with --key; or leave out --key of this program, if the server is on this machine");
   return bad_client(reason);
 }

@@ -39,6 +39,11 @@ constexpr std::string_view kSignAtOwnPage =
 constexpr std::string_view kSignInFirst =
     "sign in first: open this server's page, or send the header Authorization: Bearer TOKEN";
 
+/// Reply to a command of a program that is signed in by a cookie alone.
+constexpr std::string_view kNoTokenNoOrigin =
+    "this request has neither the header Origin of a web page nor the token of a program. fix: send the header "
+    "Authorization: Bearer TOKEN";
+
 HttpReply json_reply(const HttpRequest& request, const std::string& json) {
   HttpReply reply = refuse(request, http::status::ok, json);
   reply.set(http::field::content_type, "application/json");
@@ -151,9 +156,9 @@ std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, c
   if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return refusal;
   if (request.method() != http::verb::post) return std::nullopt;
   if (!may(right.operation)) return refuse(request, http::status::forbidden, right.people);
-  if (!origin_is_allowed(context_.options.policy, view(request[http::field::origin]), view(request[http::field::host]),
-                         is_from_trusted_program()))
-    return refuse(request, http::status::forbidden, right.pages);
+  const std::string_view origin = view(request[http::field::origin]);
+  if (!origin_is_allowed(context_.options.policy, origin, view(request[http::field::host]), is_from_trusted_program()))
+    return refuse(request, http::status::forbidden, origin.empty() ? kNoTokenNoOrigin : right.pages);
   return std::nullopt;
 }
 

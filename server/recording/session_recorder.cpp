@@ -111,10 +111,12 @@ void SessionRecorder::look_at_process() {
   state_.set_phase(msg::RecordingState::PHASE_IDLE);
   state_.set_bytes(bytes_of(options_.folder / state_.file()));
   std::error_code ignored;
-  if (*code == 0)
-    fs::remove(log_file(), ignored);
-  else
-    state_.set_problem("telepalp-record ended with exit code " + std::to_string(*code) + ": " + last_line(log_file()));
+  if (*code == 0) return void(fs::remove(log_file(), ignored));
+  const std::string reason = last_line(log_file());
+  state_.set_problem("telepalp-record ended with exit code " + std::to_string(*code) +
+                     (reason.empty() ? " and gave no reason. fix: begin the recording again, and check that "
+                                       "telepalp-record runs on the server's computer: telepalp-record --version"
+                                     : ": " + reason));
 }
 
 fs::path SessionRecorder::log_file() const { return options_.folder / (state_.file() + ".log"); }
