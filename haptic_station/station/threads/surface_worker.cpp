@@ -105,9 +105,10 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
   if (!haptic_from_camera_ && (haptic_from_camera_ = placement_(depth, work.camera)))
     builder_.watch(loop::mark_lines(effects_, haptic_from_camera_->inverse()));
   if (!haptic_from_camera_)
-    return Error{.what = "nothing is measured around the image's centre, where the patient should be",
-                 .where = "/camera/depth, image " + std::to_string(message.sequence()),
-                 .fix = "aim the camera at the patient"};
+    return Error{
+        .what = "fewer than half of the pixels around the image's centre, where the patient should be, are measured",
+        .where = "/camera/depth, image " + std::to_string(message.sequence()),
+        .fix = "aim the camera at the patient, from a distance at which it measures"};
   const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
   const SessionTime begun = handlers_.now();
   begin_anew_if_clock_went_back(captured, begun);
