@@ -116,6 +116,13 @@ TEST(KeyFiles, AreReadOnlyIfNobodyButTheirOwnerHasAccess) {
   EXPECT_NE(refusal(file, 0644).find("mode is 0644"), std::string::npos) << refusal(file, 0644);
 }
 
+TEST(KeyFiles, AnotherFileThatOthersMayReadIsNotToBeHidden) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "notes.txt";
+  std::ofstream(file) << "not a key";
+  EXPECT_NE(refusal(file, 0644).find("not a key file"), std::string::npos) << refusal(file, 0644);
+}
+
 TEST(KeyFiles, MayBeReadByTheGroupOfAServiceIfRootOwnsThem) {
   const support::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "server.key";
