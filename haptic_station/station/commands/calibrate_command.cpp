@@ -28,7 +28,7 @@ program::Usage usage() {
             "tracker or camera), in metres"},
            {"from", "tracker|camera", "for 'points': the instrument that measured from_x_m, from_y_m, from_z_m",
             "tracker"},
-           {"device", kDeviceWords, "for 'offset': the haptic device", "haply"},
+           {"device", "haply[:URL]|udp:HOST:PORT", "for 'offset': the haptic device", "haply"},
            {"tracker", "leap[:URL]", "for 'offset': the hand tracker", "leap"},
            {"seconds", "S", "for 'offset': how long the hand rests, in seconds", "3"},
            program::patience_option(

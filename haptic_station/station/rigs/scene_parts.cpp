@@ -26,7 +26,8 @@ std::string validity_in_words(const scenes::Scene& scene) {
   std::string effects;
   for (const effects::EffectBill& line : scene.effects.bill())
     effects += (effects.empty() ? std::string() : std::string(", ")) + line.name;
-  return scene.name + ": the scene is valid; " + scene.message.purpose() + "; effects: " + effects;
+  const std::string& purpose = scene.message.purpose();
+  return scene.name + ": the scene is valid; " + purpose + (purpose.empty() ? "" : "; ") + "effects: " + effects;
 }
 
 }  // namespace telepalp::station

@@ -23,6 +23,7 @@ std::string last_words() {
   for (char& letter : words)
     if (letter == '\n' || letter == '\t') letter = ' ';
   while (!words.empty() && words.back() == ' ') words.pop_back();
+  words.erase(0, words.find_first_not_of(' '));
   return words.empty() ? "OpenNI2 gives no reason" : words;
 }
 

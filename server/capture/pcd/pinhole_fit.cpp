@@ -46,9 +46,8 @@ bool measured(const Eigen::Vector3f& point) { return point.allFinite() && point.
 std::optional<Error> refuse_shape(const models::PointModel& cloud, const std::string& name) {
   const std::string fix = "give an organised PCD (one point a pixel), as PCL saves a camera's cloud";
   if (cloud.width <= 1 || cloud.points.empty())
-    return Error{.what = "is not organised: " + std::to_string(cloud.points.size()) + " points in one row",
-                 .where = name,
-                 .fix = fix};
+    return Error{
+        .what = "is not organised: its points are not arranged in rows and columns", .where = name, .fix = fix};
   const std::size_t height = cloud.points.size() / static_cast<std::size_t>(cloud.width);
   if (cloud.width > kMaxImageSide || height > static_cast<std::size_t>(kMaxImageSide))
     return Error{.what = "is " + std::to_string(cloud.width) + " x " + std::to_string(height) + " points, more than " +
