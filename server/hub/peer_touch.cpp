@@ -82,10 +82,14 @@ std::string PeerTouch::offered(const std::string& to) {
 
 std::string PeerTouch::is_held(const keys::Identity& who) const {
   const access::TouchLease& lease = access_.touch();
-  const std::string holder = lease.holder(Clock::now()).value_or("?");
+  const std::optional<std::string> holder = lease.holder(Clock::now());
+  if (!holder)  // another doctor took the touch after this station's lease had ended, and holds it no longer
+    return "this station lost the touch, because it was silent for 10 s. fix: wait: the station connects again by "
+           "itself, and takes the touch unless another doctor holds it then";
   if (lease.offered_to(Clock::now()) == who.name)
-    return "doctor " + holder + " offers you the touch. fix: to accept the touch, run telepalp-station hand-over --accept";
-  return "doctor " + holder +
+    return "doctor " + *holder +
+           " offers you the touch. fix: to accept the touch, run telepalp-station hand-over --accept";
+  return "doctor " + *holder +
          " holds the touch. fix: wait until that doctor's station ends or is silent for 10 s, or ask that doctor to "
          "offer you the touch: telepalp-station hand-over --to " +
          who.name;
