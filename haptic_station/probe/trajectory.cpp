@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "proto/words/error_line.h"
 #include "support/models/text_cursor.h"
 
 namespace telepalp::probe {
@@ -48,10 +49,10 @@ Result<std::vector<Waypoint>> parse_trajectory(std::string_view text, const std:
     if (!all_numbers && waypoints.empty() && line.find("t_s") != std::string_view::npos) continue;  // the header
     if (!std::isfinite(t_s)) return Error{.what = "the first column is not a finite time", .where = where, .fix = fix};
     if (!waypoints.empty() && t_s < waypoints.back().t_s)
-      return Error{.what = "the time decreases from " + std::to_string(waypoints.back().t_s) + " s to " +
-                           std::to_string(t_s) + " s",
-                   .where = where,
-                   .fix = "sort the lines by time"};
+      return Error{
+          .what = "the time decreases from " + number_text(waypoints.back().t_s) + " s to " + number_text(t_s) + " s",
+          .where = where,
+          .fix = "sort the lines by time"};
     if (waypoints.size() == kMostWaypoints)
       return Error{.what = "has over 20 million lines", .where = name, .fix = "give fewer lines"};
     waypoints.push_back({t_s, {x, y, z}});

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "messages/camera.pb.h"
+#include "proto/words/error_line.h"
 #include "support/program/text_format.h"
 
 namespace telepalp::capture {
@@ -29,7 +30,7 @@ Result<RecordedCamera> checked(const msg::CameraFile& file, const program::Numbe
     return Error{.what = std::move(what), .where = name, .fix = std::move(fix)};
   };
   const auto wrong_number = [&](std::string_view field, double value, std::string fix) {
-    return Error{.what = std::string(field) + " is " + std::to_string(value),
+    return Error{.what = std::string(field) + " is " + number_text(value),
                  .where = places.where(name, field, value),
                  .fix = std::move(fix)};
   };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "proto/words/error_line.h"
 #include "server/capture/synthetic/appearance.h"
 
 namespace telepalp::capture {
@@ -27,9 +28,9 @@ Result<void> check(const SyntheticSettings& settings, const std::string& where) 
                         {"depth_unit_m", settings.depth_unit_m, 0.00005, 0.01}};
   for (const Bounds& one : all)
     if (!(one.value >= one.least && one.value <= one.most))
-      return Error{.what = std::string(one.name) + " is " + std::to_string(one.value),
+      return Error{.what = std::string(one.name) + " is " + number_text(one.value),
                    .where = where,
-                   .fix = "give " + std::to_string(one.least) + " to " + std::to_string(one.most)};
+                   .fix = "give " + number_text(one.least) + " to " + number_text(one.most)};
   return {};
 }
 
