@@ -1,5 +1,6 @@
 #include "clients/record/file_commands.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "clients/record/edit/merge.h"
@@ -7,6 +8,7 @@
 #include "clients/record/live/amounts.h"
 #include "clients/record/repair.h"
 #include "clients/record/unfinished.h"
+#include "proto/words/counted.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
 
@@ -96,6 +98,13 @@ int run_finish(const std::filesystem::path& partial) {
   return program::kDone;
 }
 
+/// The fix for the damages of `file`. A repair copies messages that are not of their topic's type unchanged.
+std::string mending_of(const SessionFacts& facts, const std::string& file) {
+  const auto unreadable = std::ranges::count_if(facts.topics, [](const auto& topic) { return topic.unreadable > 0; });
+  if (facts.damages_in_all > static_cast<std::uint64_t>(unreadable)) return "telepalp-record repair " + file;
+  return "record again; the other messages can be used, and telepalp-record repair cannot mend the damaged ones";
+}
+
 int verify(const std::string& file) {
   const Result<SessionFacts> facts = inspect(file);
   if (!facts) return program::fail(facts.error());
@@ -105,20 +114,21 @@ int verify(const std::string& file) {
   for (const std::string& note : notes_on(*facts)) print("note: ", note);
   for (const std::string& damage : facts->damages) print("damage: ", damage);
   if (facts->damages_in_all > 0)
-    return program::fail({.what = std::to_string(facts->damages_in_all) + " places are damaged",
+    return program::fail({.what = counted(facts->damages_in_all, "place is damaged", "places are damaged"),
                           .where = file,
-                          .fix = "telepalp-record repair " + file});
-  print("", "whole: " + std::to_string(facts->messages) + " messages in " + std::to_string(facts->chunks) +
-                " chunks on " + std::to_string(facts->topics.size()) + " topics can be read");
+                          .fix = mending_of(*facts, file)});
+  print("", "whole: " + counted(facts->messages, "message", "messages") + " in " +
+                counted(facts->chunks, "chunk", "chunks") + " on " + counted(facts->topics.size(), "topic", "topics") +
+                " can be read");
   return program::kDone;
 }
 
 int show_edit(const Result<EditReport>& report, const std::string& out) {
   if (!report) return program::fail(report.error());
   for (const std::string& damage : report->damages) program::log(kProgram, "not copied: " + damage);
-  std::string text = out + ": " + std::to_string(report->messages) + " messages";
+  std::string text = out + ": " + counted(report->messages, "message", "messages");
   if (report->left_out > 0)
-    text += "; " + std::to_string(report->left_out) + " messages were in several files and are copied once";
+    text += "; left out: " + counted(report->left_out, "message", "messages") + " that another of the files holds, too";
   program::log(kProgram, text);
   return program::kDone;
 }
@@ -148,12 +158,13 @@ int run_repair(const std::string& file, const std::string& out) {
   const Result<RepairReport> report = repair(file, out.empty() ? repaired_name(file) : std::filesystem::path(out));
   if (!report) return program::fail(report.error());
   if (report->was_whole) {
-    program::log(kProgram, file + " is whole: all its " + std::to_string(report->messages) +
-                               " messages can be read; no copy is written");
+    program::log(kProgram, file + " is whole: " + counted(report->messages, "message", "messages") +
+                               " can be read; no copy is written");
     return program::kDone;
   }
   for (const std::string& damage : report->damages) program::log(kProgram, file + ": damage: " + damage);
-  program::log(kProgram, "recovered " + std::to_string(report->messages) + " messages to " + report->file.string());
+  program::log(kProgram,
+               "recovered " + counted(report->messages, "message", "messages") + " to " + report->file.string());
   return program::kDone;
 }
 

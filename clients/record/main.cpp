@@ -23,7 +23,7 @@ program::Usage usage() {
                       {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
                       {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                       {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
-                      {"keep-last", "TIME", "delete this recording's files older than this: 5min"},
+                      {"keep-last", "TIME", "delete files of this recording older than TIME: 5min"},
                       {"consent", "TEXT", "note on the patient's consent, stored in the file"},
                       {"scene", "FILE", "the station's scene file, to be attached"},
                       {.name = "attach",

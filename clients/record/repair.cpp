@@ -3,6 +3,7 @@
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/mcap/reading/stream_reader.h"
 #include "proto/wire/mcap/writer.h"
+#include "proto/words/counted.h"
 #include "support/program/version.h"
 
 namespace telepalp::record {
@@ -55,7 +56,7 @@ Result<Survey> survey(const std::filesystem::path& file) {
   const Result<wire::McapReader> indexed = wire::McapReader::open(file);
   if (indexed && indexed->summary().statistics.message_count != found.messages)
     found.damages.push_back("the index of the file counts " +
-                            std::to_string(indexed->summary().statistics.message_count) + " messages, but " +
+                            counted(indexed->summary().statistics.message_count, "message", "messages") + ", but " +
                             std::to_string(found.messages) + " can be read");
   return found;
 }

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "proto/wire/mcap/writing/output_file.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::record {
 namespace {
@@ -108,11 +109,10 @@ Result<RepairReport> finish(const fs::path& partial) {
 
 std::string in_words(const RepairReport& finished) {
   std::string text = finished.file.string() + " was not completed by its recorder; the file is complete now, with " +
-                     std::to_string(finished.messages) + " messages";
+                     counted(finished.messages, "message", "messages");
   if (!only_the_end_is_missing(finished))
-    text += "; " + std::to_string(finished.damages.size()) +
-            " places were damaged, so the recorder's own file is kept, too: " + finished.file.string() +
-            std::string(kPartial);
+    text += "; " + counted(finished.damages.size(), "place was", "places were") +
+            " damaged, so the recorder's own file is kept, too: " + finished.file.string() + std::string(kPartial);
   return text;
 }
 

@@ -111,7 +111,7 @@ TEST_F(Files, InfoCountsBytesGapsLossesAndSteps) {
   EXPECT_NEAR(facts->clock->largest_step_ms, 3.05, 0.001);
   EXPECT_NEAR(facts->clock->drift_ppm, 1550.0, 0.1);
   const std::string text = in_words(*facts);
-  EXPECT_NE(text.find("note: /station/state: 1 messages have an earlier time than the message before them"),
+  EXPECT_NE(text.find("note: /station/state: 1 message has an earlier time than the message before it"),
             std::string::npos)
       << text;
 }
@@ -171,7 +171,7 @@ TEST_F(Files, VerifyNamesMessagesThatAreNotOfTheirType) {
   ASSERT_TRUE(facts);
   EXPECT_EQ(topic(*facts, "/station/state").unreadable, 1u);
   ASSERT_EQ(facts->damages_in_all, 1u);
-  EXPECT_EQ(facts->damages[0], "/station/state: 1 messages are damaged, or not of the type telepalp.msg.StationState");
+  EXPECT_EQ(facts->damages[0], "/station/state: 1 message is damaged, or not of the type telepalp.msg.StationState");
 }
 
 TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {

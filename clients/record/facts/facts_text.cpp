@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "clients/record/facts/session_facts.h"
+#include "proto/words/counted.h"
 #include "support/program/json.h"
 #include "support/program/log.h"
 
@@ -19,10 +20,10 @@ std::string formatted(const char* format, Values... values) {
 std::string first_line(const SessionFacts& facts) {
   const double size_MB = static_cast<double>(facts.bytes) / 1e6;
   std::string line = formatted(
-      "%.1f s from the first message, which may have been sent before the recording began, to the last; %llu "
-      "messages in %llu chunks, %.1f MB",
-      facts.seconds, static_cast<unsigned long long>(facts.messages), static_cast<unsigned long long>(facts.chunks),
-      size_MB);
+      "%.1f s from the first message, which may have been sent before the recording began, to the last; %s in %s, "
+      "%.1f MB",
+      facts.seconds, counted(facts.messages, "message", "messages").c_str(),
+      counted(facts.chunks, "chunk", "chunks").c_str(), size_MB);
   if (facts.seconds >= 1.0) line += formatted(" (%.1f MB/min)", size_MB * 60.0 / facts.seconds);
   return line + "\n";
 }
@@ -52,7 +53,7 @@ std::string gaps_line(const SessionFacts& facts) {
   if (gaps == facts.recording.end() || gaps->second == "0") return {};
   const auto seconds = facts.recording.find("gap_s");
   return program::escaped(
-             "connection to the server lost " + gaps->second + " times" +
+             "connection to the server lost " + (gaps->second == "1" ? "once" : gaps->second + " times") +
              (seconds == facts.recording.end() ? "" : "; no connection for " + seconds->second + " s in all")) +
          "\n";
 }

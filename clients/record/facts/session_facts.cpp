@@ -3,6 +3,7 @@
 #include "clients/record/facts/session_survey.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/reader.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::record {
 namespace {
@@ -56,13 +57,13 @@ Result<void> read_messages(const std::filesystem::path& file, SessionFacts& fact
     ++read;
   }
   if (read != facts.messages)
-    note_damage(facts, "the index of the file counts " + std::to_string(facts.messages) + " messages, but " +
+    note_damage(facts, "the index of the file counts " + counted(facts.messages, "message", "messages") + ", but " +
                            std::to_string(read) + " can be read");
   survey.finish(facts);
   for (const SessionFacts::Topic& topic : facts.topics)
     if (topic.unreadable > 0)
-      note_damage(facts, topic.name + ": " + std::to_string(topic.unreadable) +
-                             " messages are damaged, or not of the type " + topic.type);
+      note_damage(facts, topic.name + ": " + counted(topic.unreadable, "message is", "messages are") +
+                             " damaged, or not of the type " + topic.type);
   return {};
 }
 
@@ -94,26 +95,26 @@ Result<SessionFacts> inspect(const std::filesystem::path& file) {
 
 std::vector<std::string> notes_on(const SessionFacts& facts) {
   std::vector<std::string> notes;
-  const auto count = [](std::uint64_t number, const char* what) { return std::to_string(number) + " " + what; };
   for (const SessionFacts::Topic& topic : facts.topics) {
     if (!topic.is_ours)
       notes.push_back(topic.name + ": the topic or its type is not telepalp's; its messages are not checked");
     if (topic.has_other_version)
       notes.push_back(topic.name + ": recorded by another version of telepalp; its messages may have other fields");
     if (topic.lost > 0)
-      notes.push_back(topic.name + ": " +
-                      count(topic.lost, "messages are missing: they were lost between their publisher and the file"));
+      notes.push_back(topic.name + ": " + counted(topic.lost, "message is", "messages are") +
+                      " missing: lost between publisher and file");
     if (topic.back_in_time > 0)
       notes.push_back(topic.name + ": " +
-                      count(topic.back_in_time, "messages have an earlier time than the message before them"));
+                      counted(topic.back_in_time, "message has an earlier time than the message before it",
+                              "messages have an earlier time than the message before them"));
   }
   if (!facts.begins_with_key_frame)
     notes.emplace_back(
         "/camera/depth: begins with a predicted frame; depth cannot be decoded before the next key frame");
   for (const auto& [key, value] : facts.recording)
     if (key.starts_with("dropped/"))
-      notes.push_back(key.substr(7) + ": the recorder dropped " + value +
-                      " messages, because its disk was slow or full");
+      notes.push_back(key.substr(7) + ": the recorder dropped " + value + (value == "1" ? " message" : " messages") +
+                      ", because its disk was slow or full");
   return notes;
 }
 

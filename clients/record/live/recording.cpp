@@ -17,6 +17,7 @@
 #include "proto/wire/client_link.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
+#include "proto/words/counted.h"
 #include "support/program/ending.h"
 #include "support/program/files/ready_file.h"
 #include "support/program/log.h"
@@ -176,8 +177,8 @@ class Recording {
       if (const auto alarm = room_.alarm(counts.stored_bytes)) say(*alarm);
       const std::uint64_t dropped = total(counts.dropped);
       if (dropped > dropped_reported_)
-        say("the disk is too slow: " + std::to_string(dropped) +
-            " messages dropped so far. fix: record fewer topics by --topics, or to a faster disk");
+        say("the disk is too slow: " + counted(dropped, "message", "messages") +
+            " dropped so far. fix: record fewer topics by --topics, or to a faster disk");
       dropped_reported_ = dropped;
       if (options_.progress && started_) show(counts);
       watch();
@@ -185,10 +186,9 @@ class Recording {
   }
 
   void show(const DiskThread::Counts& counts) {
-    std::fprintf(stderr, "\r\x1b[K%s s  %s MB  %llu messages  %llu dropped%s",
-                 fixed(seconds_since(*started_), 1).c_str(),
+    std::fprintf(stderr, "\r\x1b[K%s s  %s MB  %s  %llu dropped%s", fixed(seconds_since(*started_), 1).c_str(),
                  fixed(static_cast<double>(counts.stored_bytes) / 1e6, 1).c_str(),
-                 static_cast<unsigned long long>(counts.stored),
+                 counted(counts.stored, "message", "messages").c_str(),
                  static_cast<unsigned long long>(total(counts.dropped) + files_->dropped()),
                  away_since_ ? "  (no connection)" : "");
     line_shown_ = true;
@@ -265,11 +265,11 @@ class Recording {
 
 std::string describe(const RecordingReport& report) {
   std::string text = fixed(report.seconds, 1) + " s from connecting to the server to the end of the recording, " +
-                     std::to_string(report.messages) + " messages, " +
+                     counted(report.messages, "message", "messages") + ", " +
                      fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
   if (report.files > 1) text += " in " + std::to_string(report.files) + " numbered files";
   if (report.dropped > 0)
-    text += ", " + std::to_string(report.dropped) + " messages dropped because the disk was slow or full";
+    text += ", " + counted(report.dropped, "message", "messages") + " dropped because the disk was slow or full";
   if (report.gaps > 0) text += ", no connection to the server for " + fixed(report.gap_s, 1) + " s";
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include "codec/depth.h"
 #include "messages/camera.pb.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::record {
 namespace {
@@ -35,6 +36,10 @@ wire::Message as_of(SessionTime now, wire::Message latched) {
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+std::string not_recorded(std::uint64_t messages) {
+  return counted(messages, "message was", "messages were") + " not recorded";
 }
 
 }  // namespace
@@ -148,8 +153,7 @@ void SessionFiles::go_on_in_new_part(const wire::Message& message) {
   remove_old_parts(message.published);
   if (const Result<void> begun = begin_part(); !begun) return fail(begun.error());
   if (std::exchange(is_failing_, false))
-    alarm_("the recording goes on in " + writer_->name().string() + "; " + std::to_string(dropped_) +
-           " messages were not recorded");
+    alarm_("the recording goes on in " + writer_->name().string() + "; " + not_recorded(dropped_));
 }
 
 void SessionFiles::remove_old_parts(SessionTime now) {
@@ -194,7 +198,7 @@ Result<void> SessionFiles::close(const wire::mcap::Metadata& notes) {
   remove_old_parts(newest_);
   if (!failed_) return {};
   Error error = *failed_;
-  if (dropped_ > 0) error.what += "; " + std::to_string(dropped_) + " messages were not recorded";
+  if (dropped_ > 0) error.what += "; " + not_recorded(dropped_);
   return error;
 }
 
