@@ -5,6 +5,7 @@
 #include "clients/report/compare/cause.h"
 #include "clients/report/compare/overlay_figures.h"
 #include "clients/report/figures/html.h"
+#include "proto/words/counted.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
 
@@ -31,7 +32,7 @@ std::string stacked(const std::vector<plot::Chart>& charts) {
 std::string name_of(const char* letter, const Run& run) {
   return "<span class=\"" + std::string(letter[0] == 'A' ? "a" : "b") + "\">" + letter + "</span> " +
          escaped(run.label) + " · " + number(run.summary.seconds, 1) + " s from the first message to the last · " +
-         std::to_string(run.session.messages) + " messages";
+         counted(run.session.messages, "message", "messages");
 }
 
 std::string first_screen(const Comparison& comparison) {

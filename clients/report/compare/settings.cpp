@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "proto/words/counted.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {
@@ -24,7 +25,8 @@ std::string scene_name(const std::string& scene) {
       const std::size_t from = line.find('"'), to = line.rfind('"');
       if (from != std::string::npos && to > from) return line.substr(from + 1, to - from - 1);
     }
-  return "unnamed scene of " + std::to_string(std::count(scene.begin(), scene.end(), '\n')) + " lines";
+  return "unnamed scene of " +
+         counted(static_cast<std::uint64_t>(std::count(scene.begin(), scene.end(), '\n')), "line", "lines");
 }
 
 std::string scene_words(const Run& run, const Run& other) {

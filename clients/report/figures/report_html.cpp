@@ -8,6 +8,7 @@
 #include "clients/report/figures/html.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/timing_figures.h"
+#include "proto/words/counted.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
 
@@ -49,12 +50,12 @@ std::string first_screen(const Session& session, const Summary& summary, const V
   std::string out = "<h1>telepalp: report of a run</h1>\n<p class=\"from\">" + escaped(session.name) +
                     (source_of(session).empty() ? "" : " · " + escaped(source_of(session))) + " · " +
                     number(summary.seconds, 1) + " s from the first message to the last · " +
-                    std::to_string(session.messages) + " messages</p>\n";
+                    counted(session.messages, "message", "messages") + "</p>\n";
   const char* const look = verdict.good ? "" : summary.ticks > 0 ? " look" : " none";
   out += "<div class=\"verdict" + std::string(look) + "\"><div class=\"headline\">" + escaped(verdict.headline) +
          "</div><p>" + escaped(verdict.account) + "</p>\n";
   if (summary.damaged_messages > 0)
-    out += "<p>" + std::to_string(summary.damaged_messages) + " messages were damaged and are left out.</p>\n";
+    out += "<p>Left out: " + counted(summary.damaged_messages, "damaged message", "damaged messages") + ".</p>\n";
   out += "<div class=\"checks\">\n";
   for (const Check& check : verdict.checks) out += check_card(check);
   return out + "</div></div>\n";
@@ -134,13 +135,13 @@ std::string energy_sections(const Session& session, const Summary& summary) {
         "or lagged. docs/controller.md names the motions that each curve does not count.",
         stacked(ledgers));
   if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
-    out += section(
-        "Heat",
-        std::to_string(summary.heat_warnings) +
-            " warnings of warm motors. Warm motors cannot hold a large force. Four seconds before the force must fall, "
-            "the force vibrates and the station warns; then the force falls slowly to what the motors can "
-            "hold.",
-        stacked(warm));
+    out +=
+        section("Heat",
+                counted(summary.heat_warnings, "warning", "warnings") +
+                    " of warm motors. Warm motors cannot hold a large force. Four seconds before the force must fall, "
+                    "the force vibrates and the station warns; then the force falls slowly to what the motors can "
+                    "hold.",
+                stacked(warm));
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clients/ar/messages/phases.h"
+#include "proto/words/counted.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {
@@ -82,7 +83,7 @@ std::vector<Check> checks_of(const Summary& s) {
       {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true,
        "more than one tick in a thousand took longer than its period of 500 µs"},
       {"depth frame: camera to hand, p50", s.capture_to_touchable_ms.p50, 33.3, "ms", true,
-       "a typical frame became touchable only after the next frame was captured"},
+       "a typical frame was older than 33.3 ms, the time between frames at 30 Hz, when it became touchable"},
       {"depth frame: camera to hand, p99", s.capture_to_touchable_ms.p99, 100.0, "ms", true,
        "more than one frame in a hundred was older than 100 ms when it became touchable"},
       {"depth frames", s.camera_depth_per_s, 25.0, "/s", false,
@@ -126,7 +127,7 @@ std::string account_of(const Summary& s) {
                                              : "") +
         ".";
   if (s.deadlines_missed)
-    text += " Of " + std::to_string(s.ticks) + " ticks " + std::to_string(*s.deadlines_missed) + " were late" +
+    text += " Of " + counted(s.ticks, "tick", "ticks") + " " + counted(*s.deadlines_missed, "was late", "were late") +
             (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";
   if (s.realtime && !*s.realtime) text += " The station ran without real-time priority or without locked memory.";
   return text;
@@ -136,8 +137,9 @@ std::string senders_warning(const Summary& s) {
   if (s.senders.size() < 2) return "";
   std::string text = std::to_string(s.senders.size()) + " programs published as the station:";
   for (const SenderSummary& sender : s.senders)
-    text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" + std::to_string(sender.ticks) +
-            " ticks, " + std::to_string(sender.states) + " messages of /station/state)";
+    text += (&sender == &s.senders.front() ? " " : ", ") + in_words(sender) + " (" +
+            counted(sender.ticks, "tick", "ticks") + ", " + counted(sender.states, "message", "messages") +
+            " of /station/state)";
   return text + "; the figures are those of the first program, and the messages of the others may be forged. ";
 }
 

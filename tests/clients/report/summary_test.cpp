@@ -133,7 +133,7 @@ TEST(Senders, AForgedStateIsSeparatedAndIsAWarningOnTheFirstLine) {
   EXPECT_TRUE(
       verdict.headline.starts_with("2 programs published as the station: telepalp-station at "
                                    "127.0.0.1:5001 (4000 ticks, 200 messages of /station/state), telepalp-station at "
-                                   "127.0.0.1:6660 (0 ticks, 1 messages of /station/state)"))
+                                   "127.0.0.1:6660 (0 ticks, 1 message of /station/state)"))
       << verdict.headline;
   EXPECT_NE(html_of(session).find("<h2>Senders"), std::string::npos);
 }
