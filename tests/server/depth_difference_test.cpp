@@ -33,7 +33,8 @@ TEST(DepthDifference, NamesTheFirstPixelBeyondTheBound) {
   difference.add(original, other);
   difference.add(original, other);
   EXPECT_EQ(difference.beyond(), 2u);
-  EXPECT_EQ(difference.first_beyond(), "frame 1, column 1, row 1 at 1000.000 mm: off by 5.000 mm, 3.000 mm allowed");
+  EXPECT_EQ(difference.first_beyond(),
+            "frame 1, column 1, row 1 (counted from 0) at 1000.000 mm: off by 5.000 mm, 3.000 mm allowed");
 }
 
 TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
@@ -42,7 +43,7 @@ TEST(DepthDifference, APixelThatOnlyOneMeasuredIsBeyondAnyBound) {
   EXPECT_EQ(difference.flips(), 2u);
   EXPECT_EQ(difference.beyond(), 2u);
   EXPECT_EQ(difference.first_beyond(),
-            "frame 0, column 0, row 0: not measured in the first input, 700.000 mm in the second");
+            "frame 0, column 0, row 0 (counted from 0): not measured in the first input, 700.000 mm in the second");
   EXPECT_EQ(difference.measured(), 0u);
   EXPECT_EQ(difference.rms_mm(), 0.0);
 }

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "proto/words/counted.h"
 #include "support/images/image_file.h"
 #include "support/program/files/whole_file.h"
 #include "tools/codec_tool/commands.h"
@@ -32,14 +33,15 @@ Result<void> decode_recording(const std::filesystem::path& input, const std::fil
                                      program::Readers::Group);
   };
   const auto pass_over = [&](const Error& error) {
-    if (unreadable++ == 0) std::fprintf(stderr, "frame %zu is left out: %s\n", frames, error.what.c_str());
+    if (unreadable++ == 0)
+      std::fprintf(stderr, "frame %zu, counted from 0, is left out: %s\n", frames, error.what.c_str());
     ++frames;
   };
   const Result<void> done = for_each_depth(input, 0.001, write, pass_over);
   if (!done) return done;
-  std::printf("wrote %zu frames to %s\n", frames - unreadable, folder.c_str());
+  std::printf("wrote %s to %s\n", counted(frames - unreadable, "frame", "frames").c_str(), folder.c_str());
   if (unreadable == 0) return {};
-  return Error{.what = std::to_string(unreadable) + " of " + std::to_string(frames) + " frames cannot be read",
+  return Error{.what = std::to_string(unreadable) + " of " + counted(frames, "frame", "frames") + " cannot be read",
                .where = input.string(),
                .fix =
                    "use the frames that are written, or record again; a predicted frame cannot be decoded without the "

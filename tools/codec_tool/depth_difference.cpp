@@ -14,7 +14,7 @@ double depth_mm(const DepthImage& depth, std::size_t pixel) {
 std::string place(std::size_t frame, const DepthImage& depth, std::size_t pixel) {
   const auto width = static_cast<std::size_t>(depth.width);
   return "frame " + std::to_string(frame) + ", column " + std::to_string(pixel % width) + ", row " +
-         std::to_string(pixel / width);
+         std::to_string(pixel / width) + " (counted from 0)";
 }
 
 std::string in_mm(double before, double after, double allowed) {

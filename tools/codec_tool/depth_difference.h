@@ -25,8 +25,8 @@ class DepthDifference {
 
   /// Number of pixels beyond the bound, including pixels measured in one image only; 0 without a bound.
   [[nodiscard]] std::size_t beyond() const noexcept { return beyond_; }
-  /// Position and difference of the first pixel beyond the bound: "frame 3, column 17, row 20 at 800.000 mm: off by
-  /// 4.000 mm, 2.850 mm allowed". Frames, columns and rows count from 0.
+  /// Position and difference of the first pixel beyond the bound: "frame 3, column 17, row 20 (counted from 0) at
+  /// 800.000 mm: off by 4.000 mm, 2.850 mm allowed".
   [[nodiscard]] const std::string& first_beyond() const noexcept { return first_beyond_; }
 
  private:

@@ -73,9 +73,10 @@ Result<void> visit_session(const fs::path& file, const Visit& visit, const PassO
     if (!*message) return {};
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
-      return Error{.what = "message " + std::to_string(number) + " of /camera/depth is not a depth image",
-                   .where = file.string(),
-                   .fix = "check the session: telepalp-record verify " + file.string()};
+      return Error{
+          .what = "message " + std::to_string(number) + " of /camera/depth, counted from 0, is not a depth image",
+          .where = file.string(),
+          .fix = "check the session: telepalp-record verify " + file.string()};
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
     if (!depth) {
       if (!pass_over)

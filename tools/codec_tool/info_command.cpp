@@ -14,7 +14,7 @@ void print_line(std::size_t number, const codec::DepthPacketInfo& packet, std::s
   const std::string place =
       packet.since_key == 0 ? "key frame" : "frames since key frame: " + std::to_string(packet.since_key);
   std::printf(
-      "frame %6zu  mode %-8s  coding %-10s %d x %d pixels  depth unit %g mm  %d slices  %s  %zu B  compression ratio "
+      "frame %6zu  mode %-8s  coding %-10s %d x %d pixels  depth unit %g mm  slices %d  %s  %zu B  compression ratio "
       "%.2f%s\n",
       number, std::string(codec::name(packet.mode)).c_str(), std::string(packet.coding).c_str(), packet.width,
       packet.height, 1000.0 * packet.unit_m, packet.slices, place.c_str(), bytes,
@@ -50,7 +50,8 @@ Result<Totals> for_each_packet(const std::filesystem::path& input, Visit visit) 
     if (!*message) break;
     msg::DepthImage image;
     if (!image.ParseFromString(*(*message)->payload))
-      return Error{.what = "message " + std::to_string(totals.frames) + " of /camera/depth is not a depth image",
+      return Error{.what = "message " + std::to_string(totals.frames) +
+                           " of /camera/depth, counted from 0, is not a depth image",
                    .where = input.string(),
                    .fix = "check the session: telepalp-record verify " + input.string()};
     const Result<codec::DepthPacketInfo> packet = codec::inspect_depth(std::as_bytes(std::span(image.data())));

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::codec_tool {
 
 /// Total size of compressed images.
@@ -17,8 +19,9 @@ struct Totals {
     bytes += static_cast<double>(packet_bytes);
   }
   void print() const {
-    std::printf("%zu frames, %.0f B of depth compressed to %.0f B: ratio %.2f, %.3f bits per pixel\n", frames,
-                2.0 * pixels, bytes, 2.0 * pixels / bytes, 8.0 * bytes / pixels);
+    std::printf("%s, %.0f B of depth compressed to %.0f B: ratio %.2f, %.3f bits per pixel\n",
+                counted(frames, "frame", "frames").c_str(), 2.0 * pixels, bytes, 2.0 * pixels / bytes,
+                8.0 * bytes / pixels);
   }
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "proto/wire/mcap/reader.h"
+#include "proto/words/counted.h"
 #include "support/program/files/shipped.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
@@ -39,9 +40,9 @@ program::Usage usage() {
           .example = "telepalp-export session.mcap --ply 1.5 --out skin.ply"};
 }
 
-int say(const Result<std::uint64_t>& count, const std::string& what, const std::string& where) {
+int say(const Result<std::uint64_t>& count, const char* one, const char* more, const std::string& where) {
   if (!count) return program::fail(count.error());
-  program::log(kProgram, "wrote " + std::to_string(*count) + " " + what + " to " + where);
+  program::log(kProgram, "wrote " + counted(*count, one, more) + " to " + where);
   return program::kDone;
 }
 
@@ -105,9 +106,11 @@ int run_report(const std::string& file, const std::string& folder) {
 }
 
 int run(const std::string& file, const program::Arguments& asked) {
-  if (asked.has("png")) return say(export_tool::write_images(file, asked.text("png")), "frames", asked.text("png"));
+  if (asked.has("png"))
+    return say(export_tool::write_images(file, asked.text("png")), "frame", "frames", asked.text("png"));
   if (asked.has("foxglove"))
-    return say(export_tool::write_foxglove(file, asked.text("foxglove")), "messages", asked.text("foxglove"));
+    return say(export_tool::write_foxglove(file, asked.text("foxglove")), "message", "messages",
+               asked.text("foxglove"));
   if (asked.has("report")) return run_report(file, asked.text("report"));
   if (asked.has("ply")) return run_cloud(file, asked, "ply", export_tool::ply_of);
   if (asked.has("pcd")) return run_cloud(file, asked, "pcd", export_tool::pcd_of);

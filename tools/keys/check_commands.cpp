@@ -1,6 +1,7 @@
 #include <fstream>
 
 #include "proto/keys/audit_chain.h"
+#include "proto/words/counted.h"
 #include "tools/keys/commands.h"
 #include "tools/keys/key_folder.h"
 
@@ -41,8 +42,8 @@ Result<std::string> verify_audit(const Asked& asked) {
       return Error{
           .what = follows.error().what, .where = asked.file + ", " + follows.error().where, .fix = follows.error().fix};
   }
-  return asked.file + ": " + std::to_string(verifier.position().lines) +
-         " lines, none altered\nlast hash:  " + verifier.position().hash +
+  return asked.file + ": " + counted(verifier.position().lines, "line", "lines") +
+         ", none altered\nlast hash:  " + verifier.position().hash +
          "\nTo check that no lines were removed at the end, search the file for a last hash that you noted earlier.\n";
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "proto/words/counted.h"
 #include "support/program/json.h"
 #include "tools/link_proxy/tcp_proxy.h"
 #include "tools/link_proxy/udp_proxy.h"
@@ -39,9 +40,9 @@ std::string live_part(const char* name, const LinkStatistics& now, const LinkSta
   const double sent = since(now.sent, before.sent);
   const double lost_percent = sent > 0.0 ? 100.0 * since(now.lost, before.lost) / sent : 0.0;
   char text[160];
-  std::snprintf(text, sizeof text,
-                "%s %.0f kB/s, %.0f new packets, lost %.1f %%, dropped by the full queue %llu, queue %.0f kB", name,
-                since(now.delivered_bytes, before.delivered_bytes) * 1e-3 / seconds, sent, lost_percent,
+  std::snprintf(text, sizeof text, "%s %.0f kB/s, %s, lost %.1f %%, dropped by the full queue %llu, queue %.0f kB",
+                name, since(now.delivered_bytes, before.delivered_bytes) * 1e-3 / seconds,
+                counted(now.sent - before.sent, "new packet", "new packets").c_str(), lost_percent,
                 static_cast<unsigned long long>(now.dropped - before.dropped), static_cast<double>(queued_B) * 1e-3);
   return text;
 }
