@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "proto/words/counted.h"
 #include "support/plot/svg.h"
 #include "support/program/json.h"
 #include "support/program/version.h"
@@ -52,8 +53,8 @@ std::string direction_in_words(const impaired::Impairment& path) {
   std::string text = number(to_milliseconds(path.delay)) + " ms delay one way";
   if (path.jitter > Nanoseconds{0}) text += " ± " + number(to_milliseconds(path.jitter)) + " ms";
   if (path.loss > 0.0)
-    text +=
-        ", " + number(100.0 * path.loss) + " % lost in bursts of " + number(path.burst_packets) + " packets on average";
+    text += ", " + number(100.0 * path.loss) + " % lost" +
+            (path.burst_packets > 1.0 ? " in bursts of " + number(path.burst_packets) + " packets on average" : "");
   if (path.reorder > 0.0) text += ", " + number(100.0 * path.reorder) + " % reordered";
   if (path.rate_B_per_s > 0.0) text += ", " + number(path.rate_B_per_s / 125.0) + " kbit/s at most";
   return text;
@@ -69,9 +70,9 @@ std::string in_words(const Scenario& scenario) {
   if (!faults.outages.empty()) text += ", outage " + windows_in_words(faults.outages);
   if (!faults.restarts.empty()) text += ", server off " + windows_in_words(faults.restarts);
   if (!faults.tracker_lost.empty()) text += ", tracker lost " + windows_in_words(faults.tracker_lost);
-  if (!faults.glitches.empty()) text += ", false device position " + std::to_string(faults.glitches.size()) + " times";
+  if (!faults.glitches.empty()) text += ", false device position " + counted(faults.glitches.size(), "time", "times");
   if (!faults.clock_steps.empty())
-    text += ", false station clock " + std::to_string(faults.clock_steps.size()) + " times";
+    text += ", false station clock " + counted(faults.clock_steps.size(), "time", "times");
   return text + "; seed " + std::to_string(scenario.seed);
 }
 

@@ -22,8 +22,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
      "skin would give",
      &Figures::true_force_p99_N},
     {"contact_lost_pct",
-     "share of the ticks without contact, of those with the device over 2 mm deep in the true skin (if unknown: with "
-     "contact in the unimpaired run)",
+     "share of ticks without contact, counted over the ticks with the device over 2 mm deep in the true skin (if the "
+     "true skin is unknown: over the ticks with contact in the unimpaired run)",
      &Figures::contact_lost_pct},
     {"phase_differs_pct", "share of all ticks in which the controller's phase differs from the unimpaired run's",
      &Figures::phase_differs_pct},
