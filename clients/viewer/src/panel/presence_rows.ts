@@ -26,8 +26,8 @@ export function presenceRows({stats, touching, holder, me}: Presence): Row[] {
   if (touching !== 0 && !others.some(({sender}) => sender === touching))
     rows.unshift({name: 'Recorded station', value: 'played', says: 'The played session contains this station’s messages.'});
   rows.push({
-    name: browsers.length === 1 ? 'Browser' : `Browsers: ${browsers.length}`,
-    value: browsers.length === 1 ? 'you' : 'you among them',
+    name: browsers.length < 2 ? 'Browser' : `Browsers: ${browsers.length}`,
+    value: browsers.length < 2 ? 'you' : 'you among them',
     says: browsers.map(({address}) => address).join(', '),
   });
   if (holder.viewer !== 0n)

@@ -73,7 +73,7 @@ function lightRows(light: Light | undefined): Row[] {
   const word = mean < DARK ? 'too dark' : mean > BRIGHT ? 'too bright' : 'good';
   return [
     {name: 'Light', value: `${word} (${mean.toFixed(0)})`, level: word === 'good' ? 'good' : 'warn',
-     says: 'Mean brightness of the colour image, 0 to 255. Change the lamps or the camera’s exposure.'},
+     says: 'Mean brightness of the colour image, 0 to 255. If not good, change the lamps or the exposure.'},
     {name: 'Overexposed', value: percent(clipped), level: levelOf(clipped, CLIPPED),
      says: 'Share of the colour image that is white. Turn lamps away, or lower the exposure.'},
   ];
