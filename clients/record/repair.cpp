@@ -51,6 +51,9 @@ Result<Survey> survey(const std::filesystem::path& file) {
     return {};
   });
   if (!read) return read.error();
+  for (const wire::mcap::RecordHead& head : stream->attachments())
+    if (const auto attachment = stream->read(head); !attachment && found.damages.size() < kMaxDamagesListed)
+      found.damages.push_back(attachment.error().what);
   found.session = session_of(stream->metadata());
   // A damaged head can look like a record of a later version, which readers skip: the count of the index shows it.
   const Result<wire::McapReader> indexed = wire::McapReader::open(file);

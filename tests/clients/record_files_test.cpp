@@ -164,6 +164,34 @@ TEST_F(Files, VerifyFindsAChunkThatPosesAsARecordOfALaterVersionAndRepairNotesIt
   EXPECT_GT(report->messages, 280u);
 }
 
+TEST_F(Files, RepairLeavesOutAnAttachmentThatVerifyNamesAsDamaged) {
+  auto writer = wire::McapWriter::open(session(), wire::samples::kInfo);
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer->add(wire::mcap::Attachment{1, 2, "report.txt", "text/plain", "the attached report"}));
+  for (const wire::Message& message : states(0.5)) ASSERT_TRUE(writer->write(message));
+  ASSERT_TRUE(writer->close());
+  std::string bytes = bytes_of(session());
+  bytes[bytes.find("the attached report")] = 'T';
+  std::ofstream(session(), std::ios::binary) << bytes;
+  ASSERT_EQ(inspect(session())->damages_in_all, 1u);
+  const auto report = repair(session(), in("copy.mcap"));
+  ASSERT_TRUE(report) << to_string(report.error());
+  EXPECT_FALSE(report->was_whole);
+  EXPECT_EQ(report->damages.size(), 1u);
+  const auto mended = inspect(in("copy.mcap"));
+  ASSERT_TRUE(mended) << to_string(mended.error());
+  EXPECT_EQ(mended->damages_in_all, 0u);
+  EXPECT_TRUE(mended->attachments.empty());
+}
+
+TEST_F(Files, VerifyOfMessagesThatAreNotOfTheirTypeAdvisesNoRepair) {
+  std::vector<wire::Message> messages = states(0.5);
+  messages[10].payload = std::make_shared<const std::string>("\xff\xff\xff not protobuf");
+  (void)output_of("verify " + write("session.mcap", messages).string());
+  EXPECT_EQ(exit_code_, 1);
+  EXPECT_NE(log().find("1 place is damaged. fix: record again"), std::string::npos) << log();
+}
+
 TEST_F(Files, VerifyNamesMessagesThatAreNotOfTheirType) {
   std::vector<wire::Message> messages = states(0.5);
   messages[10].payload = std::make_shared<const std::string>("\xff\xff\xff not protobuf");
