@@ -91,7 +91,8 @@ class View {
   Result<void> run() {
     signals_.async_wait([this](const boost::system::error_code& cancelled, int) {
       if (!cancelled)
-        stop(Error{.what = "stopped by the operator", .where = kProgram, .fix = "run telepalp-view again"});
+        stop(Error{
+            .what = "stopped by Ctrl-C or by another program", .where = kProgram, .fix = "run telepalp-view again"});
     });
     wait(asked_.patience.value_or(program::kForEver), [this] { lose_patience(); });
     link_.start();

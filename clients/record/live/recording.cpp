@@ -105,7 +105,7 @@ class Recording {
     signals_.async_wait([this](const error_code& cancelled, int) {
       if (cancelled) return;
       program::end_within(program::kTimeToEnd, kNotFinished);
-      stop("the operator stopped the recorder");
+      stop("Ctrl-C or another program stopped the recorder");
     });
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience.value_or(program::kForEver)));
     deadline_.async_wait([this](const error_code& cancelled) {
@@ -239,6 +239,7 @@ class Recording {
     report_.messages = written.messages;
     report_.file_bytes = written.bytes;
     report_.files = written.files.size();
+    report_.in_parts = options_.splitting.in_parts();
   }
 
   const RecordingOptions& options_;
@@ -267,7 +268,7 @@ std::string describe(const RecordingReport& report) {
   std::string text = fixed(report.seconds, 1) + " s from connecting to the server to the end of the recording, " +
                      counted(report.messages, "message", "messages") + ", " +
                      fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
-  if (report.files > 1) text += " in " + std::to_string(report.files) + " numbered files";
+  if (report.files > 1 || report.in_parts) text += " in " + counted(report.files, "numbered file", "numbered files");
   if (report.dropped > 0)
     text += ", " + counted(report.dropped, "message", "messages") + " dropped because the disk was slow or full";
   if (report.gaps > 0) text += ", no connection to the server for " + fixed(report.gap_s, 1) + " s";

@@ -38,6 +38,7 @@ struct RecordingReport {
   std::uint64_t file_bytes = 0;
   double seconds = 0.0;  ///< since the first connection
   std::uint64_t files = 1;
+  bool in_parts = false;      ///< the files' names have a number, even if there is one file only
   std::uint64_t dropped = 0;  ///< messages dropped because the disk was too slow, full or failing
   std::uint64_t gaps = 0;     ///< number of times that the connection was lost
   double gap_s = 0.0;         ///< total time without a connection

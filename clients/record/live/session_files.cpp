@@ -85,9 +85,8 @@ Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
   Result<void> done;
   if (notes != nullptr) done = writer_->add(*notes);
   const Result<void> closed = writer_->close();
-  messages_ += writer_->messages();
   dropped_ += offered_to_part_ - std::min(offered_to_part_, writer_->messages());
-  parts_.push_back({writer_->name(), writer_->bytes(), newest_});
+  parts_.push_back({writer_->name(), writer_->messages(), writer_->bytes(), newest_});
   writer_.reset();
   return done ? closed : done;
 }
@@ -208,8 +207,9 @@ void SessionFiles::discard() {
 }
 
 SessionFiles::Counts SessionFiles::counts() const {
-  Counts counts{.messages = messages_ + (writer_ ? writer_->messages() : 0), .bytes = 0, .files = {}};
+  Counts counts{.messages = writer_ ? writer_->messages() : 0, .bytes = 0, .files = {}};
   for (const Part& part : parts_) {
+    counts.messages += part.messages;
     counts.bytes += part.bytes;
     counts.files.push_back(part.file);
   }

@@ -57,7 +57,7 @@ class SessionFiles {
   void discard();
 
   struct Counts {
-    std::uint64_t messages = 0;  ///< written
+    std::uint64_t messages = 0;  ///< in the parts that were not removed
     std::uint64_t bytes = 0;     ///< size of the completed parts that were not removed
     std::vector<std::filesystem::path> files;
   };
@@ -70,6 +70,7 @@ class SessionFiles {
  private:
   struct Part {
     std::filesystem::path file;
+    std::uint64_t messages = 0;
     std::uint64_t bytes = 0;
     SessionTime end;
   };
@@ -94,7 +95,6 @@ class SessionFiles {
   /// The first message of each latched topic, perhaps hours old, until any newer message arrives. nullopt: written.
   std::optional<std::vector<wire::Message>> held_back_{std::in_place};
   int part_number_ = 0;
-  std::uint64_t messages_ = 0;
   std::uint64_t offered_to_part_ = 0;  // messages given to the part; those of its last chunk are lost if the disk fails
   std::optional<SessionTime> part_began_;     // time of the part's first message
   std::optional<SessionTime> waiting_since_;  // when a new part became due; it waits for a key frame
