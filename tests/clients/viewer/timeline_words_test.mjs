@@ -17,7 +17,7 @@ test('the first button offers the other of play and pause', () => {
 
 test('position and length are written in minutes and tenths, and spoken in words', () => {
   assert.equal(look({}).time, '0:12.3 / 1:15.2');
-  assert.equal(look({}).spokenTime, '12.3 seconds of 1 min 15.2 s');
+  assert.equal(look({}).spokenTime, '12.3 s of 1 min 15.2 s');
   assert.equal(clock(59.99), '0:59.9', 'it is not rounded to 60 s');
   assert.equal(clock(3600), '60:00.0');
 });

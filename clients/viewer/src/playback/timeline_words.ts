@@ -40,7 +40,7 @@ export function clock(seconds: number): string {
 
 function spoken(seconds: number): string {
   const [minutes, rest] = clock(seconds).split(':');
-  return minutes === '0' ? `${Number(rest)} seconds` : `${minutes} min ${Number(rest)} s`;
+  return minutes === '0' ? `${Number(rest)} s` : `${minutes} min ${Number(rest)} s`;
 }
 
 /** What a refused command tells its sender; `text` is the server's reason. */
