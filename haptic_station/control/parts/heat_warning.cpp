@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kAnnounced_s = 4.0;   // time from the warning to the lower force
 constexpr double kAmplitude_N = 0.12;  // a pressing hand feels it clearly, and it changes by at most 0.015 N a tick
+constexpr double kMostShare = 0.1;  // of the force: a force near zero may turn round at once, and the vibration with it
 constexpr double kRate_hz = 40.0;
 constexpr double kRises_N_per_s = 0.5;
 constexpr double kSmooth_s = 0.2;
@@ -24,7 +25,8 @@ Eigen::Vector3d HeatWarning::step(const Eigen::Vector3d& force_N, const ForceLim
   amplitude_N_ += std::clamp(wanted_N - amplitude_N_, -most_N, most_N);
   if (amplitude_N_ <= 0.0 || norm_N <= 0.0) return Eigen::Vector3d::Zero();
   turns_ = std::fmod(turns_ + kRate_hz * dt_s, 1.0);
-  return force_N / norm_N * (amplitude_N_ * std::sin(2.0 * std::numbers::pi * turns_));
+  const double amplitude_N = std::min(amplitude_N_, kMostShare * norm_N);
+  return force_N / norm_N * (amplitude_N * std::sin(2.0 * std::numbers::pi * turns_));
 }
 
 }  // namespace telepalp::control

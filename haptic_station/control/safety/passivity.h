@@ -12,7 +12,7 @@ struct PassivitySettings {
   double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping against an excess in HandLedger
   double hand_tolerance_J = 1e-4;             ///< a smaller excess in HandLedger is ignored as noise of the surface
   double hand_reaction_s = 0.01;
-  double slew_N_per_s = 90.0;  ///< largest rate of change of the damping force: 0.045 N a tick
+  double slew_N_per_s = 40.0;  ///< largest rate of change of the damping force: 0.02 N a tick
 };
 
 /// Energy and motion between the effects and the hand over one tick. H is the haptic base's frame.

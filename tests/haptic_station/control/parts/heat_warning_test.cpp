@@ -28,6 +28,26 @@ TEST(HeatWarning, VibratesSecondsBeforeTheForceFallsAndNeverSteps) {
   EXPECT_GT(falls_s - warned_s, 3.0);
 }
 
+/// The hand leaves the hot contact: the first forces of the next one are faint, and point anywhere.
+TEST(HeatWarning, AFaintForceThatTurnsRoundDoesNotMakeItStep) {
+  ForceLimiter limiter;
+  HeatWarning warning;
+  const Eigen::Vector3d push_N(0.0, 5.0, 0.0);
+  int tick = 0;
+  for (double cue_N = 0.0; tick < 60'000 && cue_N < 0.1; ++tick) {
+    cue_N = warning.step(push_N, limiter, kTick_s).norm();
+    (void)limiter.limit({push_N}, kTick_s);
+  }
+  ASSERT_LT(tick, 60'000);
+  Eigen::Vector3d before_N = warning.step({0.01, 0.0, 0.0}, limiter, kTick_s);
+  for (tick = 0; tick < 100; ++tick) {
+    const Eigen::Vector3d turns(std::cos(0.5 * tick), std::sin(0.5 * tick), 0.0);
+    const Eigen::Vector3d cue_N = warning.step(0.01 * turns, limiter, kTick_s);
+    ASSERT_LE((cue_N - before_N).norm(), 0.005);
+    before_N = cue_N;
+  }
+}
+
 TEST(HeatWarning, IsSilentWhileTheForceCanBeHeldForEver) {
   ForceLimiter limiter;
   HeatWarning warning;
