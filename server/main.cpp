@@ -362,7 +362,7 @@ int run(Asked asked) {
     server.stop(reason);
   };
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {
-    if (!cancelled) stop("the operator stopped the server");
+    if (!cancelled) stop("Ctrl-C or another program stopped the server");
   });
   if (asked.seconds.count() > 0.0) {
     time_is_up.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(asked.seconds));
