@@ -41,6 +41,12 @@ program::Usage usage() {
                        {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command}}};
 }
 
+/// With a shorter time, a file or the whole recording would last no longer than one message.
+Result<void> at_least_a_second(Nanoseconds time, const char* option) {
+  if (time >= std::chrono::seconds(1)) return {};
+  return Error{.what = "the time is shorter than 1 s", .where = option, .fix = "give 1s or more, such as 10min"};
+}
+
 Result<record::Splitting> splitting_of(const program::Arguments& arguments) {
   record::Splitting splitting;
   if (const std::string split = arguments.text("split"); record::is_size(split)) {
@@ -54,11 +60,13 @@ Result<record::Splitting> splitting_of(const program::Arguments& arguments) {
           .what = "'" + split.substr(0, 64) + "' is neither a size nor a duration of at most 1000 days",
           .where = "--split",
           .fix = "give a size with kB, MB or GB, such as 500MB, or a duration with s, min or h, such as 10min"};
+    if (const Result<void> enough = at_least_a_second(*time, "--split"); !enough) return enough.error();
     splitting.time = *time;
   }
   if (!arguments.has("keep-last")) return splitting;
   const Result<Nanoseconds> keep = record::parse_duration(arguments.text("keep-last"), "keep-last");
   if (!keep) return keep.error();
+  if (const Result<void> enough = at_least_a_second(*keep, "--keep-last"); !enough) return enough.error();
   splitting.keep_last = *keep;
   return splitting;
 }

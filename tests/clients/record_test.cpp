@@ -220,6 +220,9 @@ TEST_F(Recorder, AskedWronglyItExitsWithTwo) {
   EXPECT_EQ(run({"--out", session(), "--connect", "nowhere:none"}), 2);
   EXPECT_EQ(run({"--out", session(), "--seconds", "soon"}), 2);
   EXPECT_EQ(run({"--no-such-option"}), 2);
+  EXPECT_EQ(run({"--out", session(), "--split", "999ms"}), 2);
+  EXPECT_EQ(run({"--out", session(), "--keep-last", "0s"}), 2) << "it would delete the recording while it is made";
+  EXPECT_NE(log().find("--keep-last: the time is shorter than 1 s. fix: "), std::string::npos) << log();
 }
 
 TEST_F(Recorder, AnExistingFileIsNotOverwritten) {
