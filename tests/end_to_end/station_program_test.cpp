@@ -294,6 +294,24 @@ TEST_F(StationProgram, AWrongCommandLineEndsWithTwo) {
   EXPECT_EQ(run({"--seconds", "-3"}), 2);
 }
 
+TEST_F(StationProgram, AWrongOptionOfCalibrateEndsWithTwoAndAMissingFileWithOne) {
+  const std::string none = (folder_.path() / "none.csv").string();
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"points"},
+                                                {"points", "--pairs", none, "--from", "nose"},
+                                                {"offset", "--seconds", "nan"},
+                                                {"offset", "--patience", "-1"},
+                                                {"offset", "--device", "simulated"},
+                                                {"probe"},
+                                                {"probe", "--poses", none, "--hand-at", "1,2"}}) {
+    std::vector<std::string> words{"calibrate"};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(run(words), 2) << text_of(log());
+  }
+  EXPECT_EQ(run({"calibrate", "points", "--pairs", none}), 1) << text_of(log());
+  EXPECT_EQ(run({"calibrate", "offset", "--pairs", none, "--device", "simulated"}), 1) << text_of(log());
+  EXPECT_EQ(run({"calibrate", "probe", "--poses", none}), 1) << text_of(log());
+}
+
 TEST_F(StationProgram, CalibratesFromTheShippedPairsAndReadsWhatItKept) {
   const std::string pairs = TELEPALP_SOURCE_DIR "/deploy/demo_data/calibration/pairs.csv";
   const std::string kept = (folder_.path() / "site.calibration.textproto").string();

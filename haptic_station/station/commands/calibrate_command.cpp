@@ -49,10 +49,11 @@ program::Usage usage() {
 
 struct Method {
   std::string_view name;
+  Result<void> (*check_options)(const program::Arguments&);
   Result<Measured> (*measure)(const program::Arguments&);
 };
-constexpr std::array kMethods{Method{"points", from_points}, Method{"offset", from_offset},
-                              Method{"probe", from_probe}};
+constexpr std::array kMethods{Method{"points", check_points, from_points}, Method{"offset", check_offset, from_offset},
+                              Method{"probe", check_probe, from_probe}};
 
 Result<void> keep(const Measured& measured, const std::filesystem::path& file) {
   msg::Calibration calibration;
@@ -82,6 +83,8 @@ int calibrate_command(int argc, const char* const* argv) {
                           .where = "telepalp-station calibrate",
                           .fix = "give exactly one of them; see telepalp-station calibrate --help"},
                          program::kAskedWrongly);
+  if (const Result<void> options = method->check_options(arguments); !options)
+    return program::fail(options.error(), program::kAskedWrongly);
   const Result<Measured> measured = method->measure(arguments);
   if (!measured) return program::fail(measured.error());
   if (const Result<void> kept = keep(*measured, arguments.text("out")); !kept) return program::fail(kept.error());

@@ -39,40 +39,69 @@ Result<std::vector<calibration::Touch>> read_touches(const std::string& file) {
   return touches;
 }
 
-/// Touches measured now, with the rig that the arguments name.
-Result<std::vector<calibration::Touch>> measure_touches(const program::Arguments& arguments) {
-  const Result<double> seconds = arguments.number("seconds", 0.2, 60.0);
-  if (!seconds) return seconds.error();
-  const Result<RigChoice> choice = read_rig_choice(arguments.text("device"), arguments.text("tracker"));
-  if (!choice) return choice.error();
-  const auto* leap = std::get_if<Leap>(&choice->tracker);
-  if (std::holds_alternative<Simulated>(choice->device) || leap == nullptr)
+Result<double> seconds_of(const program::Arguments& arguments) { return arguments.number("seconds", 0.2, 60.0); }
+
+Result<RigChoice> rig_of(const program::Arguments& arguments) {
+  Result<RigChoice> choice = read_rig_choice(arguments.text("device"), arguments.text("tracker"));
+  if (choice && (std::holds_alternative<Simulated>(choice->device) || !std::holds_alternative<Leap>(choice->tracker)))
     return Error{.what = "only a real device with a Leap tracker can be calibrated",
                  .where = "calibrate offset",
                  .fix = "give --device haply or --device udp:HOST:PORT, and --tracker leap"};
-  const Result<program::Patience> patience = program::patience_of(arguments);
-  if (!patience) return patience.error();
-  const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience->value_or(program::kForEver));
-  Result<std::unique_ptr<ports::Device>> device = connect_device(choice->device, {}, within);
+  return choice;
+}
+
+Result<Eigen::Isometry3d> hand_of(const program::Arguments& arguments) {
+  const auto probe_from_hand = calibration::parse_pose(arguments.text("hand-at"));
+  if (probe_from_hand) return *probe_from_hand;
+  return Error{.what = "'" + arguments.text("hand-at") + "' is not a pose",
+               .where = "--hand-at",
+               .fix = "give x,y,z,rx,ry,rz: metres, and a rotation vector in radians"};
+}
+
+/// Touches measured now, with the rig that the arguments name.
+Result<std::vector<calibration::Touch>> measure_touches(const program::Arguments& arguments) {
+  const RigChoice choice = *rig_of(arguments);
+  const program::Patience patience = *program::patience_of(arguments);
+  const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience.value_or(program::kForEver));
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, {}, within);
   if (!device) return device.error();
-  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(*leap, {}, within);
+  Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(std::get<Leap>(choice.tracker), {}, within);
   if (!tracker) return tracker.error();
   std::fprintf(
       stderr,
       "rest the hand on the end-effector now, at the height at which the patient's skin will be, until the result "
       "is printed\n");
-  return take_touches(**device, **tracker, *seconds);
+  return take_touches(**device, **tracker, *seconds_of(arguments));
 }
 
 }  // namespace
 
-Result<Measured> from_points(const program::Arguments& arguments) {
+Result<void> check_points(const program::Arguments& arguments) {
   const std::string from = arguments.text("from");
   if (from != "tracker" && from != "camera")
     return Error{.what = "'" + from + "' is neither tracker nor camera", .where = "--from", .fix = "give one of them"};
   if (!arguments.has("pairs"))
     return Error{
         .what = "no file of point pairs is named", .where = "calibrate points", .fix = "give --pairs FILE.csv"};
+  return {};
+}
+
+Result<void> check_offset(const program::Arguments& arguments) {
+  if (arguments.has("pairs")) return {};
+  if (const auto seconds = seconds_of(arguments); !seconds) return seconds.error();
+  if (const auto rig = rig_of(arguments); !rig) return rig.error();
+  if (const auto patience = program::patience_of(arguments); !patience) return patience.error();
+  return {};
+}
+
+Result<void> check_probe(const program::Arguments& arguments) {
+  if (!arguments.has("poses"))
+    return Error{.what = "no file of poses is named", .where = "calibrate probe", .fix = "give --poses FILE.csv"};
+  if (const auto hand = hand_of(arguments); !hand) return hand.error();
+  return {};
+}
+
+Result<Measured> from_points(const program::Arguments& arguments) {
   const auto pairs = calibration::read_point_pairs(arguments.text("pairs"));
   if (!pairs) return pairs.error();
   const Result<calibration::Registration> fit = calibration::register_points(*pairs);
@@ -80,7 +109,7 @@ Result<Measured> from_points(const program::Arguments& arguments) {
   std::printf("the point pair with the largest residual is pair %zu of the file\n", fit->residuals.worst() + 1);
   return Measured{
       calibration::measured(fit->to_from_from, fit->residuals, "points", std::chrono::system_clock::now(), fit->rank),
-      from == "camera"};
+      arguments.text("from") == "camera"};
 }
 
 Result<Measured> from_offset(const program::Arguments& arguments) {
@@ -94,16 +123,9 @@ Result<Measured> from_offset(const program::Arguments& arguments) {
 }
 
 Result<Measured> from_probe(const program::Arguments& arguments) {
-  if (!arguments.has("poses"))
-    return Error{.what = "no file of poses is named", .where = "calibrate probe", .fix = "give --poses FILE.csv"};
-  const auto probe_from_hand = calibration::parse_pose(arguments.text("hand-at"));
-  if (!probe_from_hand)
-    return Error{.what = "'" + arguments.text("hand-at") + "' is not a pose",
-                 .where = "--hand-at",
-                 .fix = "give x,y,z,rx,ry,rz: metres, and a rotation vector in radians"};
   const auto poses = calibration::read_hand_on_probe(arguments.text("poses"));
   if (!poses) return poses.error();
-  const auto fit = calibration::calibrate_hand_on_probe(*poses, *probe_from_hand);
+  const auto fit = calibration::calibrate_hand_on_probe(*poses, *hand_of(arguments));
   if (!fit) return fit.error();
   const double widest_rad = *std::max_element(fit->angles_rad.begin(), fit->angles_rad.end());
   std::printf("the tracker's rotation, computed from each pose alone, differs from the mean by at most %.2f degrees\n",
