@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <initializer_list>
 #include <numbers>
 
 #include "haptic_station/scenes/scene.h"
@@ -15,6 +15,7 @@
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/ultrasound/b_mode.h"
 #include "support/images/image_file.h"
+#include "support/program/files/whole_file.h"
 #include "support/program/options.h"
 
 namespace telepalp::station {
@@ -48,21 +49,23 @@ program::Usage usage() {
 }
 
 Result<void> write(const std::string& bytes, const std::filesystem::path& file) {
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  std::error_code code;
-  if (std::filesystem::file_size(file, code) != bytes.size() || code)
-    return Error{.what = "cannot be written",
-                 .where = file.string(),
-                 .fix = "check that the folder exists, that you may write there, and that the disk has space"};
+  if (const Result<void> written = program::write_whole_file(file, bytes, program::Readers::Anyone); !written)
+    return written;
   std::printf("wrote %s\n", file.string().c_str());
   return {};
 }
 
-Result<std::string> out_of(const program::Arguments& arguments, const char* ending) {
-  if (arguments.has("out")) return arguments.text("out");
-  return Error{.what = "--out is missing",
-               .where = "telepalp-station scene",
-               .fix = std::string("name the file to write, as in --out x") + ending};
+/// Error: `--out` is missing, or ends in none of `endings`.
+Result<void> check_out(const program::Arguments& arguments, std::initializer_list<const char*> endings) {
+  const std::string out = arguments.text("out");
+  std::string all;
+  for (const char* ending : endings) {
+    if (out.ends_with(ending)) return {};
+    all += (all.empty() ? "" : " or ") + std::string(ending);
+  }
+  return Error{.what = out.empty() ? "the file to write is not named" : "'" + out + "' does not end in " + all,
+               .where = "--out",
+               .fix = "give a file name that ends in " + all};
 }
 
 struct ReadScene {
@@ -77,6 +80,8 @@ Result<ReadScene> read_scene_named(const std::string& name) {
   if (!scene) return scene.error();
   return ReadScene{std::move(scene).value(), *file};
 }
+
+Result<void> check_nothing(const program::Arguments&) { return {}; }
 
 Result<void> check(const ReadScene& read, const program::Arguments&) {
   const scenes::Scene& scene = read.scene;
@@ -121,17 +126,19 @@ Result<std::optional<double>> width_of(const program::Arguments& arguments) {
   return std::optional(*width_m);
 }
 
+Result<void> check_show(const program::Arguments& arguments) {
+  if (const auto out = check_out(arguments, {".png"}); !out) return out;
+  if (const auto side = side_of(arguments); !side) return side.error();
+  if (const auto width_m = width_of(arguments); !width_m) return width_m.error();
+  return {};
+}
+
 Result<void> show(const ReadScene& read, const program::Arguments& arguments) {
-  const Result<std::string> out = out_of(arguments, ".png");
-  if (!out) return out.error();
-  const Result<PictureSide> side = side_of(arguments);
-  if (!side) return side.error();
-  const Result<std::optional<double>> width_m = width_of(arguments);
-  if (!width_m) return width_m.error();
   const Result<SceneParts> parts = read_parts(read.scene, read.file, false);
   if (!parts) return parts.error();
   const std::span<const SkinPoint> skin = parts->model ? std::span(parts->model->skin) : std::span<const SkinPoint>{};
-  return write(images::encode_png(picture_of_scene(read.scene, skin, *side, *width_m)), *out);
+  return write(images::encode_png(picture_of_scene(read.scene, skin, *side_of(arguments), *width_of(arguments))),
+               arguments.text("out"));
 }
 
 Result<ultrasound::ProbePose> probe_of(const program::Arguments& arguments) {
@@ -149,31 +156,33 @@ Result<ultrasound::ProbePose> probe_of(const program::Arguments& arguments) {
   return ultrasound::ProbePose{.at = {x, 0.0, z}, .across = {std::cos(turn), 0.0, -std::sin(turn)}};
 }
 
+Result<void> check_image(const program::Arguments& arguments) {
+  if (const auto out = check_out(arguments, {".png"}); !out) return out;
+  if (const auto probe = probe_of(arguments); !probe) return probe.error();
+  return {};
+}
+
 Result<void> image(const ReadScene& read, const program::Arguments& arguments) {
   const scenes::Scene& scene = read.scene;
-  const Result<std::string> out = out_of(arguments, ".png");
-  if (!out) return out.error();
-  const Result<ultrasound::ProbePose> probe = probe_of(arguments);
-  if (!probe) return probe.error();
   const scenes::Probe size = scene.probe.value_or(scenes::Probe{});
   const ultrasound::BModeImage seen =
-      ultrasound::b_mode(scene.solids(), *probe, {.width_m = size.width_m, .depth_m = size.depth_m});
+      ultrasound::b_mode(scene.solids(), *probe_of(arguments), {.width_m = size.width_m, .depth_m = size.depth_m});
   ColorImage color{.width = seen.side_px, .height = seen.side_px, .rgb = {}};
   for (const std::uint8_t gray : seen.gray) color.rgb.insert(color.rgb.end(), 3, gray);
-  return write(images::encode_png(color), *out);
+  return write(images::encode_png(color), arguments.text("out"));
+}
+
+Result<double> cell_mm_of(const program::Arguments& arguments) { return arguments.number("cell-mm", 0.1, 100.0); }
+
+Result<void> check_mesh(const program::Arguments& arguments) {
+  if (const auto out = check_out(arguments, {".ply", ".obj"}); !out) return out;
+  if (const auto cell_mm = cell_mm_of(arguments); !cell_mm) return cell_mm.error();
+  return {};
 }
 
 Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
   const scenes::Scene& scene = read.scene;
-  const Result<std::string> out = out_of(arguments, ".ply");
-  if (!out) return out.error();
-  const bool as_obj = out->ends_with(".obj");
-  if (!as_obj && !out->ends_with(".ply"))
-    return Error{.what = "'" + *out + "' ends in neither .ply nor .obj",
-                 .where = "--out",
-                 .fix = "give a file name with one of these endings"};
-  const Result<double> cell_mm = arguments.number("cell-mm", 0.1, 100.0);
-  if (!cell_mm) return cell_mm.error();
+  const std::string out = arguments.text("out");
   const std::string name = arguments.text("layer");
   const auto layer =
       std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
@@ -184,19 +193,21 @@ Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
         .fix =
             "name a scene with a layer, and one of its layers; telepalp-station scene check SCENE lists all effects, "
             "layers by their names"};
-  const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm);
+  const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm_of(arguments));
   if (!made) return made.error();
   std::printf("mesh of layer %s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(),
               made->points.size(), made->triangles.size(), solids::open_edges(*made));
-  return write(as_obj ? solids::to_obj(*made) : solids::to_ply(*made), *out);
+  return write(out.ends_with(".obj") ? solids::to_obj(*made) : solids::to_ply(*made), out);
 }
 
 struct Task {
   std::string_view name;
+  Result<void> (*check_options)(const program::Arguments&);
   Result<void> (*run)(const ReadScene&, const program::Arguments&);
 };
-constexpr std::array kTasks{Task{"check", check}, Task{"bill", bill}, Task{"show", show}, Task{"image", image},
-                            Task{"mesh", mesh}};
+constexpr std::array kTasks{Task{"check", check_nothing, check}, Task{"bill", check_nothing, bill},
+                            Task{"show", check_show, show}, Task{"image", check_image, image},
+                            Task{"mesh", check_mesh, mesh}};
 
 }  // namespace
 
@@ -213,6 +224,8 @@ int scene_command(int argc, const char* const* argv) {
          .where = "telepalp-station scene",
          .fix = "give check, bill, show, image or mesh, then a scene; see telepalp-station scene --help"},
         program::kAskedWrongly);
+  if (const Result<void> options = task->check_options(arguments); !options)
+    return program::fail(options.error(), program::kAskedWrongly);
   const Result<ReadScene> scene = read_scene_named(words.back());
   if (!scene) return program::fail(scene.error());
   const Result<void> done = task->run(*scene, arguments);

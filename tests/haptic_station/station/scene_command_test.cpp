@@ -1,6 +1,7 @@
 #include "haptic_station/station/commands/scene_command.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
@@ -184,6 +185,17 @@ TEST_F(SceneCommand, MeshIsWatertightInBothFormats) {
   }
 }
 
+TEST_F(SceneCommand, APipeIsRefusedAndALinkReplacedByThePicture) {
+  ASSERT_EQ(::mkfifo(file("pipe.png").c_str(), 0600), 0);
+  const Outcome refused = run({"show", kMass, "--out", file("pipe.png")});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("pipe.png: is a folder, device, pipe or socket"), std::string::npos) << refused.err;
+  std::filesystem::create_symlink(written(file("mine.txt"), "mine"), file("link.png"));
+  EXPECT_EQ(run({"show", kMass, "--out", file("link.png")}).code, 0);
+  EXPECT_FALSE(std::filesystem::is_symlink(file("link.png")));
+  EXPECT_EQ(std::filesystem::file_size(file("mine.txt")), 4U);
+}
+
 struct Wrong {
   std::vector<std::string> words;
   int code;
@@ -203,12 +215,15 @@ TEST_F(SceneCommand, SaysWhatIsWrongAndWritesNothing) {
       {{"check", torn}, 1, "torn.textproto"},
       {{"show", unknown, "--out", out}, 1, "a: expected a solid, found 'orb'"},
       {{"show", itself, "--out", out}, 1, "found 'haptic_from_camera'"},
-      {{"show", kMass}, 1, "--out"},
-      {{"show", kMass, "--from", "below", "--out", out}, 1, "'below' is not one of above, feet and side"},
-      {{"show", kMass, "--width-m", "-1", "--out", out}, 1, "--width-m"},
-      {{"image", kMass, "--at", "1;2", "--out", out}, 1, "--at"},
+      {{"show", kMass}, 2, "--out: the file to write is not named"},
+      {{"show", kMass, "--out", file("x.jpg")}, 2, "x.jpg' does not end in .png"},
+      {{"show", kMass, "--from", "below", "--out", out}, 2, "'below' is not one of above, feet and side"},
+      {{"show", kMass, "--width-m", "-1", "--out", out}, 2, "--width-m"},
+      {{"image", kMass, "--at", "1;2", "--out", out}, 2, "--at"},
+      {{"image", kMass, "--turn-deg", "nan", "--out", out}, 2, "--turn-deg"},
+      {{"mesh", kMass, "--cell-mm", "0", "--out", file("x.ply")}, 2, "--cell-mm"},
       {{"mesh", kMass, "--layer", "spleen", "--out", file("x.ply")}, 1, "no layer 'spleen'"},
-      {{"mesh", kMass, "--out", file("x.stl")}, 1, "neither .ply nor .obj"},
+      {{"mesh", kMass, "--out", file("x.stl")}, 2, "x.stl' does not end in .ply or .obj"},
       {{"mesh", kMass, "--out", file("none/x.ply")}, 1, "cannot be written"},
       {{"paint", kMass}, 2, ""},
       {{"check"}, 2, "a task and one scene are needed"},
