@@ -84,15 +84,43 @@ Result<double> spacing_m_of(const program::Arguments& arguments) {
   return 1e-3 * *spacing_mm;
 }
 
-/// Checks the options about the surface that need no file.
+/// A depth image needs the camera's file, which gives its unit; its outside is the side that the camera sees.
+Result<void> check_depth(const program::Arguments& arguments) {
+  if (arguments.text("camera").empty())
+    return asked_wrongly("--depth is given without --camera, the camera.textproto of the depth PNG");
+  for (const char* option : {"samples", "spacing-mm", "anyway", "flip-normals"})
+    if (arguments.has(option))
+      return Error{.what = "this option has no effect on a depth image",
+                   .where = "--" + std::string(option),
+                   .fix = "leave it out, or give --cloud FILE instead of --depth"};
+  return {};
+}
+
+/// Error: a file to write is also another file of the command, which would be overwritten.
+Result<void> check_files(const program::Arguments& arguments) {
+  for (const char* written : {"out", "plot"})
+    for (const char* other : {"cloud", "depth", "camera", "trajectory", "out"}) {
+      const std::string file = arguments.text(written);
+      std::error_code missing;
+      if (file.empty() || std::string_view(other) == written || arguments.text(other).empty()) continue;
+      if (file == arguments.text(other) || std::filesystem::equivalent(file, arguments.text(other), missing))
+        return Error{.what = "is also the file of --" + std::string(other) + ", which would be overwritten",
+                     .where = "--" + std::string(written) + " " + file,
+                     .fix = "name another file"};
+    }
+  return {};
+}
+
+/// Checks the options about the surface, and the names of all files, without reading a file.
 Result<void> check_surface(const program::Arguments& arguments) {
   const bool cloud = !arguments.text("cloud").empty();
   const bool depth = !arguments.text("depth").empty();
   if (cloud && depth) return asked_wrongly("--cloud and --depth are both given, but only one surface can be touched");
   if (!cloud && !depth) return asked_wrongly("neither --cloud nor --depth is given, so there is no surface to touch");
-  if (depth && arguments.text("camera").empty())
-    return asked_wrongly("--depth is given without --camera, the camera.textproto of the depth PNG");
+  if (depth)
+    if (const auto checked = check_depth(arguments); !checked) return checked;
   if (arguments.text("out").empty()) return asked_wrongly("--out, the CSV file to write, is missing");
+  if (const auto checked = check_files(arguments); !checked) return checked;
   if (const auto setting = surface::surface_settings(arguments.text("setting")); !setting) return setting.error();
   if (const auto unit = arguments.number("unit-m", 1e-6, 1e6); !unit) return unit.error();
   if (const auto samples = samples_of(arguments); !samples) return samples.error();

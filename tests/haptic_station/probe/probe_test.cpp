@@ -398,5 +398,32 @@ TEST_F(Probe, TheProgramWritesTheColumnsThatItPromises) {
   EXPECT_EQ(run({"--cloud", cloud, "--trajectory", path, "--out", "/nowhere/o.csv"}), 1);
 }
 
+TEST_F(Probe, TheProgramRefusesOptionsWithoutEffectAndFilesThatItWouldOverwrite) {
+  const fs::path cloud = file("flat.pcd", pcd(flat(), 61));
+  const fs::path path = file("q.csv", "0,0,0,0\n");
+  const fs::path out = folder_.path() / "o.csv";
+  const auto refuses = [&](const std::vector<std::string>& arguments, const std::string& what) {
+    const fs::path log = folder_.path() / "log";
+    support::ChildProcess program(TELEPALP_BINARY_DIR "/bin/telepalp-probe", arguments, log);
+    EXPECT_EQ(program.wait(std::chrono::seconds(60)), 2) << what;
+    std::ifstream stream(log);
+    const std::string said{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+    EXPECT_NE(said.find("fix: "), std::string::npos) << said;
+  };
+  const std::vector<std::vector<std::string>> without_effect = {
+      {"--samples", "1000"}, {"--spacing-mm", "3"}, {"--anyway"}, {"--flip-normals"}};
+  for (const std::vector<std::string>& option : without_effect) {
+    std::vector<std::string> words = {"--depth", "d.png", "--camera", "c", "--trajectory", path, "--out", out};
+    words.insert(words.end(), option.begin(), option.end());
+    refuses(words, option.front() + ": this option has no effect on a depth image");
+  }
+  refuses({"--cloud", cloud, "--trajectory", path, "--out", folder_.path() / "." / "q.csv"},
+          "is also the file of --trajectory");
+  refuses({"--cloud", cloud, "--trajectory", path, "--out", out, "--plot", out}, "is also the file of --out");
+  refuses({"path", "--cloud", cloud, "--out", cloud}, "is also the file of --cloud");
+  EXPECT_EQ(read_trajectory(path)->size(), 1U) << "nothing was overwritten";
+}
+
 }  // namespace
 }  // namespace telepalp::probe
