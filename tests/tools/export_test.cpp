@@ -188,6 +188,10 @@ TEST_F(Export, TheProgramWritesAndSaysWhatIsWrong) {
       in("states.mcap"), {wire::make_message(wire::kStationState, session_time(kStart_ns), msg::StationState())}));
   EXPECT_EQ(run({in("states.mcap").string(), "--png", in("y")}), 1);
   EXPECT_FALSE(std::filesystem::exists(in("y"))) << "a second try finds no folder of the first";
+  const std::string recorded = wire::samples::bytes_of(session);
+  EXPECT_EQ(run({session, "--csv", "/station/state", "--out", folder_.path() / "." / "session.mcap"}), 2);
+  EXPECT_NE(wire::samples::bytes_of(in("log")).find("is the session itself"), std::string::npos);
+  EXPECT_EQ(wire::samples::bytes_of(session), recorded);
 }
 
 }  // namespace

@@ -46,6 +46,15 @@ int say(const Result<std::uint64_t>& count, const char* one, const char* more, c
   return program::kDone;
 }
 
+/// Error: `--out` names the session, which must not be overwritten.
+Result<void> check_out(const std::string& session, const program::Arguments& asked) {
+  std::error_code missing;
+  if (!asked.has("out") || !std::filesystem::equivalent(session, asked.text("out"), missing)) return {};
+  return Error{.what = "is the session itself, which is not overwritten",
+               .where = "--out " + asked.text("out"),
+               .fix = "name another file"};
+}
+
 /// Writes to `--out`, or to stdout.
 Result<void> put(const program::Arguments& asked, const std::string& bytes) {
   if (asked.has("out")) return program::write_whole_file(asked.text("out"), bytes, program::Readers::Group);
@@ -131,5 +140,7 @@ int main(int argc, char** argv) {
                           .where = kProgram,
                           .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove and --report"},
                          program::kAskedWrongly);
+  if (const Result<void> out = check_out(asked.positional().front(), asked); !out)
+    return program::fail(out.error(), program::kAskedWrongly);
   return run(asked.positional().front(), asked);
 }
