@@ -212,6 +212,7 @@ TEST(LinkProgram, WhatIsAskedWronglyEndsWithTwo) {
                                                 {"--delay-ms", "-1"},
                                                 {"--trace", "/nonexistent.csv"},
                                                 {"--connect", "somewhere"},
+                                                {"--connect", "127.0.0.1:7401"},
                                                 {"--seed", "many"},
                                                 {"--listen", "127.0.0.1:-1"}}) {
     support::ChildProcess process(TELEPALP_BINARY_DIR "/bin/telepalp-link", words, "/dev/null");

@@ -112,6 +112,10 @@ Result<ProxyOptions> proxy_options(const program::Arguments& arguments) {
   if (!listen) return listen.error();
   const Result<program::Address> server = program::parse_address(arguments.text("connect"), "--connect");
   if (!server) return server.error();
+  if (listen->port == server->port && listen->host == server->host)
+    return Error{.what = "is also the address of --listen, so that the proxy would relay to itself",
+                 .where = "--connect " + program::to_text(*server),
+                 .fix = "give the server's address, or another port for --listen"};
   const Result<std::int64_t> seed = arguments.whole("seed", 0, std::int64_t{1} << 53);
   if (!seed) return seed.error();
   options.listen = *listen;
