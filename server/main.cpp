@@ -86,9 +86,19 @@ Result<bool> yes_or_no(const program::Arguments& arguments, std::string_view opt
       .what = "'" + text + "' is neither yes nor no", .where = "--" + std::string(option), .fix = "give yes or no"};
 }
 
+Error no_effect_without(const std::string& needed, const std::string& option) {
+  return {.what = "this option has no effect without --" + needed,
+          .where = "--" + option,
+          .fix = "add --" + needed + ", or leave --" + option + " out"};
+}
+
 Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Arguments& arguments,
                                                                const std::string& address) {
-  if (!arguments.has("http-port")) return std::optional<gateway::GatewayOptions>{};
+  if (!arguments.has("http-port")) {
+    for (const char* option : {"allow-origin", "viewer"})
+      if (arguments.has(option)) return no_effect_without("http-port", option);
+    return std::optional<gateway::GatewayOptions>{};
+  }
   const Result<std::int64_t> port = arguments.whole("http-port", 0, 65535);
   if (!port) return port.error();
   gateway::GatewayOptions options;
@@ -118,10 +128,7 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
                                                  .audit = arguments.text("audit"),
                                                  .say = [](const std::string& text) { program::log(kProgram, text); }});
   for (const char* option : {"revoked", "audit"})
-    if (arguments.has(option))
-      return Error{.what = "this option has no effect without --key",
-                   .where = "--" + std::string(option),
-                   .fix = "add --key FILE, or leave --" + std::string(option) + " out"};
+    if (arguments.has(option)) return no_effect_without("key", option);
   return std::optional<access::Access::Options>{};
 }
 
@@ -132,8 +139,7 @@ Result<std::optional<recording::SessionRecorder::Options>> recorder_options(cons
   };
   if (!arguments.has("record-dir")) {
     if (!arguments.has("record-key")) return none;
-    return wrong("this option has no effect without --record-dir", "--record-key",
-                 "add --record-dir DIR, or leave --record-key out");
+    return no_effect_without("record-dir", "record-key");
   }
   if (!arguments.has("http-port"))
     return wrong("this option is for recordings from the web page, and the web page is off", "--record-dir",

@@ -147,6 +147,10 @@ TEST(ServerProgram, BadInputIsOneLineWithItsFixAndItsExitCode) {
       {{"--depth-mode", "bounded", "--depth-bound", "1,-2"}, 2, "a number from 0 to 20"},
       {{"--depth-mode", "bounded", "--depth-bound", "nan,2"}, 2, "--depth-bound"},
       {{"--depth-mode", "bounded", "--depth-bound", "1,2,3"}, 2, "--depth-bound"},
+      {{"--allow-origin", "https://app.example"}, 2, "--allow-origin: this option has no effect without --http-port"},
+      {{"--viewer", "/no/such/folder"}, 2, "--viewer: this option has no effect without --http-port"},
+      {{"--audit", "log"}, 2, "--audit: this option has no effect without --key"},
+      {{"--record-key", "some.key"}, 2, "--record-key: this option has no effect without --record-dir"},
       {{"--sauce", "synthetic"}, 2, "sauce"}};
   for (const Case& asked : cases) {
     const auto [code, said] = outcome(asked.arguments);
