@@ -79,14 +79,11 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
   if (!seconds) return seconds.error();
   const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return patience.error();
-  Result<std::shared_ptr<const keys::KeyFile>> key =
-      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
-  if (!key) return key.error();
   const Result<record::Splitting> splitting = splitting_of(arguments);
   if (!splitting) return splitting.error();
   const std::vector<std::string> attached = arguments.all("attach");
   return record::RecordingOptions{.server = *server,
-                                  .key = std::move(key).value(),
+                                  .key = {},
                                   .file = arguments.text("out"),
                                   .topics = record::TopicFilter(arguments.text("topics")),
                                   .splitting = *splitting,
@@ -100,8 +97,12 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
 }
 
 int run_recording(const program::Arguments& arguments) {
-  const Result<record::RecordingOptions> options = recording_options(arguments);
+  Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
+  if (!key) return program::fail(key.error());
+  options->key = std::move(key).value();
   const Result<record::RecordingReport> report = record::record(*options);
   if (!report) return program::fail(report.error());
   program::log(kProgram, options->file.string() + ": " + record::describe(*report));

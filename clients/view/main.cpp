@@ -53,9 +53,6 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
   const Result<program::Address> server =
       program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
   if (!server) return server.error();
-  Result<std::shared_ptr<const keys::KeyFile>> key =
-      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
-  if (!key) return key.error();
   const Result<double> seconds = arguments.number("seconds", 0.1, 1e6);
   if (!seconds) return seconds.error();
   const Result<program::Patience> patience = program::patience_of(arguments);
@@ -65,7 +62,7 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
                  .where = kProgram,
                  .fix = "give --snapshot FILE.png for a picture, or --stats for figures"};
   return Asked{.server = *server,
-               .key = std::move(key).value(),
+               .key = {},
                .snapshot = arguments.text("snapshot"),
                .stats = arguments.has("stats"),
                .json = arguments.has("json"),
@@ -187,8 +184,12 @@ int main(int argc, char** argv) {
   const auto arguments = program::read_arguments(usage(), argc, argv);
   if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
   if (!*arguments) return program::kDone;
-  const Result<Asked> asked = asked_of(**arguments);
+  Result<Asked> asked = asked_of(**arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key((*arguments)->text("key"), std::chrono::system_clock::now());
+  if (!key) return program::fail(key.error());
+  asked->key = std::move(key).value();
   const Result<void> done = View(*asked).run();
   return done ? program::kDone : program::fail(done.error());
 }

@@ -78,12 +78,8 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   if (!patience) return patience.error();
   const Result<station::Realtime> realtime = realtime_of(arguments.text("realtime"));
   if (!realtime) return realtime.error();
-  Result<std::shared_ptr<const keys::KeyFile>> key =
-      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
-  if (!key) return key.error();
   return station::StationOptions{.host = server->host,
                                  .port = server->port,
-                                 .key = std::move(key).value(),
                                  .accepts_touch = arguments.has("accept-touch"),
                                  .seconds = *seconds,
                                  .patience = *patience,
@@ -174,10 +170,14 @@ int main(int argc, char** argv) {
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
-  const Result<station::StationOptions> options = options_of(**read);
+  Result<station::StationOptions> options = options_of(**read);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   const Result<station::RigChoice> rig = station::read_rig_choice((*read)->text("device"), (*read)->text("tracker"));
   if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key((*read)->text("key"), std::chrono::system_clock::now());
+  if (!key) return program::fail(key.error());
+  options->key = std::move(key).value();
   const Result<std::filesystem::path> scene = scenes::find_scene((*read)->text("scene"));
   if (!scene) return program::fail(scene.error());
   const bool anyway = (*read)->has("anyway");

@@ -225,6 +225,11 @@ TEST_F(Recorder, AskedWronglyItExitsWithTwo) {
   EXPECT_NE(log().find("--keep-last: the time is shorter than 1 s. fix: "), std::string::npos) << log();
 }
 
+TEST_F(Recorder, AKeyThatCannotBeUsedIsAFailureAndNotAWrongCommandLine) {
+  EXPECT_EQ(run({"--out", session(), "--key", in("none.key")}), 1);
+  EXPECT_NE(log().find("none.key: the key cannot be read"), std::string::npos) << log();
+}
+
 TEST_F(Recorder, AnExistingFileIsNotOverwritten) {
   std::ofstream(session()) << "mine";
   EXPECT_EQ(run({"--out", session(), "--connect", "127.0.0.1:1"}), 1);

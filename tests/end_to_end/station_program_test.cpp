@@ -312,6 +312,11 @@ TEST_F(StationProgram, AWrongOptionOfCalibrateEndsWithTwoAndAMissingFileWithOne)
   EXPECT_EQ(run({"calibrate", "probe", "--poses", none}), 1) << text_of(log());
 }
 
+TEST_F(StationProgram, AKeyThatCannotBeUsedIsAFailureAndNotAWrongCommandLine) {
+  EXPECT_EQ(run({"--key", (folder_.path() / "none.key").string()}), 1);
+  EXPECT_NE(text_of(log()).find("none.key: the key cannot be read"), std::string::npos) << text_of(log());
+}
+
 TEST_F(StationProgram, CalibratesFromTheShippedPairsAndReadsWhatItKept) {
   const std::string pairs = TELEPALP_SOURCE_DIR "/deploy/demo_data/calibration/pairs.csv";
   const std::string kept = (folder_.path() / "site.calibration.textproto").string();
