@@ -79,6 +79,18 @@ test('slider and arrows seek, period steps', async () => {
   await untilState('left: 5 s back', ({position_s}) => position_s > 1.9 && position_s < 3);
 });
 
+test('a slider leaves letters and digits to the page', async () => {
+  const {page} = browser;
+  const side = await page.isVisible('#side');
+  await page.locator('#timeline-slider').focus();
+  await page.keyboard.press('d');
+  await until('D shows or hides the details', async () => (await page.isVisible('#side')) !== side);
+  await page.keyboard.press('d');
+  await page.keyboard.press('2');
+  await untilStatus(page, '2 chooses the technician\'s view', ({view}) => view === 'technician');
+  await page.keyboard.press('1');
+});
+
 test('speed, loop and play are reached by Tab, with a name and a visible focus', async () => {
   const {page} = browser;
   await page.locator('#timeline-play').focus();

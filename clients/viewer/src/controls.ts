@@ -20,6 +20,12 @@ function button(id: string): HTMLButtonElement {
   return found;
 }
 
+/** True if the focused element uses `key` itself. A slider or a check box uses no letters and digits. */
+function takesKey(focus: EventTarget | null, key: string): boolean {
+  if (focus instanceof HTMLInputElement) return focus.type === 'text' || key.length > 1;
+  return focus instanceof HTMLSelectElement;
+}
+
 /** Wires buttons and keys to the view. */
 export function wireControls(
     view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView): void {
@@ -69,7 +75,7 @@ export function wireControls(
   for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || help.open) return;
-    if (event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement) return;  // its own keys
+    if (takesKey(event.target, event.key)) return;
     if (views.takeKey(event.key)) return event.preventDefault();
     const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act === undefined) return;
