@@ -69,6 +69,23 @@ test('a refused command and a server that is away are explained, and the state s
   assert.equal(part.problem, '');
 });
 
+test('once the server answers again, the sentence that it does not answer goes; a refusal stays', async () => {
+  const {part, answer} = slowPart();
+  void part.command({delay: 1});
+  await answer(undefined);
+  void part.look();
+  await answer(undefined);
+  assert.match(part.problem, /does not answer/);
+  void part.look();
+  await answer({status: 200, text: 'well'});
+  assert.equal(part.problem, '');
+  void part.command({delay: 1});
+  await answer({status: 400, text: 'too long'});
+  void part.look();
+  await answer({status: 200, text: 'well'});
+  assert.match(part.problem, /too long/);
+});
+
 test('a reply that is none is none', () => {
   for (const text of ['', '[]', 'null', '{}', '{"profile": 3}', JSON.stringify({...STATE, delay_ms: 'x'})])
     assert.equal(readNetwork(text), undefined, text);

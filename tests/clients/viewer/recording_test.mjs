@@ -50,6 +50,17 @@ test('a failed recorder is told', async () => {
   assert.equal(it.problem, 'the disk is full');
 });
 
+test('a command that gets no answer is told, until the server answers', async () => {
+  const {it} = link(undefined, undefined, {status: 200, text: RECORDING});
+  await it.command({record: false});
+  assert.match(it.problem, /does not answer/);
+  for (let look = 0; look < 10; ++look) await it.look(true);
+  assert.match(it.problem, /does not answer/);
+  for (let look = 0; look < 10; ++look) await it.look(true);
+  assert.equal(it.problem, '');
+  assert.equal(it.state.phase, 'PHASE_RECORDING');
+});
+
 test('the consent names who ticked it, and is short', () => {
   assert.equal(consentText('technician', ' study 17 '), 'ticked in the web viewer by technician: study 17');
   assert.equal(consentText('', ''), 'ticked in the web viewer by a visitor');

@@ -23,6 +23,7 @@ export class PlayedPart<State, Command extends object> {
     if (this.busy) return;
     const before = this.changes;
     const answer = await this.ask();
+    if (answer !== undefined && this.problem === GONE) this.problem = '';
     if (before === this.changes && answer?.status === 200) this.state = this.read(answer.text) ?? this.state;
   }
 

@@ -1,4 +1,5 @@
 import type {Answer} from '../../link/ask_server';
+import {GONE} from '../../playback/timeline_words';
 import type {Row} from '../rows';
 
 /** The body of POST /recording. */
@@ -77,7 +78,11 @@ export class RecordingLink {
     this.asking = true;
     const answer = await this.ask(command);
     this.asking = false;
-    if (answer === undefined) return;  // the page's WebSocket reports a lost server
+    if (answer === undefined) {
+      if (command !== undefined) this.problem = GONE;
+      return;
+    }
+    if (this.problem === GONE) this.problem = '';
     const state = answer.status === 200 ? readRecording(answer.text) : undefined;
     if (state !== undefined) this.state = state;
     else if (command !== undefined) this.problem = answer.text.trim();
