@@ -6,7 +6,7 @@ import {bundled} from './bundled.mjs';
 
 const {PlayedPart} = await bundled('playback/played_part.ts');
 const {joined, networkRows, placeOf, readNetwork, SLIDERS, textOf} = await bundled('playback/network_state.ts');
-const {noteInAddress, readNotes} = await bundled('playback/session_notes.ts');
+const {keyOf, noteInAddress, readNotes} = await bundled('playback/session_notes.ts');
 const {addressOfMoment} = await bundled('playback/moment.ts');
 
 const STATE = {
@@ -84,6 +84,12 @@ test('once the server answers again, the sentence that it does not answer goes; 
   void part.look();
   await answer({status: 200, text: 'well'});
   assert.match(part.problem, /too long/);
+});
+
+test('the notes of another session are other notes, though they have the same numbers', () => {
+  const note = {number: 1, at_s: 1, text: 'x', who: 'Ada', written: '2026-03-01T12:00:00Z'};
+  assert.equal(keyOf([note]), keyOf([{...note}]));
+  assert.notEqual(keyOf([note]), keyOf([{...note, written: '2026-03-01T12:00:01Z'}]));
 });
 
 test('a reply that is none is none', () => {

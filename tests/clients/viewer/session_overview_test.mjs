@@ -40,3 +40,14 @@ test('the list of events is that of the whole session, the newest first, and wha
   log.forget();
   assert.deepEqual(log.events, []);
 });
+
+test('while the events of another session are read, those of the last one are forgotten', () => {
+  const log = new EventLog();
+  log.know(undefined);
+  log.add([{stampNs: 5n, kind: 1, text: 'heard', from: 0, to: 3}], undefined);
+  log.know(undefined);
+  assert.equal(log.events.length, 1, 'without a session, what is heard stays');
+  log.know(SESSION.events);
+  log.know(undefined);
+  assert.deepEqual(log.events, []);
+});

@@ -7,7 +7,7 @@ import {bundled} from './bundled.mjs';
 const {timelineLook, clock, refusal} = await bundled('playback/timeline_words.ts');
 const {readState, afterCommand} = await bundled('playback/playback_state.ts');
 
-const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true};
+const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true, session: 'a.mcap 17'};
 const look = (changes) => timelineLook({...STATE, ...changes});
 
 test('the first button offers the other of play and pause', () => {
@@ -33,10 +33,11 @@ test('a speed that somebody else chose is offered, too', () => {
 });
 
 test('a state is read from the server\'s JSON, and anything else is refused', () => {
-  const json = {file: 'a.mcap', damaged: '0', ...STATE};
+  const json = {...STATE, file: 'a.mcap', begin_ns: '17', damaged: '0', session: undefined};
   assert.deepEqual(readState(JSON.stringify(json)), STATE);
   for (const wrong of ['', 'null', '[]', '<html>', JSON.stringify({...json, speed: '1'}), JSON.stringify({...json, loop: 1})])
     assert.equal(readState(wrong), undefined, wrong);
+  assert.notEqual(readState(JSON.stringify({...json, begin_ns: '18'})).session, STATE.session, 'a file that was recorded anew');
 });
 
 test('the effect of a command is known before the server reports it', () => {

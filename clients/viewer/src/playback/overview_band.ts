@@ -4,7 +4,7 @@ import {lookOf} from '../panel/phases';
 import type {PlayedPart} from './played_part';
 import type {PlaybackLink} from './playback_link';
 import {seekTo} from './playback_state';
-import type {Note} from './session_notes';
+import {keyOf, type Note} from './session_notes';
 import {marksOf, readOverview, type SessionOverview, spansOf} from './session_overview';
 import {clock} from './timeline_words';
 
@@ -19,6 +19,7 @@ export class OverviewBand {
 
   private readonly band = element('overview');
   private drawn = '';
+  private session = '';  // of which `overview` tells
 
   constructor(private readonly link: PlaybackLink, private readonly notes: Pick<PlayedPart<Note[], object>, 'state'>) {
     this.band.addEventListener('click', (event) => this.seek(event));
@@ -27,15 +28,16 @@ export class OverviewBand {
 
   private async look(): Promise<void> {
     const {state} = this.link;
-    if (state === undefined) this.overview = undefined;
-    else if (this.overview?.complete !== true) this.overview = (await ask()) ?? this.overview;
+    if (state?.session !== this.session) this.overview = undefined;
+    this.session = state?.session ?? '';
+    if (state !== undefined && this.overview?.complete !== true) this.overview = (await ask()) ?? this.overview;
     this.draw();
   }
 
   draw(): void {
     const duration_s = this.link.state?.duration_s ?? 0;
     const notes = duration_s > 0 ? this.notes.state ?? [] : [];
-    const drawn = `${this.overview?.events.length ?? 0} in ${duration_s}, ${notes.map(({number}) => number).join()}`;
+    const drawn = `${this.session} ${this.overview?.events.length ?? 0} in ${duration_s}, ${keyOf(notes)}`;
     if (drawn === this.drawn) return;
     this.drawn = drawn;
     const spans = this.overview === undefined || duration_s <= 0 ? [] : spansOf(this.overview, duration_s);

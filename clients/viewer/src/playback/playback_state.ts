@@ -5,6 +5,7 @@ export interface PlaybackState {
   speed: number;
   loop: boolean;
   playing: boolean;
+  session: string;  // another session has another text
 }
 
 /** The body of POST /playback. What is left out stays as it is. A step pauses. */
@@ -18,23 +19,23 @@ export interface PlaybackCommand {
 
 /** The state in the JSON `text`; undefined if a value is missing, of another type or not finite. */
 export function readState(text: string): PlaybackState | undefined {
-  let json: Partial<Record<keyof PlaybackState, unknown>> | null;
+  let json: Partial<Record<keyof PlaybackState | 'file' | 'begin_ns', unknown>> | null;
   try {
     json = JSON.parse(text);
   } catch {
     return undefined;
   }
-  const {position_s, duration_s, speed, loop, playing} = json ?? {};
+  const {position_s, duration_s, speed, loop, playing, file, begin_ns} = json ?? {};
   if (!isNumber(position_s) || !isNumber(duration_s) || !isNumber(speed)) return undefined;
   if (typeof loop !== 'boolean' || typeof playing !== 'boolean') return undefined;
-  return {position_s, duration_s, speed, loop, playing};
+  return {position_s, duration_s, speed, loop, playing, session: `${String(file)} ${String(begin_ns)}`};
 }
 
 /** The state that `command` will lead to: shown at once, because the server replies with the state before it. */
 export function afterCommand(state: PlaybackState, {seek_s, step, speed, loop, play}: PlaybackCommand): PlaybackState {
   return {
+    ...state,
     position_s: seek_s ?? state.position_s,
-    duration_s: state.duration_s,
     speed: speed ?? state.speed,
     loop: loop ?? state.loop,
     playing: step === undefined && (play ?? state.playing),

@@ -22,6 +22,9 @@ export function readNotes(text: string): Note[] | undefined {
   }
 }
 
+/** Differs for other notes: those of another session have the same numbers. */
+export const keyOf = (notes: readonly Note[]) => notes.map(({number, written}) => `${number} ${written}`).join();
+
 /** The note that the address names; undefined: none. */
 export function noteInAddress(search: string): number | undefined {
   const asked = new URLSearchParams(search).get('note');

@@ -36,9 +36,13 @@ export class EventLog {
     if (this.events.length > MOST_KEPT) this.events.length = MOST_KEPT;
   }
 
-  /** Replaces the events received so far by those of the whole session. */
-  know(whole: readonly SessionEvent[]): void {
-    if (whole.length === 0 || whole === this.whole) return;
+  /**
+   * Replaces the events received so far by those of the whole session. `whole`: undefined while they are not known; then
+   * those of another session are forgotten.
+   */
+  know(whole: readonly SessionEvent[] | undefined): void {
+    if (whole === this.whole || whole?.length === 0) return;
+    if (whole === undefined) return this.forget();
     this.whole = whole;
     this.events = whole.slice(0, MOST_KEPT).map(({at_s, kind, text}) => ({stampNs: 0n, kind, text, position_s: at_s})).reverse();
   }

@@ -2,7 +2,7 @@ import {element, made, setText} from '../../page';
 import type {PlaybackLink} from '../../playback/playback_link';
 import {seekTo} from '../../playback/playback_state';
 import type {PlayedPart} from '../../playback/played_part';
-import {type Note, type NoteCommand, noteInAddress} from '../../playback/session_notes';
+import {keyOf, type Note, type NoteCommand, noteInAddress} from '../../playback/session_notes';
 import {clock} from '../../playback/timeline_words';
 
 const LOOK_EVERY = 30;  // calls of `show`, which come about ten times a second
@@ -61,7 +61,7 @@ export class NotesCard {
     setText(element('notes-said'), this.notes.problem);
     this.redrawn();
     const notes = this.notes.state ?? [];
-    const shown = `${this.chosen} ${notes.map(({number}) => number).join()}`;
+    const shown = `${this.chosen} ${keyOf(notes)}`;
     if (shown === this.shown) return;
     this.shown = shown;
     this.list.replaceChildren(...notes.map((note) => this.line(note)));

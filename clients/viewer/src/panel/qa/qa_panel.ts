@@ -25,7 +25,7 @@ export class QaPanel {
   private readonly network = new NetworkCard();
   private readonly notesCard: NotesCard;
   private readonly comparison: ComparisonCard;
-  private shown = '';
+  private shown: LoggedEvent | undefined;  // the newest event in the list
   private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
   constructor(
@@ -42,14 +42,15 @@ export class QaPanel {
     this.showAskedMoment();
     this.network.show(state !== undefined);
     this.notesCard.show();
-    this.comparison.show(state !== undefined);
+    this.comparison.show();
     setText(element('moment'), state === undefined ? 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
     element<HTMLButtonElement>('share').disabled = state === undefined;
-    if (!connected) this.log.forget();
+    const whole = state && this.whole.overview?.events;
+    if (!connected && whole === undefined) this.log.forget();
     const played = state && sessionNow_ns !== undefined
         ? {at_ns: sessionNow_ns, position_s: state.position_s, speed: state.speed} : undefined;
     this.log.add(events, played);
-    if (this.whole.overview !== undefined && state !== undefined) this.log.know(this.whole.overview.events);
+    this.log.know(whole);
     this.showEvents();
   }
 
@@ -61,7 +62,7 @@ export class QaPanel {
   }
 
   private showEvents(): void {
-    const newest = `${this.log.events[0]?.stampNs} ${this.log.events.length}`;
+    const {events: [newest]} = this.log;
     if (newest === this.shown) return;
     this.shown = newest;
     this.list.replaceChildren(...this.log.events.slice(0, MOST_LINES).map((event) => this.line(event)));

@@ -21,6 +21,7 @@ export class ComparisonCard {
   private readonly plots = new ComparisonPlots((at_s) => this.seek(at_s));
   private shows = 0;
   private listed = '';
+  private session: string | undefined;  // that is played; undefined: none
 
   constructor(private readonly playback: PlaybackLink) {
     this.choice.addEventListener('change', () => void this.part.command({with: this.choice.value}).then(() => this.write()));
@@ -30,15 +31,18 @@ export class ComparisonCard {
     });
   }
 
-  /** `plays`: a session is played. Its comparison is asked for until it is complete; a reply has about 60 kB. */
-  show(plays: boolean): void {
-    const {state} = this.part;
-    element('comparison-card').hidden = !plays || state === undefined;
-    element('comparison').hidden = !plays || state?.runs === undefined;
-    if (!plays) {
+  /** The comparison is asked for until it is complete; a reply has about 60 kB. */
+  show(): void {
+    const session = this.playback.state?.session;
+    if (session !== this.session) {
+      this.session = session;
       this.shows = 0;
-      return this.part.forget();
+      this.part.forget();
     }
+    const {state} = this.part;
+    element('comparison-card').hidden = session === undefined || state === undefined;
+    element('comparison').hidden = session === undefined || state?.runs === undefined;
+    if (session === undefined) return;
     const reading = state !== undefined && state.with !== '' && !state.complete;
     const every = state === undefined ? UNKNOWN_EVERY : reading ? READING_EVERY : Infinity;
     if (this.shows++ % every === 0) void this.part.look().then(() => this.write());
