@@ -11,6 +11,7 @@ import {comparisonSays} from './comparison_words';
 // Calls of `show`, which come about ten times a second, between two requests.
 const UNKNOWN_EVERY = 50;
 const READING_EVERY = 5;
+const COMPARED_EVERY = 300;  // another visitor may choose another session
 
 /** QA's comparison: the played session (A) and another one of the server's folder (B), on one time axis. */
 export class ComparisonCard {
@@ -31,7 +32,7 @@ export class ComparisonCard {
     });
   }
 
-  /** The comparison is asked for until it is complete; a reply has about 60 kB. */
+  /** A complete comparison is asked for seldom: a reply has about 60 kB. */
   show(): void {
     const session = this.playback.state?.session;
     if (session !== this.session) {
@@ -43,8 +44,7 @@ export class ComparisonCard {
     element('comparison-card').hidden = session === undefined || state === undefined;
     element('comparison').hidden = session === undefined || state?.runs === undefined;
     if (session === undefined) return;
-    const reading = state !== undefined && state.with !== '' && !state.complete;
-    const every = state === undefined ? UNKNOWN_EVERY : reading ? READING_EVERY : Infinity;
+    const every = state === undefined || state.with === '' ? UNKNOWN_EVERY : state.complete ? COMPARED_EVERY : READING_EVERY;
     if (this.shows++ % every === 0) void this.part.look().then(() => this.write());
     if (state?.runs !== undefined) this.plots.show(state.runs, this.playback.state?.position_s ?? 0);
   }
