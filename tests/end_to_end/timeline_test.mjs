@@ -191,6 +191,22 @@ test('QA notes a moment: it is kept beside the session, drawn, listed, shared, a
   await until('and gone from the timeline', async () => (await page.locator('#overview b.note').count()) === 0);
 });
 
+test('a double click adds one note, and removes one', async () => {
+  const {page} = browser;
+  const count = async () => (await part('notes')).notes.length;
+  for (const text of ['first', 'second', 'third']) {
+    await page.fill('#note-text', text);
+    await page.dblclick('#note-form button');
+    await until('the note is listed', async () => (await page.textContent('#notes')).includes(text));
+  }
+  assert.equal(await count(), 3);
+  await page.click('#notes .remove >> nth=0', {clickCount: 2, delay: 100});
+  await until('a note is removed', async () => (await page.locator('#notes .event').count()) < 3);
+  await sleep(500);
+  assert.equal(await count(), 2);
+  assert.equal(await text('notes-said'), '');
+});
+
 test('a refused command and a server that does not answer are explained on the page', async () => {
   const {page} = browser;
   const problem = page.locator('#timeline-problem');

@@ -18,3 +18,6 @@ export function made<Name extends keyof HTMLElementTagNameMap>(
   if (text !== '') element.textContent = text;
   return element;
 }
+
+/** What a user wrote, as the server takes it: without control characters, which a pasted text may contain. */
+export const oneLine = (text: string) => text.replace(/\p{Cc}+/gu, ' ').trim();

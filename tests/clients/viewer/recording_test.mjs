@@ -63,6 +63,7 @@ test('a command that gets no answer is told, until the server answers', async ()
 
 test('the consent names who ticked it, and is short', () => {
   assert.equal(consentText('technician', ' study 17 '), 'ticked in the web viewer by technician: study 17');
+  assert.equal(consentText('technician', 'study\t17\u0007'), 'ticked in the web viewer by technician: study 17');
   assert.equal(consentText('', ''), 'ticked in the web viewer by a visitor');
   assert.ok(consentText('technician', 'x'.repeat(500)).length <= 200);
   assert.equal(readRecording('no JSON'), undefined);

@@ -1,4 +1,4 @@
-import {element, made, setText} from '../../page';
+import {element, made, oneLine, setText} from '../../page';
 import type {PlaybackLink} from '../../playback/playback_link';
 import {seekTo} from '../../playback/playback_state';
 import type {PlayedPart} from '../../playback/played_part';
@@ -47,12 +47,14 @@ export class NotesCard {
   }
 
   private async add(): Promise<void> {
-    const text = this.text.value.trim();
+    const text = oneLine(this.text.value);
     const at_s = this.noted_s ?? this.playback.state?.position_s;
     if (text === '' || at_s === undefined) return;
-    if (await this.notes.command({at_s, text})) {
-      this.text.value = '';
-      this.noted_s = undefined;
+    this.text.value = '';  // at once: a second press of Add finds nothing to add
+    this.noted_s = undefined;
+    if (!(await this.notes.command({at_s, text})) && this.text.value === '') {
+      this.text.value = text;
+      this.noted_s = at_s;
     }
     this.write();
   }
@@ -81,7 +83,10 @@ export class NotesCard {
     const remove = made('button', 'remove', '×');
     remove.setAttribute('aria-label', `Remove the note ${text}`);
     remove.title = 'Remove the note';
-    remove.addEventListener('click', () => void this.notes.command({remove: number}).then(() => this.write()));
+    remove.addEventListener('click', ({detail}) => {
+      if (detail > 1) return;  // the second press of a double click would remove the note that moves up
+      void this.notes.command({remove: number}).then(() => this.write());
+    });
     line.append(go, remove);
     return line;
   }

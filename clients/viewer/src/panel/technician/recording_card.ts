@@ -14,7 +14,9 @@ export class RecordingCard {
   private role = '';
 
   constructor() {
-    this.button.addEventListener('click', () => void this.flip());
+    this.button.addEventListener('click', ({detail}) => {
+      if (detail < 2) void this.flip();  // the second press of a double click would end the recording
+    });
     this.given.addEventListener('change', () => this.write());
   }
 

@@ -1,4 +1,5 @@
 import type {Answer} from '../../link/ask_server';
+import {oneLine} from '../../page';
 import {GONE} from '../../playback/timeline_words';
 import type {Row} from '../rows';
 
@@ -32,7 +33,8 @@ export function readRecording(text: string): RecordingState | undefined {
 /** The consent as it is written into the file: who ticked it, and the technician's note. */
 export function consentText(role: string, note: string): string {
   const who = `ticked in the web viewer by ${role === '' ? 'a visitor' : role}`;
-  return note.trim() === '' ? who : `${who}: ${note.trim().slice(0, MOST_NOTE)}`;
+  const text = oneLine(note);
+  return text === '' ? who : `${who}: ${text.slice(0, MOST_NOTE)}`;
 }
 
 /** The state as rows of a card. */
