@@ -136,7 +136,7 @@ export class ViewerState {
       presence,
       station,
       compensation: station && this.compensation,
-      surfaceReport: connected ? news?.surfaceReport : undefined,
+      surfaceReport: this.stationIsSilent(now_ms) ? undefined : news?.surfaceReport,
       summary: picture?.summary,
       light: news?.light,
       events: connected ? news?.events ?? [] : [],
@@ -147,8 +147,12 @@ export class ViewerState {
   }
 
   private unknownPhase(now_ms: number): Phase | undefined {
+    return this.stationIsSilent(now_ms) ? Phase.Unspecified : undefined;
+  }
+
+  private stationIsSilent(now_ms: number): boolean {
     const heard_ms = this.news?.stationHeard_ms;
-    return this.news?.connected && heard_ms !== undefined && now_ms - heard_ms < SILENT_MS ? undefined : Phase.Unspecified;
+    return this.news?.connected !== true || heard_ms === undefined || now_ms - heard_ms >= SILENT_MS;
   }
 
   /** Age since the exposure if the session clock is known, else since the picture was drawn. */
@@ -176,6 +180,7 @@ function presenceOf(news: News | undefined): Presence {
     touching: known?.touching ?? 0,
     holder: known?.holder ?? {viewer: 0n, asking: []},
     me: known?.viewer ?? 0n,
+    playsSession: known?.capture?.source.startsWith('session:') ?? false,
   };
 }
 

@@ -10,7 +10,7 @@ const {compensationRows} = await bundled('panel/doctor/compensation_rows.ts');
 
 const nobody = {viewer: 0n, asking: []};
 const subscriber = (name, sender = 0) => ({name, address: '192.0.2.7:5000', sender, sent: 0n, dropped: 0n, byDatagram: false});
-const presence = (subscribers, touching, holder = nobody, me = 4n) => ({stats: {stampNs: 1n, topics: [], subscribers}, touching, holder, me});
+const presence = (subscribers, touching, holder = nobody, me = 4n) => ({stats: {stampNs: 1n, topics: [], subscribers}, touching, holder, me, playsSession: false});
 const valueOf = (rows, name) => rows.find((row) => row.name === name)?.value;
 
 test('the station whose state comes holds the touch; another one is connected', () => {
@@ -25,7 +25,9 @@ test('the maker of Foxglove\'s views is no person', () => {
 });
 
 test('a station that only a session holds is played, and not connected', () => {
-  assert.equal(valueOf(presenceRows(presence([subscriber('viewer')], 1003)), 'Recorded station'), 'played');
+  const gone = presence([subscriber('viewer')], 1003);
+  assert.equal(valueOf(presenceRows({...gone, playsSession: true}), 'Recorded station'), 'played');
+  assert.equal(valueOf(presenceRows(gone), 'Recorded station'), undefined, 'a live station has left');
 });
 
 test('the hand in a browser is mine or another viewer\'s', () => {

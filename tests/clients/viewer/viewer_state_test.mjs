@@ -58,3 +58,12 @@ test('values that are not known are shown as not known, and not as a station tha
   assert.deepEqual([force_N, indentation_mm, phase, late_ms], [undefined, undefined, undefined, 600]);
   assert.equal(state.read(2500).phase, 0, 'a station that is silent for more than a second is away');
 });
+
+test('the way of a frame to the hand is not shown of a station that is silent', () => {
+  const state = new ViewerState();
+  state.news = {...heard, surfaceReport: {touchableNs: 1n}};
+  assert.deepEqual(state.read(1500).surfaceReport, {touchableNs: 1n});
+  assert.equal(state.read(2500).surfaceReport, undefined);
+  state.news = {...state.news, connected: false};
+  assert.equal(state.read(1500).surfaceReport, undefined);
+});

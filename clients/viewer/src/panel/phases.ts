@@ -7,7 +7,7 @@ export interface PhaseLook {
 }
 
 const LOOKS: Record<Phase, PhaseLook> = {
-  [Phase.Unspecified]: {name: 'No station', tone: 'quiet', says: 'no haptic station is connected'},
+  [Phase.Unspecified]: {name: 'No station', tone: 'quiet', says: 'no message from a haptic station'},
   [Phase.InBody]: {name: 'In body', tone: 'contact', says: 'the hand presses the skin: force control'},
   [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'the device lifts the hand away from the body'},
   [Phase.OutBody]: {name: 'Out body', tone: 'free', says: 'the device follows the hand above the body'},

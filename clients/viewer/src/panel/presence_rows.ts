@@ -7,13 +7,14 @@ export interface Presence {
   touching: number;      // number of the sender of the newest /station/state; 0: none
   holder: HandHolder;
   me: bigint;            // this page's number at the server
+  playsSession: boolean;
 }
 
 const BROWSER = 'viewer';       // the server's name for each browser
 const VIEWS_MAKER = 'views for Foxglove';
 
 /** Who is connected, and what they do: the stations first, then recorders and browsers. */
-export function presenceRows({stats, touching, holder, me}: Presence): Row[] {
+export function presenceRows({stats, touching, holder, me, playsSession}: Presence): Row[] {
   if (stats === undefined) return [{name: 'Not known yet', value: '–'}];
   const people = stats.subscribers.filter(({name}) => name !== VIEWS_MAKER);
   const browsers = people.filter(({name}) => name === BROWSER);
@@ -23,7 +24,7 @@ export function presenceRows({stats, touching, holder, me}: Presence): Row[] {
     return {name: programName(name), value: touches ? 'holds the touch' : 'connected', says: address,
             level: touches ? 'good' : undefined};
   });
-  if (touching !== 0 && !others.some(({sender}) => sender === touching))
+  if (playsSession && touching !== 0 && !others.some(({sender}) => sender === touching))
     rows.unshift({name: 'Recorded station', value: 'played', says: 'The played session contains this station’s messages.'});
   rows.push({
     name: browsers.length < 2 ? 'Browser' : `Browsers: ${browsers.length}`,
