@@ -158,6 +158,38 @@ test('no view breaks WCAG AA, in the dark and in the light; no size cuts its rea
   await page.keyboard.press('l');
 });
 
+test('in no width do phase, top bar, banner and notice touch, nor a reading and the next one', async () => {
+  const {playing} = await playback();
+  const play = (now) => fetch(`${address}playback`, {method: 'POST', body: JSON.stringify({play: now})});
+  await play(false);
+  await page.waitForSelector('#banner-title:text-is("Paused")');
+  for (const width of [1920, 1400, 1100, 900, 390]) {
+    await page.setViewportSize({width, height: 800});
+    const touching = await page.evaluate(() => {
+      document.getElementById('phase-says').textContent = 'no force: push the device down to the skin';
+      for (const id of ['picture-age', 'link-age']) document.getElementById(id).textContent = '999 ± 99 ms';
+      const notice = document.querySelector('.hand-notice');
+      notice.hidden = false;
+      notice.firstChild.textContent = 'Another viewer holds the hand. Move the pointer over the skin to ask for it.';
+      const textBox = (element) => {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        return range.getBoundingClientRect();
+      };
+      const parts = ['.top', '#badge', '#banner', '.hand-notice', '#readings']
+          .map((name) => ({name, box: document.querySelector(name).getBoundingClientRect()}));
+      const values = [...document.querySelectorAll('.ages dd')].filter(({offsetParent}) => offsetParent !== null)
+          .map((value) => ({name: value.id, box: textBox(value)}));
+      const touch = ({box: a}, {box: b}) => a.left < b.right + 2 && b.left < a.right + 2 && a.top < b.bottom && b.top < a.bottom;
+      return [parts, values].flatMap((list) => list.flatMap((one, at) =>
+          list.slice(at + 1).filter((other) => touch(one, other)).map((other) => `${one.name} and ${other.name}`)));
+    });
+    assert.deepEqual(touching, [], `${width} px`);
+  }
+  await page.setViewportSize(SIZE);
+  await play(playing);
+});
+
 test('two pictures side by side are drawn for a 3D screen', async () => {
   const {frames} = await status(page);
   await page.click('#timeline-play');

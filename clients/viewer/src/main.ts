@@ -136,6 +136,7 @@ new TimelineBar(read, playback);
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');
+measureHeight('banner', '--banner-height');
 link.ask('instant');
 link.ask('probe');
 window.setInterval(() => {

@@ -10,7 +10,7 @@ import {lookOf} from './phases';
 import {TouchPlots} from './plots/touch_plots';
 
 const milliseconds = (ms: number | undefined) =>
-    ms === undefined ? '–' : ms < 10_000 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(0)} s`;
+    ms === undefined ? '–' : ms < 999.5 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(ms < 9950 ? 1 : 0)} s`;
 
 const OLD_MS = 250;
 const NOTICE_MS = 10_000;
@@ -126,7 +126,7 @@ function setTitle(banner: Banner | undefined): void {
 
 /** `error_ms`: bound on the error of an age that compares two computers' clocks. */
 function showAge(id: string, ms: number | undefined, error_ms?: number): void {
-  const within = ms === undefined || error_ms === undefined || ms >= 10_000 ? '' : `± ${Math.max(1, Math.ceil(error_ms))} `;
+  const within = error_ms === undefined ? '' : `± ${Math.max(1, Math.ceil(error_ms))} `;
   setText(id, milliseconds(ms).replace(/ms$/, `${within}ms`));
   element(id).dataset['old'] = String(ms !== undefined && ms > OLD_MS);
 }
