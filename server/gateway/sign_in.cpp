@@ -35,6 +35,7 @@ HttpReply page(const HttpRequest& request, http::status status, const std::strin
                                body + "</body></html>");
   reply.set(http::field::content_type, "text/html; charset=utf-8");
   reply.set("Content-Security-Policy", kFormPolicy);
+  reply.set("Referrer-Policy", "same-origin");  // with "no-referrer" a browser sends a form's origin as "null"
   return reply;
 }
 

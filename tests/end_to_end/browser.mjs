@@ -12,14 +12,14 @@ const FLAGS = [
   '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
 ];
 
-/** A page in a new browser; `problems` collects the errors on the page's console. */
-export async function openBrowser(folder, viewport = {width: 900, height: 640}) {
+/** A page in a new browser; `problems` collects the errors on the page's console. `options`: more of playwright's. */
+export async function openBrowser(folder, viewport = {width: 900, height: 640}, options = {}) {
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
   if (!existsSync(executablePath)) throw new Error(`no ${executablePath}: install chromium, or name it in CHROMIUM`);
   const profile = join(folder, 'profile');
   mkdirSync(profile);
   const context = await chromium.launchPersistentContext(
-      profile, {executablePath, headless: true, args: FLAGS, viewport, timeout: 120_000});
+      profile, {executablePath, headless: true, args: FLAGS, viewport, timeout: 120_000, ...options});
   const page = context.pages()[0] ?? (await context.newPage());
   page.setDefaultTimeout(120_000);
   const problems = [];

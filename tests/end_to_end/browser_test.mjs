@@ -1,5 +1,8 @@
 // The real programs, seen in a browser: node browser_test.mjs SERVER STATION VIEWER_DIR
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {dirname, join} from 'node:path';
 import test from 'node:test';
 
 import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
@@ -48,6 +51,40 @@ test('temporal depth is followed mid-group, and again after the page was stuck f
     await untilStatus(page, 'frames are shown again', (now) => now.frames > frames + 20 && now.pictureAge_ms < 1000);
     assert.equal((await status(page)).undecodable, 0, 'what the page is given, it can decode');
     assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
+test('a doctor signs in by the form of a server with keys, after a mistyped token, and signs out', async () => {
+  const workplace = new Workplace('browser_keys');
+  let browser;
+  try {
+    const folder = join(workplace.folder, 'keys');
+    const keys = (...words) => execFileSync(join(dirname(server), 'telepalp-keys'), [...words, '--dir', folder]);
+    keys('authority');
+    keys('server', '--host', '127.0.0.1');
+    keys('token', '--name', 'dora', '--role', 'doctor');
+    const [, token] = /^token: (.*)$/m.exec(readFileSync(join(folder, 'dora.token'), 'utf8'));
+    const {http_port} = await workplace.server(
+        server, ['--source', 'synthetic', '--viewer', viewer, '--key', join(folder, 'server.key')]);
+    browser = await openBrowser(workplace.folder, undefined, {ignoreHTTPSErrors: true});  // the authority is the test's own
+    const {page} = browser;
+    const signIn = async (typed) => {
+      await page.fill('input[name=token]', typed);
+      await page.keyboard.press('Enter');
+    };
+    await page.goto(`https://127.0.0.1:${http_port}/?view=qa`);
+    await signIn('mistyped');
+    await page.waitForSelector('[role=alert]');
+    await signIn(token);
+    await page.waitForSelector('#scene');
+    assert.equal(new URL(page.url()).search, '?view=qa', 'the address that was asked for');
+    await page.waitForFunction(() => window.telepalp?.connected && window.telepalp.role === 'doctor');
+    await page.goto(`https://127.0.0.1:${http_port}/sign-out`);
+    await page.click('button');
+    await page.waitForSelector('input[name=token]');
   } finally {
     await browser?.context.close();
     await workplace.end();
