@@ -9,7 +9,7 @@ const {bannerFor} = await bundled('panel/banner.ts');
 const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
   account: {site: 10, network: 30, computer: 20}, late_ms: undefined, station_ms: 10, surfaceStale: false, surface_ms: 40,
-  handShown: true, holdsHand: false, untaken: false, yields_s: undefined, graphicsLost: false, paused: false,
+  handShown: true, holdsHand: false, role: 'doctor', untaken: false, yields_s: undefined, graphicsLost: false, paused: false,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
 

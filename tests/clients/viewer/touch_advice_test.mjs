@@ -18,16 +18,22 @@ test('a hand is shown only while its tracker sees one', () => {
 });
 
 test('Touch without a station that takes a hand says what to start', () => {
-  const {title, text} = touchAdvice({handShown: true, holdsHand: true, untaken: true});
+  const {title, text} = touchAdvice({handShown: true, holdsHand: true, untaken: true, role: 'local'});
   assert.equal(title, 'Touch reaches no station');
   assert.match(text, /deploy\/demo --hand browser.*--tracker browser/);
 });
 
+test('a visitor who may not touch is told so once Touch is on', () => {
+  for (const role of ['viewer', 'technician', 'qa'])
+    assert.equal(touchAdvice({handShown: undefined, holdsHand: true, untaken: false, role}).title, 'Only doctors may touch');
+  assert.equal(touchAdvice({handShown: undefined, holdsHand: false, untaken: false, role: 'viewer'}), undefined);
+});
+
 test('without a hand the page says how to hold one; with one, or without a station, it is silent', () => {
-  assert.match(touchAdvice({handShown: false, holdsHand: false, untaken: false}).text, /press Touch/);
-  assert.match(touchAdvice({handShown: false, holdsHand: true, untaken: false}).text, /Move the pointer/);
-  assert.equal(touchAdvice({handShown: true, holdsHand: true, untaken: false}), undefined);
-  assert.equal(touchAdvice({handShown: undefined, holdsHand: false, untaken: false}), undefined);
+  assert.match(touchAdvice({handShown: false, holdsHand: false, untaken: false, role: 'doctor'}).text, /press Touch/);
+  assert.match(touchAdvice({handShown: false, holdsHand: true, untaken: false, role: 'doctor'}).text, /Move the pointer/);
+  assert.equal(touchAdvice({handShown: true, holdsHand: true, untaken: false, role: 'doctor'}), undefined);
+  assert.equal(touchAdvice({handShown: undefined, holdsHand: false, untaken: false, role: 'doctor'}), undefined);
 });
 
 test('an inner object that is not followed is told of, after all that matters more', () => {

@@ -16,15 +16,20 @@ export function shownHand({stampNs, handSampledNs, displayedHandCamera}: Station
 export interface TouchHealth {
   handShown: boolean | undefined;  // undefined: no station sends messages
   holdsHand: boolean;              // "Touch" is on in this page
+  role: string;                    // of this visitor at the server; empty while it is not known
   untaken: boolean;                // the server reports that no station uses this page's hand
   unmodelled: boolean;             // the patient just moved unlike in the seconds before: the station predicts less
   objectUnseen: boolean;           // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;      // an object does not follow the body along its skin
 }
 
+const MAY_TOUCH = ['', 'local', 'doctor'];  // local: on the machine of a server without keys
+
 /** What a user who wants to touch should do next; undefined when there is nothing to say. */
 export function touchAdvice(health: TouchHealth): Banner | undefined {
-  const {handShown, holdsHand, untaken} = health;
+  const {handShown, holdsHand, role, untaken} = health;
+  if (holdsHand && !MAY_TOUCH.includes(role))
+    return {level: 'warn', title: 'Only doctors may touch', text: 'Sign out at /sign-out, and sign in with a doctor’s token.'};
   if (holdsHand && untaken)
     return {
       level: 'warn',

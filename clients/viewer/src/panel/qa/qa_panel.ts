@@ -37,13 +37,13 @@ export class QaPanel {
     element('snapshot').addEventListener('click', () => void this.snapshot());
   }
 
-  show({connected, events, sessionNow_ns}: Reading): void {
+  show({connected, events, sessionNow_ns, presence}: Reading): void {
     const {state} = this.playback;
     this.showAskedMoment();
     this.network.show(state !== undefined);
     this.notesCard.show();
     this.comparison.show();
-    setText(element('moment'), state === undefined ? 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
+    setText(element('moment'), state === undefined ? presence.playsSession ? 'recorded' : 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
     element<HTMLButtonElement>('share').disabled = state === undefined;
     const whole = state && this.whole.overview?.events;
     if (!connected && whole === undefined) this.log.forget();
