@@ -99,3 +99,9 @@ test('a run beside itself has no difference; none ends the comparison', async ()
   await page.waitForSelector('#comparison', {state: 'hidden'});
   assert.deepEqual(browser.problems, []);
 });
+
+test('the choice of another visitor is shown on a page that is open', async () => {
+  await fetch(`${address}playback/comparison`, {method: 'POST', body: '{"with":"wan.mcap"}'});
+  await page.waitForSelector('#comparison', {state: 'visible', timeout: 60_000});
+  assert.equal(await page.inputValue('#comparison-with'), 'wan.mcap');
+});
