@@ -8,7 +8,7 @@
 namespace telepalp::recording {
 namespace {
 
-constexpr std::size_t kLongestConsent = 200;  // bytes
+constexpr std::size_t kLongestConsent = 500;  // bytes: the 120 characters of the page take at most 480
 
 constexpr const char* kWhere = "POST /recording";
 constexpr const char* kExample =
@@ -29,7 +29,7 @@ Result<msg::RecordingCommand> read_command(const std::string& json) {
   if (command.record() && std::all_of(consent.begin(), consent.end(), [](char letter) { return letter == ' '; }))
     return wrong("the command states no consent of the patient, without which nothing is recorded");
   if (consent.size() > kLongestConsent || std::any_of(consent.begin(), consent.end(), is_control))
-    return wrong("the consent is not one line of at most 200 bytes");
+    return wrong("the consent is not one line of at most 500 bytes");
   return command;
 }
 

@@ -213,7 +213,7 @@ TEST_F(Probe, AMeshWithVerticesThatAreNoNumbersIsTouchedWhereItIs) {
   text += "v nan nan nan\nf 1 2 9\n";
   const auto opened = open_cloud(file("cube.obj", text), {}, *surface::surface_settings("fast"));
   ASSERT_TRUE(opened.ok()) << to_string(opened.error());
-  EXPECT_NE(opened->remarks.find("not a number"), std::string::npos) << opened->remarks;
+  EXPECT_NE(opened->remarks.find("not a finite number"), std::string::npos) << opened->remarks;
   const auto felt = touch_along(*opened->snapshot, straight_in(), 500.0);
   expect_finite(felt);
   EXPECT_TRUE(felt.back().in_body);
