@@ -385,6 +385,21 @@ TEST_F(Files, AnEmptyFileAndAnotherFormatAreNamedByEachCommandAndNothingIsLeftBe
   EXPECT_FALSE(std::filesystem::exists(in("out.mcap.partial")));
 }
 
+TEST_F(Files, OnAFullDiskNoCommandLeavesAFileBehind) {
+  const std::string file = write("session.mcap", wire::samples::session(0.1, 500)).string();
+  const std::string damaged = in("damaged.mcap").string();
+  std::ofstream(damaged, std::ios::binary) << bytes_of(file).substr(0, bytes_of(file).size() - 20);
+  const std::string out = in("out.mcap").string();
+  for (const std::string& words : {"cut " + file, "merge " + file + " " + file, "repair " + damaged}) {
+    const std::string command = "trap '' XFSZ; ulimit -f 2; exec " + kRecorder.string() + " " + words + " --out " +
+                                out + " 2> " + in("log").string();
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << words;
+    EXPECT_NE(log().find("out.mcap.partial: cannot be written: File too large"), std::string::npos) << log();
+    EXPECT_FALSE(std::filesystem::exists(out)) << words;
+    EXPECT_FALSE(std::filesystem::exists(out + ".partial")) << words;
+  }
+}
+
 TEST_F(Files, ANameFromAPeerCannotForgeALineOfInfo) {
   std::vector<wire::Message> messages{state(0, 7, 1)};
   msg::ServerStats stats;

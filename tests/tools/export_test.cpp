@@ -165,6 +165,16 @@ TEST_F(Export, AFoxgloveSessionHoldsItsOwnTypesAlone) {
   EXPECT_EQ(topics.at("/camera/color"), static_cast<std::uint64_t>(kFrames));
 }
 
+TEST_F(Export, OnAFullDiskNoFoxgloveSessionIsLeftBehind) {
+  const std::string out = in("foxglove.mcap").string();
+  const std::string command = "trap '' XFSZ; ulimit -f 2; exec " TELEPALP_BINARY_DIR "/bin/telepalp-export " +
+                              in("session.mcap").string() + " --foxglove " + out + " 2> " + in("log").string();
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_NE(wire::samples::bytes_of(in("log")).find("cannot be written: File too large"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_FALSE(std::filesystem::exists(out + ".partial"));
+}
+
 TEST_F(Export, TheProgramWritesAndSaysWhatIsWrong) {
   const auto run = [&](std::vector<std::string> words) {
     support::ChildProcess program(TELEPALP_BINARY_DIR "/bin/telepalp-export", words, in("log"));

@@ -31,9 +31,9 @@ class FoxgloveFile {
   }
   [[nodiscard]] const Result<void>& state() const noexcept { return state_; }
   [[nodiscard]] Result<std::uint64_t> close() {
-    const Result<void> closed = writer_.close();
-    if (state_ && closed) return messages_;
-    if (!closed && state_) state_ = closed;
+    if (state_) state_ = writer_.flush();  // close() would give the file its name after a failed write, too
+    if (state_) state_ = writer_.close();
+    if (state_) return messages_;
     writer_.discard();
     return state_.error();
   }

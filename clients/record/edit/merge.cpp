@@ -173,6 +173,7 @@ Result<EditReport> merge(const std::vector<std::filesystem::path>& files, const 
   EditReport report;
   Result<void> copied = copy_all_notes(*strands, *writer);
   if (copied) copied = copy_messages(*strands, *writer, report);
+  if (copied) copied = writer->flush();  // close() would give the file its name after a failed write, too
   if (copied) copied = writer->close();
   report.messages = writer->messages();
   if (copied) return report;
