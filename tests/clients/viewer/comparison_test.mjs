@@ -24,22 +24,28 @@ test('a bin without a state shows the last state before it, if the next one come
   const {a, b, apart_N} = readComparison(reply('i.i', 'o..o')).runs;
   assert.deepEqual(a, {force_N: [1, 1, 3], indentation_mm: [10, 10, 30], phase: [1, 1, 1]});
   assert.deepEqual(b.force_N, [1, 1, 1, 4]);
-  assert.deepEqual(apart_N, [0.1, 0.1, 0.3], 'the difference has a value where A has one');
+  assert.deepEqual(apart_N, [0.1, 0.1, 0.3]);
+});
+
+test('after the end of one run there is no difference', () => {
+  const {b, apart_N} = readComparison(reply('iiii', 'oo..', {bin_s: 0.1})).runs;
+  assert.deepEqual(b.force_N, [1, 2, null, null]);
+  assert.deepEqual(apart_N, [0.1, 0.2, null, null]);
 });
 
 test('a gap is filled as a whole or not at all', () => {
   assert.deepEqual(forces('i......i'), [1, 1, 1, 1, 1, 1, 1, 8], '35 ms from state to state');
-  assert.deepEqual(forces('i.......i'), [1, 0, 0, 0, 0, 0, 0, 0, 9], '40 ms: the station was silent');
+  assert.deepEqual(forces('i.......i'), [1, null, null, null, null, null, null, null, 9], '40 ms: the station was silent');
 });
 
 test('the length of a gap is a time: in a long session a bin without a state stays empty', () => {
   assert.deepEqual(forces('i.i', {bin_s: 0.01}), [1, 1, 3]);
-  assert.deepEqual(forces('i.i', {bin_s: 0.1}), [1, 0, 3]);
+  assert.deepEqual(forces('i.i', {bin_s: 0.1}), [1, null, 3]);
 });
 
 test('nothing is claimed before the first state and behind the last', () => {
-  assert.deepEqual(forces('.i.i.'), [0, 2, 2, 4, 0]);
-  assert.deepEqual(forces('...'), [0, 0, 0]);
+  assert.deepEqual(forces('.i.i.'), [null, 2, 2, 4, null]);
+  assert.deepEqual(forces('...'), [null, null, null]);
 });
 
 test('bins lie at their middle, and the words are those of the bin at the moment', () => {
@@ -48,7 +54,7 @@ test('bins lie at their middle, and the words are those of the bin at the moment
   assert.equal(momentSays(runs, 2.0125), '0:02.0: A 3.00 N, 30 mm, In body; B 3.00 N, 30 mm, Out body; the force vectors differ by 0.30 N');
   assert.equal(momentSays(runs, 2.1), '', 'behind the end');
   assert.equal(momentSays(readComparison(reply('...', 'o.o')).runs, 2.0025),
-      '0:02.0: A 0.00 N, 0 mm, no state; B 1.00 N, 10 mm, Out body; the force vectors differ by 0.00 N');
+      '0:02.0: A has no state; B 1.00 N, 10 mm, Out body', 'no state is not a force of 0 N');
 });
 
 test('the state of a comparison is a sentence', () => {

@@ -6,10 +6,10 @@ export interface ComparisonCommand {
   with?: string;
 }
 
-/** One run in equal bins of the common time axis. */
+/** One run in equal bins of the common time axis; null where it has no state. */
 export interface ComparedRun {
-  force_N: readonly number[];
-  indentation_mm: readonly number[];
+  force_N: readonly (number | null)[];
+  indentation_mm: readonly (number | null)[];
   phase: readonly Phase[];
 }
 
@@ -26,7 +26,7 @@ export interface ComparedRuns {
   at_s: readonly number[];  // middle of each bin
   a: ComparedRun;
   b: ComparedRun;
-  apart_N: readonly number[];
+  apart_N: readonly (number | null)[];  // null where one of them has no state
   same_time: boolean;
   first: FirstDifference | undefined;
 }
@@ -67,22 +67,21 @@ function heldBins(phase: readonly Phase[], bin_s: number): number[] {
 
 function withoutGaps({force_N, indentation_mm, phase}: ComparedRun, bin_s: number): ComparedRun {
   const held = heldBins(phase, bin_s);
-  return {
-    force_N: held.map((bin) => force_N[bin] ?? 0), indentation_mm: held.map((bin) => indentation_mm[bin] ?? 0),
-    phase: held.map((bin) => phase[bin] ?? 0),
-  };
+  const shown = (list: typeof force_N) => held.map((bin) => (phase[bin] ? list[bin] ?? 0 : null));
+  return {force_N: shown(force_N), indentation_mm: shown(indentation_mm), phase: held.map((bin) => phase[bin] ?? 0)};
 }
 
 function readRuns(json: Record<string, unknown>): ComparedRuns | undefined {
   const apart_N = numbers(json['apart_N']);
   if (apart_N.length === 0) return undefined;
-  const a = readRun(json['a'] as Record<string, unknown>);
   const [begin_s, bin_s] = [Number(json['begin_s']), Number(json['bin_s'])];
+  const [own, other] = [json['a'], json['b']].map((run) => readRun(run as Record<string, unknown>)) as [ComparedRun, ComparedRun];
+  const [a, b] = [withoutGaps(own, bin_s), withoutGaps(other, bin_s)];
   return {
     at_s: apart_N.map((_, bin) => begin_s + (bin + 0.5) * bin_s),
-    a: withoutGaps(a, bin_s),
-    b: withoutGaps(readRun(json['b'] as Record<string, unknown>), bin_s),
-    apart_N: heldBins(a.phase, bin_s).map((bin) => apart_N[bin] ?? 0),
+    a,
+    b,
+    apart_N: heldBins(own.phase, bin_s).map((bin, at) => (a.phase[at] && b.phase[at] ? apart_N[bin] ?? 0 : null)),
     same_time: json['same_time'] === true,
     first: json['first'] === undefined || json['first'] === null ? undefined : json['first'] as FirstDifference,
   };

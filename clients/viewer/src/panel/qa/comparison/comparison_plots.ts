@@ -14,7 +14,7 @@ interface Curve {
   colors: readonly string[];  // CSS variables: of A and B, or of the difference
   step: number;               // the scale's top is a multiple of it
   phases: boolean;
-  columns: (runs: ComparedRuns) => (readonly number[])[];
+  columns: (runs: ComparedRuns) => (readonly (number | null)[])[];
 }
 const CURVES: readonly Curve[] = [
   {box: 'comparison-force', colors: ['--curve-force', '--curve-other'], step: 1, phases: true,

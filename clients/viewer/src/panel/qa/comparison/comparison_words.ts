@@ -2,7 +2,7 @@ import type {ComparedRuns, ComparisonState} from '../../../playback/comparison_s
 import {clock} from '../../../playback/timeline_words';
 import {lookOf} from '../../phases';
 
-const newtons = (force_N: number | undefined) => `${(force_N ?? 0).toFixed(2)} N`;
+const newtons = (force_N: number | null | undefined) => `${(force_N ?? 0).toFixed(2)} N`;
 
 /** The state of the comparison as a sentence. */
 export function comparisonSays({with: other, complete, problem, runs}: ComparisonState): string {
@@ -21,7 +21,9 @@ export function momentSays({at_s, a, b, apart_N}: ComparedRuns, moment_s: number
   const bin_s = (at_s[1] ?? first_s + 1) - first_s;
   const bin = Math.round((moment_s - first_s) / bin_s);
   if (bin < 0 || bin >= at_s.length) return '';
-  const run = (name: string, {force_N, indentation_mm, phase}: typeof a) =>
-    `${name} ${newtons(force_N[bin])}, ${(indentation_mm[bin] ?? 0).toFixed(0)} mm, ${phase[bin] ? lookOf(phase[bin]).name : 'no state'}`;
-  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}; the force vectors differ by ${newtons(apart_N[bin])}`;
+  const run = (name: string, {force_N, indentation_mm, phase}: typeof a) => phase[bin]
+    ? `${name} ${newtons(force_N[bin])}, ${(indentation_mm[bin] ?? 0).toFixed(0)} mm, ${lookOf(phase[bin]).name}`
+    : `${name} has no state`;
+  const apart = apart_N[bin] === null ? '' : `; the force vectors differ by ${newtons(apart_N[bin])}`;
+  return `${clock(at_s[bin] ?? 0)}: ${run('A', a)}; ${run('B', b)}${apart}`;
 }
