@@ -135,12 +135,14 @@ void Access::look_at_revocations() {
   if (failed || changed == revoked_read_) return;
   const Result<void> read = read_revocations();
   const std::size_t count = revocations_.all().size();
-  if (read)
+  if (read) {
+    unread_said_.clear();
     return say_("the revocation list was read again: it revokes " + std::to_string(count) +
                 (count == 1 ? " key or token" : " keys and tokens"));
+  }
   Error unread = read.error();
   unread.what += "; the previous list stays valid";
-  say_(to_string(unread));
+  if (std::string text = to_string(unread); text != unread_said_) say_(unread_said_ = std::move(text));
 }
 
 void Access::note(AuditEvent event, const std::string& text) {

@@ -61,7 +61,10 @@ TEST(RecordingCommand, NobodyIsRecordedWithoutConsent) {
        {R"({"record":true})", R"({"record":true,"consent":"   "})", R"({"consent":"signed"})",
         R"({"record":true,"consent":"two\nlines"})", R"({"record":true,"file":"/etc/passwd"})", "{", ""})
     EXPECT_FALSE(read_command(json).ok()) << json;
-  EXPECT_FALSE(read_command(R"({"record":true,"consent":")" + std::string(201, 'x') + "\"}").ok());
+  EXPECT_FALSE(read_command(R"({"record":true,"consent":")" + std::string(501, 'x') + "\"}").ok());
+  std::string longest;  // the page's longest consent, in letters of four bytes
+  for (int letter = 0; letter < 120; ++letter) longest += "\U00010400";
+  EXPECT_TRUE(read_command(R"({"record":true,"consent":")" + longest + "\"}").ok());
 }
 
 TEST(SessionRecorder, ARecordingIsNamedAfterItsBeginningAndCompletedWhenItIsEnded) {

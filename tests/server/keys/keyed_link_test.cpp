@@ -88,6 +88,20 @@ TEST(KeyedLink, AKeyRevokedBeforeIsRefusedAndOneRevokedMeanwhileEndsTheSession) 
   expect_refused(site, again, "it is revoked", "telepalp-keys client");
 }
 
+TEST(KeyedLink, ARevocationListThatCannotBeReadIsSaidOnceAndTheOneBeforeItHolds) {
+  const KeyRing ring;
+  ring.revoke("07");
+  const std::filesystem::path key = ring.server_key(ring.now);
+  std::vector<std::string> said;
+  const auto opened = access::Access::with_key(
+      {.key = key, .revoked = {}, .audit = {}, .say = [&](const std::string& text) { said.push_back(text); }});
+  ASSERT_TRUE(opened.ok()) << to_string(opened.error());
+  std::filesystem::resize_file(key.parent_path() / "revoked.crl", std::uintmax_t{17} << 20);
+  for (int second = 0; second < 3; ++second) (*opened)->look_at_revocations();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("the previous list stays valid"), std::string::npos) << said[0];
+}
+
 TEST(KeyedLink, AKeyThatExpiresMeanwhileEndsTheSessionAndFreesTheTouch) {
   KeyedSite site;
   const keys::WallTime made = site.ring.now - std::chrono::days(1) + 6s;  // a key holds for a day
