@@ -62,7 +62,7 @@ let last: Instant | undefined;     // drawn last
 let withHand = false;  // the first drawings have no hand: its shape and shaders take 0.3 s without a graphics card
 
 const playback = new PlaybackLink(askServer('playback'));
-const notes = new PlayedPart<Note[], NoteCommand>(askServer('playback/notes'), readNotes, (_, next) => next);
+const notes = new PlayedPart<Note[], NoteCommand>(askServer('playback/notes'), readNotes, () => undefined);
 const link = new SiteLink({
   instant: (instant) => {
     coming = instant;

@@ -18,13 +18,13 @@ const state = (changes = {}) => readNetwork(JSON.stringify({...STATE, ...changes
 const slider = (field) => SLIDERS.find((one) => one.field === field);
 
 /** A part whose server answers only when told to. */
-function slowPart() {
+function slowPart(join = (first, then) => ({...first, ...then})) {
   const asked = [];
   const answers = [];
   const part = new PlayedPart((command) => {
     asked.push(command);
     return new Promise((answer) => answers.push(answer));
-  }, (text) => (text === '' ? undefined : text), (first, then) => ({...first, ...then}));
+  }, (text) => (text === '' ? undefined : text), join);
   const answer = async (reply) => {
     answers.shift()(reply);
     await new Promise((wake) => setTimeout(wake));
@@ -43,6 +43,18 @@ test('while a command is on its way, later ones become one', async () => {
   await answer({status: 200, text: 'three'});
   assert.equal(await first, true);
   assert.equal(part.state, 'three');
+});
+
+test('commands that cannot be joined are sent one after the other, and each is told its own answer', async () => {
+  const {part, asked, answer} = slowPart(() => undefined);
+  const answers = [1, 2, 3].map((remove) => part.command({remove}));
+  assert.deepEqual(asked, [{remove: 1}]);
+  await answer({status: 200, text: 'two and three'});
+  await answer({status: 400, text: 'there is no note 2'});
+  await answer({status: 200, text: 'none'});
+  assert.deepEqual(asked, [{remove: 1}, {remove: 2}, {remove: 3}]);
+  assert.deepEqual(await Promise.all(answers), [true, false, true]);
+  assert.equal(part.state, 'none');
 });
 
 test('a state that was asked for before a command is not shown after it', async () => {
