@@ -165,7 +165,8 @@ test('in no width do phase, top bar, banner and notice touch, nor a reading and 
   await page.waitForSelector('#banner-title:text-is("Paused")');
   for (const width of [1920, 1400, 1100, 900, 390]) {
     await page.setViewportSize({width, height: 800});
-    const touching = await page.evaluate(() => {
+    const touching = await page.evaluate(async () => {
+      for (let drawn = 0; drawn < 3; ++drawn) await new Promise(requestAnimationFrame);  // heights are measured after layout
       document.getElementById('phase-says').textContent = 'no force: push the device down to the skin';
       for (const id of ['picture-age', 'link-age']) document.getElementById(id).textContent = '999 ± 99 ms';
       const notice = document.querySelector('.hand-notice');
