@@ -1,5 +1,7 @@
 #include "haptic_station/control/parts/energy_account.h"
 
+#include <utility>
+
 #include "haptic_station/control/safety/shortened.h"
 
 namespace telepalp::control {
@@ -18,6 +20,7 @@ double deliverable_share(double bound_N, double force_N) noexcept {
 void EnergyAccount::begin() noexcept {
   passivity_.begin(0.0);
   withheld_N_.setZero();
+  shown_N_.setZero();
 }
 
 Eigen::Vector3d EnergyAccount::step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
@@ -26,6 +29,7 @@ Eigen::Vector3d EnergyAccount::step(const Eigen::Vector3d& asked_N, double share
   booked.absorbed_J -= withheld_N_.dot(exchange.moved.v);
   // The force is bounded before the damping is added. Otherwise the limiter would cut the damping off.
   const Eigen::Vector3d shown_N = at_most(share * asked_N, bound_N);
+  booked.force_change_N = (shown_N - std::exchange(shown_N_, shown_N)).norm();
   withheld_N_ = shown_N - asked_N;
   booked.stored_J *= share * deliverable_share(bound_N, share * asked_N.norm());
   damping_ = passivity_.step(booked, dt_s);

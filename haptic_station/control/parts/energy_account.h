@@ -32,6 +32,7 @@ class EnergyAccount {
  private:
   PassivityController passivity_;
   Force<HapticBase> damping_;
+  Eigen::Vector3d shown_N_ = Eigen::Vector3d::Zero();     ///< the effects' force that the last tick showed
   Eigen::Vector3d withheld_N_ = Eigen::Vector3d::Zero();  ///< force given minus force asked for, over the last tick
 };
 

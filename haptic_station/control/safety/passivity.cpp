@@ -36,7 +36,9 @@ Force<HapticBase> PassivityController::step(const Exchange& exchange, double dt_
   const double hand_excess_J = exchange.hand_excess_J - settings_.hand_tolerance_J;
   const Eigen::Vector3d wanted_N = -display_.follow(display_excess_J, relative.squaredNorm(), dt_s) * relative -
                                    hand_.follow(hand_excess_J, absolute.squaredNorm(), dt_s) * absolute;
-  damping_.N += at_most(wanted_N - damping_.N, settings_.slew_N_per_s * dt_s);
+  const double most_change_N =
+      std::max(settings_.least_slew_N_per_s * dt_s, settings_.slew_N_per_s * dt_s - exchange.force_change_N);
+  damping_.N += at_most(wanted_N - damping_.N, most_change_N);
   return damping_;
 }
 

@@ -12,7 +12,10 @@ struct PassivitySettings {
   double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping against an excess in HandLedger
   double hand_tolerance_J = 1e-4;             ///< a smaller excess in HandLedger is ignored as noise of the surface
   double hand_reaction_s = 0.01;
-  double slew_N_per_s = 40.0;  ///< largest rate of change of the damping force: 0.02 N a tick
+  /// The damping force changes by at most 0.045 N a tick, less the change of the effects' force in the same tick. It
+  /// may always change by 0.02 N.
+  double slew_N_per_s = 90.0;
+  double least_slew_N_per_s = 40.0;
 };
 
 /// Energy and motion between the effects and the hand over one tick. H is the haptic base's frame.
@@ -22,6 +25,7 @@ struct Exchange {
   Vector<HapticBase> moved;            ///< movement of the device relative to the displayed surface [m]
   Vector<HapticBase> velocity;         ///< velocity of the device relative to the displayed surface [m/s]
   Vector<HapticBase> device_velocity;  ///< velocity of the device in H [m/s]
+  double force_change_N = 0.0;         ///< change of the effects' force since the last tick, a magnitude
   double hand_excess_J = 0.0;          ///< HandLedger::excess_J(): work on the hand beyond the measured skin's
 };
 
@@ -38,8 +42,8 @@ struct Exchange {
 /// newest measured surface would have done. Its damping acts on the device's velocity in H, so a resting hand feels
 /// none.
 ///
-/// The damping stops when the excess is gone. Its force changes by at most PassivitySettings::slew_N_per_s. Owner:
-/// haptic thread.
+/// The damping stops when the excess is gone. Its force changes slowly in a tick in which the effects' force steps, so
+/// that both together make a smaller step (PassivitySettings::slew_N_per_s). Owner: haptic thread.
 class PassivityController {
  public:
   explicit PassivityController(const PassivitySettings& settings = {}) noexcept : settings_(settings) {}

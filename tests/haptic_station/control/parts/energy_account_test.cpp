@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace telepalp::control {
 namespace {
 
@@ -35,6 +38,26 @@ TEST(EnergyAccount, DampsEnergyThatTheHandDidNotPutIn) {
   EXPECT_LT(account.passivity().balance_J(), 0.0);
   EXPECT_LT(force_N.y(), 3.0);
   EXPECT_LT(account.damping().N.y(), 0.0) << "against the movement";
+}
+
+/// A newer surface may change the effects' force in one tick. The damping waits, so that both together step less.
+TEST(EnergyAccount, TheDampingChangesSlowlyInATickInWhichTheEffectsForceSteps) {
+  const auto damping_after = [](double steps_N) {
+    EnergyAccount account;
+    account.begin();
+    (void)account.step(Vector3d(0.0, 3.0, 0.0), 1.0, {}, kBound_N, kTick_s);
+    double before_N = 0.0;
+    double most_N = 0.0;
+    for (int tick = 1; tick < 20; ++tick) {
+      (void)account.step(Vector3d(0.0, 3.0 + steps_N * tick, 0.0), 1.0, outwards(1e-3), kBound_N, kTick_s);
+      most_N = std::max(most_N, std::abs(account.damping().N.y() - before_N));
+      before_N = account.damping().N.y();
+    }
+    return most_N;
+  };
+  EXPECT_NEAR(damping_after(0.0), 0.045, 1e-9);
+  EXPECT_NEAR(damping_after(0.015), 0.03, 1e-9);
+  EXPECT_NEAR(damping_after(0.075), 0.02, 1e-9);
 }
 
 TEST(EnergyAccount, BooksTheForceThatTheDeviceCannotGive) {
