@@ -53,7 +53,7 @@ Result<ColorImage> decode_color(std::span<const std::byte> jpeg) {
   int subsampling = 0;
   int colorspace = 0;
   if (tjDecompressHeader3(turbo.get(), bytes, jpeg.size(), &color.width, &color.height, &subsampling, &colorspace) != 0)
-    return damaged("it is not in JPEG format");
+    return damaged("its JPEG header cannot be read");
   if (color.width < 1 || color.height < 1 || color.width > kMaxImageSide || color.height > kMaxImageSide)
     return damaged("it declares " + std::to_string(color.width) + " x " + std::to_string(color.height) +
                    " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");

@@ -135,7 +135,7 @@ struct PngReader {
 void take_bytes(png_structp png, png_bytep to, std::size_t count) {
   auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
   models::check_png_bytes(png, reader->info, reader->bounds, count);
-  if (std::fread(to, 1, count, reader->file) != count) png_error(png, "the file ends too early");
+  if (std::fread(to, 1, count, reader->file) != count) png_error(png, "the file ends too early, or cannot be read");
 }
 
 /// libpng calls longjmp when a file is damaged. Each function that may be left this way therefore has no C++ objects.

@@ -137,7 +137,7 @@ void Access::look_at_revocations() {
   const std::size_t count = revocations_.all().size();
   if (read) {
     unread_said_.clear();
-    return say_("the revocation list was read again: it revokes " + std::to_string(count) +
+    return say_("the revocation list was read: it revokes " + std::to_string(count) +
                 (count == 1 ? " key or token" : " keys and tokens"));
   }
   Error unread = read.error();

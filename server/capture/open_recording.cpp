@@ -12,7 +12,7 @@ Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec, std::
   const std::size_t colon = spec.find(':');
   const std::string_view name = spec.substr(0, colon);
   const std::string rest{colon == std::string_view::npos ? std::string_view{} : spec.substr(colon + 1)};
-  const std::string where = "--source " + std::string(spec);
+  const std::string where = "source " + std::string(spec);
   for (const SourceKind& kind : kinds) {
     if (kind.name != name) continue;
     if (kind.needs_rest && rest.empty())
@@ -28,7 +28,8 @@ Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec, std::
 Result<std::unique_ptr<CaptureSource>> open_recording(std::string_view spec, const SourceOptions& options) {
   static constexpr SourceKind kKinds[] = {
       {"oni", open_oni, true}, {"images", open_images, true}, {"pcd", open_pcd, true}, {"session", open_session, true}};
-  return open_by_kind(spec, kKinds, "give oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap", options);
+  return open_by_kind(spec, kKinds,  // telepalp-replay, whose users choose the kind, has synthetic, too.
+                      "give oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL] or session:FILE.mcap", options);
 }
 
 }  // namespace telepalp::capture

@@ -40,7 +40,7 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 /// metres are plausible.
 [[nodiscard]] std::string unit_complaint(const PointModel& model);
 inline constexpr const char* kSayTheUnit =
-    "give the length of one unit of the file's coordinates in metres, such as 0.001 for millimetres: --unit-m 0.001, "
-    "or unit_m: 0.001 in a scene";
+    "give the length of one unit of the file's coordinates in metres, such as 0.001 for millimetres: telepalp-probe "
+    "--unit-m 0.001, telepalp-station --surface model:FILE,unit_m=0.001, or unit_m: 0.001 in a scene";
 
 }  // namespace telepalp::models

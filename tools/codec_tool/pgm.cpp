@@ -31,7 +31,7 @@ Result<images::GrayImage16> decode_pgm(std::string_view bytes, const std::string
   images::GrayImage16 image{.width = take_number(rest), .height = take_number(rest), .samples = {}};
   const int most = take_number(rest);
   if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide)
-    return refused("declares a width or height that is not from 1 to " + std::to_string(kMaxImageSide) + " pixels");
+    return refused("does not declare a width and a height from 1 to " + std::to_string(kMaxImageSide) + " pixels");
   if (most < 256 || most > 65535 || rest.empty()) return refused("has no 16-bit pixels");
   rest.remove_prefix(1);
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);

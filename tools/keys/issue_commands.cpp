@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "proto/keys/role.h"
 #include "tools/keys/commands.h"
 #include "tools/keys/key_folder.h"
 
@@ -31,6 +32,13 @@ Result<std::string> keep(const KeyFolder& folder, const Result<std::string>& tex
   return file.string() + ": " + keys::in_words(*key) + "use:        " + use + "\n";
 }
 
+/// The start of a command that the role allows.
+std::string program_of(keys::Role role) {
+  if (role == keys::Role::Doctor) return "telepalp-station --connect SERVER";
+  return keys::allows(role, keys::Operation::Record) ? "telepalp-record --connect SERVER --out FILE.mcap"
+                                                     : "telepalp-view --connect SERVER --snapshot FILE.png";
+}
+
 Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what, const KeyFile& like,
                           const std::filesystem::path& file, bool replace, const KeyFolder& folder) {
   switch (like.kind) {
@@ -39,9 +47,7 @@ Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what
                   "telepalp-server --bind 0.0.0.0 --key " + file.string());
     case KeyFile::Kind::Client:
       return keep(folder, folder.authority().client_key(what), file, replace,
-                  what.role == keys::Role::Doctor
-                      ? "telepalp-station --connect SERVER --key " + file.string()
-                      : "telepalp-record --connect SERVER --out FILE.mcap --key " + file.string());
+                  program_of(what.role) + " --key " + file.string());
     case KeyFile::Kind::Token:
       return keep(folder, folder.authority().token(what), file, replace,
                   "paste the text after `token:` into the browser's sign-in page, or start a program with --key " +

@@ -33,7 +33,7 @@ program::Usage usage() {
                        {"client", "", "make a key for a person's programs; needs --name and --role"},
                        {"token", "",
                         "make a token with which a person signs in on the browser page; needs --name and --role"},
-                       {"renew", "FILE", "replace the key or token in FILE by one that expires later"},
+                       {"renew", "FILE", "replace the key or token in FILE by a new one, valid for --days from now"},
                        {"revoke", "FILE|SERIAL", "revoke a key or token"},
                        {"list", "", "print all keys and tokens that were issued"},
                        {"show", "FILE", "print whose key FILE is, what it allows, until when"},

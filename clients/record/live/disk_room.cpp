@@ -28,8 +28,8 @@ std::optional<std::string> DiskRoom::alarm(std::uint64_t stored_bytes) {
   const double left_s = static_cast<double>(room.available) * seconds / static_cast<double>(stored_bytes);
   const bool was_alarmed = std::exchange(alarmed_, left_s < kShort_s);
   if (!alarmed_ || was_alarmed) return std::nullopt;
-  return "ALARM: the disk of the recording will be full in " + std::to_string(static_cast<int>(left_s)) +
-         " s. fix: delete or move files on the disk of " + folder_.string();
+  return "ALARM: the disk of the recording has room for only " + std::to_string(static_cast<int>(left_s)) +
+         " s more. fix: delete or move files on the disk of " + folder_.string();
 }
 
 }  // namespace telepalp::record

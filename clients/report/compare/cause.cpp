@@ -87,7 +87,7 @@ std::string cause_in_words(const Run& a, const Run& b, const Instant& instant) {
            (ages_differ ? "; " + ages(age_a, age_b) : "");
   if (std::isfinite(age_a) != std::isfinite(age_b))
     return std::string(std::isfinite(age_a) ? "B" : "A") +
-           " has no surface yet, or recorded no /station/state message within 20 ms of this instant";
+           " has no surface from a depth image, or recorded no /station/state message within 20 ms of this instant";
   if (ages_differ) return ages(age_a, age_b);
   return "not known: the hands are at most 1 mm apart, and the ages of the surfaces differ by at most 5 ms or are "
          "unknown in both; compare the settings";

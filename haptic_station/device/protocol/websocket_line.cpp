@@ -34,7 +34,8 @@ Result<WebSocketUrl> parse_websocket_url(std::string_view text, const WebSocketU
     return refused("does not begin with ws://, or is longer than 512 characters");
   std::string_view rest = text.substr(kScheme.size());
   for (const char c : rest)
-    if (c <= ' ' || c > '~' || c == '@' || c == '#') return refused("has a character that is not allowed in a URL");
+    if (c <= ' ' || c > '~' || c == '@' || c == '#')
+      return refused("has a character that is not accepted here, such as a space, @ or #");
   WebSocketUrl url = standard;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
     if (slash + 1 < rest.size()) url.path = rest.substr(slash);

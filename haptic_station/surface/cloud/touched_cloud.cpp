@@ -80,8 +80,8 @@ Error no_side(const std::string& what) {
   return {.what = what + "; the cloud is open, so it is not known which side is outside",
           .where = "model",
           .fix =
-              "make all normals point outwards; or give --anyway if the camera was at the origin of the file's frame: "
-              "telepalp then estimates normals that face the camera"};
+              "give normals that fit the points and all point outwards; or give --anyway if the camera was at the "
+              "origin of the file's frame: telepalp then estimates normals that face the camera"};
 }
 
 /// A cloud while its normals are settled.

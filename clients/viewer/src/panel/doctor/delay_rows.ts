@@ -12,7 +12,7 @@ const LATE_MS = 100;
 
 /** The way of the newest frame to the hand, stage by stage, and its sum. Empty without a station. */
 export function delayRows(report: SurfaceReport | undefined): Row[] {
-  if (report === undefined || report.touchableNs === 0n) return [{name: 'No frame yet', value: '–'}];
+  if (report === undefined || report.touchableNs === 0n) return [{name: 'No frame at the hand', value: '–'}];
   const ms = (from: bigint, to: bigint) => Number(to - from) / 1e6;
   const whole_ms = ms(report.capturedNs, report.touchableNs);
   return [
