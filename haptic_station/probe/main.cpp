@@ -15,7 +15,7 @@ using namespace telepalp;
 /// The options about the surface, which both commands have.
 std::vector<program::Option> surface_options() {
   return {{"cloud", "FILE", "point cloud or mesh to touch: .pcd, .ply or .obj"},
-          {"depth", "FILE", "depth image to touch instead: a 16-bit PNG"},
+          {"depth", "FILE", "depth image to touch, a 16-bit PNG; without --cloud"},
           {"camera", "FILE", "camera.textproto of the depth PNG"},
           {"setting", "NAME", "way to build the surface: fast, smooth, paper, cloud …", "fast"},
           {"unit-m", "M", "length of one unit of the cloud's coordinates, in metres; millimetres: 0.001", "1"},

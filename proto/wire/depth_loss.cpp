@@ -46,7 +46,7 @@ DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer)
 }
 
 std::string how_far(const DepthFidelity& fidelity) {
-  if (!fidelity.moved) return fidelity.mode.empty() ? "not stated" : "as measured";
+  if (!fidelity.moved) return fidelity.mode.empty() ? "not stated" : "lossless";
   if (!fidelity.within) return "off by an unknown amount";
   char text[64];
   std::snprintf(text, sizeof text, "off by up to %.3g mm at 1 m", at_1_m_mm(*fidelity.within));

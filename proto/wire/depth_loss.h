@@ -30,7 +30,7 @@ struct DepthFidelity {
 /// without a stated bound.
 [[nodiscard]] DepthFidelity less_exact(const DepthFidelity& older, const DepthFidelity& newer);
 
-/// Describes the error for people: "as measured", "off by up to 2.85 mm at 1 m", "off by an unknown amount", "not
+/// Describes the error for people: "lossless", "off by up to 2.85 mm at 1 m", "off by an unknown amount", "not
 /// stated".
 [[nodiscard]] std::string how_far(const DepthFidelity& fidelity);
 

@@ -24,7 +24,7 @@ TEST(DepthFidelity, DepthWithoutLossIsAsMeasured) {
   for (const std::string mode : {"fast", "intra", "temporal"}) {
     const DepthFidelity fidelity = depth_fidelity(image_of(mode));
     EXPECT_FALSE(fidelity.moved);
-    EXPECT_EQ(in_words(fidelity), mode + ", as measured");
+    EXPECT_EQ(in_words(fidelity), mode + ", lossless");
   }
 }
 

@@ -11,10 +11,10 @@ const fidelityOf = (format, leastM, perM) => {
   return {...depth, words: inWords(depth)};
 };
 
-test('depth without loss is as measured', () => {
+test('depth without loss is lossless', () => {
   for (const mode of ['fast', 'intra', 'temporal']) {
     assert.equal(fidelityOf(mode).moved, false);
-    assert.equal(fidelityOf(mode).words, `${mode}, as measured`);
+    assert.equal(fidelityOf(mode).words, `${mode}, lossless`);
   }
   assert.equal(fidelityOf('').words, 'not stated');
 });
@@ -38,5 +38,5 @@ test('an absurd bound is as good as none, but the loss is believed', () => {
 });
 
 test('the name of a mode is shown only as far as one may be long', () => {
-  assert.equal(fidelityOf('x'.repeat(100_000)).words, `${'x'.repeat(32)}, as measured`);
+  assert.equal(fidelityOf('x'.repeat(100_000)).words, `${'x'.repeat(32)}, lossless`);
 });

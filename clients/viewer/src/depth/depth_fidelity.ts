@@ -19,7 +19,7 @@ const millimetres = (m: number) => `${Number((1000 * m).toPrecision(3))} mm`;
 export function depthFidelity({format, bound}: Pick<DepthImage, 'format' | 'bound'>): DepthFidelity {
   const mode = format.slice(0, LONGEST_MODE);
   if (bound === undefined && mode !== MOVING_MODE)
-    return {moved: false, mode, howFar: mode === '' ? 'not stated' : 'as measured', more: ''};
+    return {moved: false, mode, howFar: mode === '' ? 'not stated' : 'lossless', more: ''};
   const more = 'Depth is near-lossless to save bytes: it is for looking at, not for touching.';
   if (bound === undefined || !isCredible(bound.leastM) || !isCredible(bound.perM))
     return {moved: true, mode, howFar: 'off by an unknown amount', more};
