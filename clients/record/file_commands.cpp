@@ -98,7 +98,8 @@ int run_finish(const std::filesystem::path& partial) {
   return program::kDone;
 }
 
-/// The fix for the damages of `file`. A repair copies messages that are not of their topic's type unchanged.
+/// The fix for a damaged file. A repair does not mend a message that is not of its topic's type: it copies it
+/// unchanged.
 std::string mending_of(const SessionFacts& facts, const std::string& file) {
   const auto unreadable = std::ranges::count_if(facts.topics, [](const auto& topic) { return topic.unreadable > 0; });
   if (facts.damages_in_all > static_cast<std::uint64_t>(unreadable)) return "telepalp-record repair " + file;

@@ -41,7 +41,7 @@ program::Usage usage() {
                        {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command}}};
 }
 
-/// With a shorter time, a file or the whole recording would last no longer than one message.
+/// A shorter time would begin a new file at nearly each message, or delete nearly the whole recording.
 Result<void> at_least_a_second(Nanoseconds time, const char* option) {
   if (time >= std::chrono::seconds(1)) return {};
   return Error{.what = "the time is shorter than 1 s", .where = option, .fix = "give 1s or more, such as 10min"};

@@ -109,11 +109,9 @@ Result<RepairReport> repair(const std::filesystem::path& file, const std::filesy
     return writer->copy(message.channel->schema, message.channel->channel, message.record);
   });
   if (copied) copied = copy_the_rest(*stream, *writer, file, report.damages);
-  if (copied) copied = writer->flush();  // close() would give the file its name after a failed write, too
-  if (copied) copied = writer->close();
-  if (copied) return report;
-  writer->discard();
-  return copied.error();
+  copied = writer->finish(copied);
+  if (!copied) return copied.error();
+  return report;
 }
 
 }  // namespace telepalp::record

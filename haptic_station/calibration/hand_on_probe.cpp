@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <string>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::calibration {
 namespace {
 
@@ -76,13 +78,12 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
     const Isometry3d fitted = fit.haptic_from_tracker * poses[i].tracker_from_hand;
     fit.residuals.each_m.push_back((predicted.translation() - fitted.translation()).norm());
     fit.angles_rad.push_back(Eigen::AngleAxisd(predicted.linear() * fitted.linear().transpose()).angle());
-    if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > settings.furthest_rad) {
-      const long degrees = std::lround(fit.angles_rad.back() * 57.29578);
-      return refusal("pose " + std::to_string(i + 1) + " disagrees with the others by " +
-                         std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +
-                         std::to_string(degrees) + (degrees == 1 ? " degree" : " degrees"),
-                     "lay the hand on the probe the same way each time, and measure this pose again");
-    }
+    if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > settings.furthest_rad)
+      return refusal(
+          "pose " + std::to_string(i + 1) + " disagrees with the others by " +
+              std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +
+              counted(static_cast<std::uint64_t>(std::lround(fit.angles_rad.back() * 57.29578)), "degree", "degrees"),
+          "lay the hand on the probe the same way each time, and measure this pose again");
   }
   return fit;
 }

@@ -23,8 +23,7 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
         "too few pairs of positions of hand and end-effector were measured: " + std::to_string(touches.size()) +
             " instead of at least " + std::to_string(settings.least_touches),
         "keep the hand on the end-effector, in the tracker's view, until the measurement ends; or, if --pairs is "
-        "given, "
-        "add rows to its file");
+        "given, add rows to its file");
   Vector3d hand = Vector3d::Zero();
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {

@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::calibration {
 namespace {
 
@@ -90,8 +92,7 @@ std::string widths_text(const Vector3d& w) {
 std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3d& to, const Vector3d& from, int rank) {
   const bool by_device = rank < 2 && to[rank] < from[rank];  // the positions by the device lack this width
   if (places.size() < 3)
-    return refusal("only " + std::to_string(places.size()) +
-                       (places.size() == 1 ? " different place is" : " different places are") +
+    return refusal("only " + counted(places.size(), "different place is", "different places are") +
                        " measured (the scatter matrix of the places has rank " + std::to_string(rank) +
                        "); a rotation needs three places that are not on a line",
                    "measure at least three places, better four or more, spread over the workspace");

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "haptic_station/calibration/number_rows.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::calibration {
 namespace {
@@ -45,7 +46,7 @@ std::vector<CompressionSample> under_hand(std::span<const CompressionSample> tes
 
 Result<TissueFit> fit_tissue(std::span<const CompressionSample> samples) {
   if (samples.size() < 4 || samples.size() > kMostSamples)
-    return Error{.what = std::to_string(samples.size()) + (samples.size() == 1 ? " row has" : " rows have") +
+    return Error{.what = counted(samples.size(), "row has", "rows have") +
                          " a strain of at most --to-strain; the fit needs 4 to 1000000 such rows",
                  .where = "compression test",
                  .fix = samples.size() < 4 ? "give more rows, a larger --to-strain, or the true --height-mm"

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::organs {
 namespace {
 
@@ -95,11 +97,11 @@ Result<std::vector<ClosedFace>> closed_faces(const models::PointModel& mesh) {
                      .where = {},
                      .fix = "export the mesh again"};
   if (const std::size_t open = open_edges(triangles); open > 0)
-    return Error{.what = "is not closed: " + std::to_string(open) +
-                         (open == 1 ? " edge lacks a face, or joins" : " edges lack a face, or join") +
-                         " two faces of opposite orientation",
-                 .where = {},
-                 .fix = "close its holes, and orient all faces outwards"};
+    return Error{
+        .what = "is not closed: " + counted(open, "edge lacks a face, or joins", "edges lack a face, or join") +
+                " two faces of opposite orientation",
+        .where = {},
+        .fix = "close its holes, and orient all faces outwards"};
   const double volume = volume_m3(triangles, mesh.points);
   if (!(std::abs(volume) > 1e-9))
     return Error{.what = "encloses less than 1 mm^3",

@@ -6,6 +6,7 @@
 #include "haptic_station/probe/palpation_path.h"
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"
+#include "support/program/files/whole_file.h"
 #include "support/program/options.h"
 
 namespace {
@@ -84,7 +85,8 @@ Result<double> spacing_m_of(const program::Arguments& arguments) {
   return 1e-3 * *spacing_mm;
 }
 
-/// A depth image needs the camera's file, which gives its unit; its outside is the side that the camera sees.
+/// Checks the options of a depth image. It needs the camera's file, which gives the unit of its depth. Its outside
+/// needs no option: it is the side that the camera sees.
 Result<void> check_depth(const program::Arguments& arguments) {
   if (arguments.text("camera").empty())
     return asked_wrongly("--depth is given without --camera, the camera.textproto of the depth PNG");
@@ -101,9 +103,8 @@ Result<void> check_files(const program::Arguments& arguments) {
   for (const char* written : {"out", "plot"})
     for (const char* other : {"cloud", "depth", "camera", "trajectory", "out"}) {
       const std::string file = arguments.text(written);
-      std::error_code missing;
       if (file.empty() || std::string_view(other) == written || arguments.text(other).empty()) continue;
-      if (file == arguments.text(other) || std::filesystem::equivalent(file, arguments.text(other), missing))
+      if (program::is_same_file(file, arguments.text(other)))
         return Error{.what = "is also the file of --" + std::string(other) + ", which would be overwritten",
                      .where = "--" + std::string(written) + " " + file,
                      .fix = "name another file"};

@@ -2,6 +2,8 @@
 
 #include <google/protobuf/descriptor.h>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::scenes {
 namespace {
 
@@ -95,8 +97,8 @@ class TreeReader {
     const bool chain = node.kind().op == Op::Union;
     if (count < wanted || (count > wanted && !chain))
       return error(body, path,
-                   "has " + std::to_string(count) + (count == 1 ? " operand" : " operands") + " instead of " +
-                       std::to_string(wanted) + (chain ? " or more" : ""),
+                   "has " + counted(count, "operand", "operands") + " instead of " + std::to_string(wanted) +
+                       (chain ? " or more" : ""),
                    "give each operand as of { ... }");
     for (int i = 0; i < count; ++i) {
       const bool opens = chain ? i + 1 < count : i == 0;

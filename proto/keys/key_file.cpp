@@ -110,7 +110,7 @@ Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
   text.resize(static_cast<std::size_t>(stream.gcount()));
   Result<KeyFile> key = read_key(text, file.string());
   if (!key) return key;
-  // after the file is known to be a key: the fix is a chmod, which would harm another file that was named by mistake
+  // Only for a key: the fix is a chmod, and it would harm another file that was named by mistake.
   if (const Result<void> hidden = check_private(status, file.string()); !hidden) return hidden.error();
   if (const Result<void> valid = check_not_expired(*key, now, file.string()); !valid) return valid.error();
   return key;

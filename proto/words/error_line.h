@@ -14,7 +14,7 @@ namespace telepalp {
   return std::string(text.substr(0, text.find('\n')));
 }
 
-/// A number as an error shows it: the shortest text that reads back as `value`, from 1e-7 to 1e12 without an exponent.
+/// A number for an error message: the shortest text that reads back as `value`. From 1e-7 to 1e12 it has no exponent.
 [[nodiscard]] inline std::string number_text(double value) {
   const bool plain = value == 0.0 || (std::abs(value) >= 1e-7 && std::abs(value) < 1e12);
   char text[64];

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "proto/keys/token.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::access {
 namespace {
@@ -134,11 +135,10 @@ void Access::look_at_revocations() {
   const auto changed = fs::last_write_time(revoked_file_, failed);
   if (failed || changed == revoked_read_) return;
   const Result<void> read = read_revocations();
-  const std::size_t count = revocations_.all().size();
   if (read) {
     unread_said_.clear();
-    return say_("the revocation list was read: it revokes " + std::to_string(count) +
-                (count == 1 ? " key or token" : " keys and tokens"));
+    return say_("the revocation list was read: it revokes " +
+                counted(revocations_.all().size(), "key or token", "keys and tokens"));
   }
   Error unread = read.error();
   unread.what += "; the previous list stays valid";

@@ -79,7 +79,7 @@ class Access : public std::enable_shared_from_this<Access> {
   wire::TlsSettings web_tls_;
   std::filesystem::path revoked_file_;
   std::filesystem::file_time_type revoked_read_{};
-  std::string unread_said_;  ///< why the list cannot be read, said once: it is looked at every second
+  std::string unread_said_;  ///< the last error of the revocation list; the same error is not logged again
   keys::Revocations revocations_;
   TokenBackOff back_off_;
   TouchLease touch_;

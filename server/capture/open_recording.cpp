@@ -28,8 +28,9 @@ Result<std::unique_ptr<CaptureSource>> open_by_kind(std::string_view spec, std::
 Result<std::unique_ptr<CaptureSource>> open_recording(std::string_view spec, const SourceOptions& options) {
   static constexpr SourceKind kKinds[] = {
       {"oni", open_oni, true}, {"images", open_images, true}, {"pcd", open_pcd, true}, {"session", open_session, true}};
-  return open_by_kind(spec, kKinds,  // telepalp-replay, whose users choose the kind, has synthetic, too.
-                      "give oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL] or session:FILE.mcap", options);
+  // Only users of telepalp-replay name the kind themselves; it opens the kind `synthetic` without this function.
+  return open_by_kind(spec, kKinds, "give oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL] or session:FILE.mcap",
+                      options);
 }
 
 }  // namespace telepalp::capture

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "proto/words/counted.h"
 #include "server/hub/peer.h"
 
 namespace telepalp::hub {
@@ -226,7 +227,7 @@ void PeerListener::note_refusal(const std::string& text) {
   const std::uint64_t unsaid = counts_.refused - refused_when_noted_ - 1;
   refused_when_noted_ = counts_.refused;
   note(text + (unsaid == 0 ? ""
-                           : " (and " + std::to_string(unsaid) + (unsaid == 1 ? " other refusal" : " other refusals") +
+                           : " (and " + counted(unsaid, "other refusal", "other refusals") +
                                  " since the last logged refusal)"));
 }
 

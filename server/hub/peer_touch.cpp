@@ -83,7 +83,7 @@ std::string PeerTouch::offered(const std::string& to) {
 std::string PeerTouch::is_held(const keys::Identity& who) const {
   const access::TouchLease& lease = access_.touch();
   const std::optional<std::string> holder = lease.holder(Clock::now());
-  if (!holder)  // another doctor took the touch after this station's lease had ended, and holds it no longer
+  if (!holder)  // this station's lease had ended, another doctor took the touch, and has given it back since
     return "this station lost the touch, because it was silent for 10 s. fix: wait: the station connects again by "
            "itself, and takes the touch unless another doctor holds it then";
   if (lease.offered_to(Clock::now()) == who.name)

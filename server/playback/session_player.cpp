@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "messages/camera.pb.h"
+#include "proto/words/counted.h"
 #include "server/playback/retimed.h"
 
 namespace telepalp::playback {
@@ -267,8 +268,7 @@ void SessionPlayer::publish_status_when_due() {
   status.set_source("session:" + file_);
   status.set_detail("recorded session " + file_ + ", " + how + speed);
   if (const auto damaged = timeline_.damaged(); damaged > 0)
-    status.set_detail(status.detail() + "; " + std::to_string(damaged) +
-                      (damaged == 1 ? " damaged part skipped" : " damaged parts skipped"));
+    status.set_detail(status.detail() + "; " + counted(damaged, "damaged part skipped", "damaged parts skipped"));
   status.set_frames(depth_images_);
   status.set_color_registered(color_registered_);
   hand_over(wire::make_message(wire::kCameraStatus, now, status));

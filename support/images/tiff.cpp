@@ -6,6 +6,8 @@
 #include <cstring>
 #include <memory>
 
+#include "proto/words/counted.h"
+
 #include "support/images/image_file.h"
 
 namespace telepalp::images {
@@ -148,8 +150,8 @@ Result<AnyImage> decode_tiff(std::span<const std::byte> bytes, const std::string
     return AnyImage{std::move(image)};
   }
   if (header.bits != 8)
-    return refuse("has " + std::to_string(header.channels) + (header.channels == 1 ? " channel of " : " channels of ") +
-                  std::to_string(header.bits) + " bits, not one channel of 16 bits or channels of 8 bits");
+    return refuse("has " + counted(header.channels, "channel of ", "channels of ") + std::to_string(header.bits) +
+                  " bits, not one channel of 16 bits or channels of 8 bits");
   ColorImage image{width, height, std::vector<std::uint8_t>(3 * pixels)};
   if (!read_color(tiff.get(), image)) return refuse("cannot be decoded: " + message);
   return AnyImage{std::move(image)};

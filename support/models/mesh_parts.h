@@ -1,5 +1,6 @@
 #pragma once
 
+#include "proto/words/counted.h"
 #include "support/models/point_model.h"
 
 namespace telepalp::models {
@@ -19,8 +20,8 @@ inline void add_fan(const std::vector<std::uint32_t>& corners, PointModel& model
   for (const auto& triangle : model.triangles)
     for (const std::uint32_t corner : triangle)
       if (corner >= model.points.size())
-        return bad_mesh(name, "has " + std::to_string(model.points.size()) +
-                                  (model.points.size() == 1 ? " vertex" : " vertices") + ", but a face names vertex " +
+        return bad_mesh(name, "has " + counted(model.points.size(), "vertex", "vertices") +
+                                  ", but a face names vertex " +
                                   (corner == 0xFFFFFFFF ? "numbers that are negative or above 4294967294"
                                                         : std::to_string(corner) + ", counted from 0"));
   if (model.points.size() > kMostModelPoints)

@@ -67,12 +67,7 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
     done = Error{.what = "holds no depth image",
                  .where = input.string(),
                  .fix = "give a recording, a session or images with 16-bit depth"};
-  if (done) done = writer->flush();  // close() would give the file its name after a failed write, too
-  if (!done) {
-    writer->discard();
-    return done;
-  }
-  done = writer->close();
+  done = writer->finish(done);
   if (done) totals.print();
   return done;
 }

@@ -31,11 +31,9 @@ class FoxgloveFile {
   }
   [[nodiscard]] const Result<void>& state() const noexcept { return state_; }
   [[nodiscard]] Result<std::uint64_t> close() {
-    if (state_) state_ = writer_.flush();  // close() would give the file its name after a failed write, too
-    if (state_) state_ = writer_.close();
-    if (state_) return messages_;
-    writer_.discard();
-    return state_.error();
+    state_ = writer_.finish(state_);
+    if (!state_) return state_.error();
+    return messages_;
   }
 
  private:

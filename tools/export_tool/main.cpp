@@ -48,8 +48,7 @@ int say(const Result<std::uint64_t>& count, const char* one, const char* more, c
 
 /// Error: `--out` names the session, which must not be overwritten.
 Result<void> check_out(const std::string& session, const program::Arguments& asked) {
-  std::error_code missing;
-  if (!asked.has("out") || !std::filesystem::equivalent(session, asked.text("out"), missing)) return {};
+  if (!asked.has("out") || !program::is_same_file(session, asked.text("out"))) return {};
   return Error{.what = "is the session itself, which is not overwritten",
                .where = "--out " + asked.text("out"),
                .fix = "name another file"};

@@ -146,12 +146,10 @@ Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem:
       return writer->copy(message.channel->schema, message.channel->channel, message.record);
     });
   if (copied && report.messages == 0) copied = nothing_there(file, statistics);
-  if (copied) copied = writer->flush();  // close() would give the file its name after a failed write, too
-  if (copied) copied = writer->close();
+  copied = writer->finish(copied);
   for (std::string& damage : report.damages) damage = file.string() + ": " + damage;
-  if (copied) return report;
-  writer->discard();
-  return copied.error();
+  if (!copied) return copied.error();
+  return report;
 }
 
 }  // namespace telepalp::record

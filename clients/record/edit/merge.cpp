@@ -173,12 +173,10 @@ Result<EditReport> merge(const std::vector<std::filesystem::path>& files, const 
   EditReport report;
   Result<void> copied = copy_all_notes(*strands, *writer);
   if (copied) copied = copy_messages(*strands, *writer, report);
-  if (copied) copied = writer->flush();  // close() would give the file its name after a failed write, too
-  if (copied) copied = writer->close();
+  copied = writer->finish(copied);
+  if (!copied) return copied.error();
   report.messages = writer->messages();
-  if (copied) return report;
-  writer->discard();
-  return copied.error();
+  return report;
 }
 
 }  // namespace telepalp::record

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAnnounced_s = 4.0;   // time from the warning to the lower force
 constexpr double kAmplitude_N = 0.12;  // a pressing hand feels it clearly, and it changes by at most 0.015 N a tick
-constexpr double kMostShare = 0.1;  // of the force: a force near zero may turn round at once, and the vibration with it
+constexpr double kMostShare = 0.1;     // of the force: a faint force can reverse within a tick, and its vibration too
 constexpr double kRate_hz = 40.0;
 constexpr double kRises_N_per_s = 0.5;
 constexpr double kSmooth_s = 0.2;

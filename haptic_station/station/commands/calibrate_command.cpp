@@ -9,6 +9,7 @@
 #include "haptic_station/calibration/calibration_file.h"
 #include "haptic_station/station/commands/calibrate_methods.h"
 #include "haptic_station/station/rigs/rig_choice.h"
+#include "proto/words/counted.h"
 #include "support/program/patience.h"
 
 namespace telepalp::station {
@@ -90,11 +91,11 @@ int calibrate_command(int argc, const char* const* argv) {
   if (const Result<void> kept = keep(*measured, arguments.text("out")); !kept) return program::fail(kept.error());
   const msg::MeasuredTransform& m = measured->transform;
   std::printf(
-      "transform haptic_from_%s from %u %s: residual mean %.2f mm, standard deviation %.2f mm, largest %.2f mm; "
+      "transform haptic_from_%s from %s: residual mean %.2f mm, standard deviation %.2f mm, largest %.2f mm; "
       "written to %s\n",
-      measured->of_camera ? "camera" : "tracker", m.measurements(),
-      m.measurements() == 1 ? "measurement" : "measurements", m.residual_mean_m() * 1e3, m.residual_deviation_m() * 1e3,
-      m.residual_largest_m() * 1e3, arguments.text("out").c_str());
+      measured->of_camera ? "camera" : "tracker", counted(m.measurements(), "measurement", "measurements").c_str(),
+      m.residual_mean_m() * 1e3, m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3,
+      arguments.text("out").c_str());
   return program::kDone;
 }
 

@@ -12,12 +12,12 @@ struct Measured {
   bool of_camera = false;
 };
 
-/// Check the options of the method of the same name, without a file or a device: an error is a wrong command line.
+// The checks of the methods' options. They open no file and no device; an error means a wrong command line.
 [[nodiscard]] Result<void> check_points(const program::Arguments& arguments);
 [[nodiscard]] Result<void> check_offset(const program::Arguments& arguments);
 [[nodiscard]] Result<void> check_probe(const program::Arguments& arguments);
 
-// The methods. Each expects arguments that its check accepts.
+// The methods. Each one needs options that its check has accepted.
 
 /// Measures either transform from a file of points measured in both of its frames (paper S3, docs/sources.md, 4.2).
 [[nodiscard]] Result<Measured> from_points(const program::Arguments& arguments);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::station {
 namespace {
 
@@ -23,8 +25,7 @@ void ImageAges::add(const msg::SurfaceReport& report) {
 
 std::string ImageAges::in_words() const {
   if (ages_.total() == 0) return "";
-  const std::string text = std::to_string(ages_.total()) +
-                           (ages_.total() == 1 ? " image: its surface was" : " images: their surfaces were") +
+  const std::string text = counted(ages_.total(), "image: its surface was", "images: their surfaces were") +
                            " touchable " + in_ms(1e-9 * ages_.quantile_ns(0.5)) + " (median) and " +
                            in_ms(1e-9 * ages_.quantile_ns(0.99)) + " (99th percentile) after capture; ";
   if (!std::isfinite(clock_error_s_))

@@ -10,6 +10,7 @@
 #include "haptic_station/surface/cloud/mesh_winding.h"
 #include "haptic_station/surface/cloud/model_sampling.h"
 #include "haptic_station/surface/cloud/touched_cloud.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::surface {
 namespace {
@@ -85,13 +86,10 @@ float mended(models::PointModel& mesh, const Winding& winding, std::string& rema
     closure.agreement = 0.0;
   }
   if (closure.without_place > 0)
-    say(remarks,
-        std::to_string(closure.without_place) +
-            (closure.without_place == 1 ? " triangle with a corner that is not a finite number is left out"
-                                        : " triangles with a corner that is not a finite number are left out"));
+    say(remarks, counted(closure.without_place, "triangle with a corner that is not a finite number is left out",
+                         "triangles with a corner that is not a finite number are left out"));
   if (winding.open_edges > 0) {
-    say(remarks, "the mesh is open (" + std::to_string(winding.open_edges) +
-                     (winding.open_edges == 1 ? " edge" : " edges") +
+    say(remarks, "the mesh is open (" + counted(winding.open_edges, "edge", "edges") +
                      " with a face on one side only), so telepalp takes the side to which its " +
                      (mesh.normals.empty() ? "faces" : "normals") + " point as its outside");
     return 1.0F;

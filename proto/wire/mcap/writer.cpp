@@ -163,4 +163,11 @@ Result<void> McapWriter::close() {
   return {};
 }
 
+Result<void> McapWriter::finish(Result<void> written) {
+  if (written) written = flush();  // close() alone would complete the file after a failed write, too
+  if (written) written = close();
+  if (!written) discard();
+  return written;
+}
+
 }  // namespace telepalp::wire

@@ -57,6 +57,10 @@ class McapWriter {
   /// Writes the summary, calls fsync and renames the file to its final name.
   [[nodiscard]] Result<void> close();
 
+  /// Ends the writing of a copy. `written`: the result of its writing. If that and all the rest is written, closes the
+  /// file; otherwise removes it, so that no incomplete copy has the final name. Returns the first error.
+  [[nodiscard]] Result<void> finish(Result<void> written);
+
   /// Removes the unfinished file.
   void discard() noexcept { file_.discard(); }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <utility>
 
+#include "proto/words/counted.h"
 #include "server/capture/images/camera_file.h"
 #include "server/capture/images/image_listing.h"
 #include "server/capture/pacing/sequence_source.h"
@@ -101,8 +102,7 @@ Result<std::vector<RgbdFrame>> load_all(const Recording& recording) {
 
 std::string describe(const Recording& recording) {
   const Intrinsics& pinhole = recording.camera.model.depth;
-  std::string text = std::to_string(recording.pairs.size()) + (recording.pairs.size() == 1 ? " image " : " images ") +
-                     size_text(pinhole.width, pinhole.height) +
+  std::string text = counted(recording.pairs.size(), "image ", "images ") + size_text(pinhole.width, pinhole.height) +
                      (recording.color_width > 0 ? " with colour" : " without colour") + " from " +
                      recording.folder.string();
   return recording.camera.warning.empty() ? text : recording.camera.warning + "; playing " + text;

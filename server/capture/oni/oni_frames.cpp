@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "codec/color.h"
+#include "proto/words/counted.h"
 #include "server/capture/oni/record_walk.h"
 
 namespace telepalp::capture {
@@ -134,9 +135,8 @@ std::string OniFrames::complaint() const {
 
 std::string OniFrames::describe() const {
   const OniStream& depth = recording_.depth;
-  return "recording " + file_ + ", " + std::to_string(depth.images.size()) +
-         (depth.images.size() == 1 ? " frame of " : " frames of ") + std::to_string(depth.width) + "x" +
-         std::to_string(depth.height) +
+  return "recording " + file_ + ", " + counted(depth.images.size(), "frame of ", "frames of ") +
+         std::to_string(depth.width) + "x" + std::to_string(depth.height) +
          (recording_.color.images.empty() ? " depth" : " depth and colour, colour not aligned with depth");
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "proto/words/counted.h"
 #include "server/capture/oni/depth_16z.h"
 #include "server/capture/oni/little_endian.h"
 #include "server/capture/oni/record_walk.h"
@@ -140,19 +141,17 @@ void say(std::string& complaint, const std::string& more) { complaint += (compla
 std::string complaint_of(const OniRecordWalk& walk, std::uint64_t senseless, const Gathering& depth) {
   std::string complaint;
   if (walk.damaged() > 0)
-    say(complaint, std::to_string(walk.damaged()) + (walk.damaged() == 1 ? " part" : " parts") +
-                       " damaged, the first at byte " + std::to_string(walk.first_damage_at()) + " of " +
-                       std::to_string(walk.file_bytes()));
+    say(complaint, counted(walk.damaged(), "part", "parts") + " damaged, the first at byte " +
+                       std::to_string(walk.first_damage_at()) + " of " + std::to_string(walk.file_bytes()));
   if (senseless > 0)
-    say(complaint, std::to_string(senseless) + (senseless == 1 ? " record is invalid and is left out"
-                                                               : " records are invalid and are left out"));
+    say(complaint, counted(senseless, "record is invalid and is left out", "records are invalid and are left out"));
   if (!walk.reached_end_record())
     say(complaint,
         "the recording is cut off at byte " + std::to_string(walk.file_bytes()) + ", without its end record");
   const std::size_t images = depth.stream.images.size();
   if (depth.declared_frames > 0 && images != depth.declared_frames)
-    say(complaint, "the recording holds " + std::to_string(images) + (images == 1 ? " depth image" : " depth images") +
-                       ", but its header says " + std::to_string(depth.declared_frames));
+    say(complaint, "the recording holds " + counted(images, "depth image", "depth images") + ", but its header says " +
+                       std::to_string(depth.declared_frames));
   return complaint;
 }
 

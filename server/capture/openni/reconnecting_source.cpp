@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "proto/words/counted.h"
+
 namespace telepalp::capture {
 
 ReconnectingSource::ReconnectingSource(std::unique_ptr<CameraDevice> device, SourceTime time)
@@ -73,8 +75,7 @@ std::string ReconnectingSource::detail() const {
   if (phase_ == CameraPhase::Lost)
     return device_->describe() + " is lost: " + why_lost_ +
            ". fix: plug the camera in again; the server looks for it once a second";
-  const std::string lost =
-      times_lost_ == 0 ? "" : "; was lost " + std::to_string(times_lost_) + (times_lost_ == 1 ? " time" : " times");
+  const std::string lost = times_lost_ == 0 ? "" : "; was lost " + counted(times_lost_, "time", "times");
   return device_->describe() + lost;
 }
 

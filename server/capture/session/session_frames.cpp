@@ -8,6 +8,7 @@
 #include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/topics.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::capture {
 namespace {
@@ -130,9 +131,7 @@ std::optional<RgbdFrame> SessionFrames::take() {
 }
 
 std::string SessionFrames::complaint() const {
-  return damaged_ == 0
-             ? ""
-             : std::to_string(damaged_) + (damaged_ == 1 ? " damaged part skipped" : " damaged parts skipped");
+  return damaged_ == 0 ? "" : counted(damaged_, "damaged part skipped", "damaged parts skipped");
 }
 
 }  // namespace telepalp::capture

@@ -108,4 +108,9 @@ Result<void> write_whole_file(const fs::path& file, std::string_view bytes, Read
   return {};
 }
 
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+  std::error_code missing;
+  return one == other || std::filesystem::equivalent(one, other, missing);
+}
+
 }  // namespace telepalp::program

@@ -21,4 +21,7 @@ enum class Readers {
 /// `file` is a folder, a device or a pipe.
 [[nodiscard]] Result<void> write_whole_file(const std::filesystem::path& file, std::string_view bytes, Readers readers);
 
+/// True if both names are equal, or lead to one file.
+[[nodiscard]] bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
 }  // namespace telepalp::program

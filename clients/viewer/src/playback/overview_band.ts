@@ -19,7 +19,7 @@ export class OverviewBand {
 
   private readonly band = element('overview');
   private drawn = '';
-  private session = '';  // of which `overview` tells
+  private session = '';  // the session that `overview` describes
 
   constructor(private readonly link: PlaybackLink, private readonly notes: Pick<PlayedPart<Note[], object>, 'state'>) {
     this.band.addEventListener('click', (event) => this.seek(event));

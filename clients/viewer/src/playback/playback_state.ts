@@ -5,7 +5,7 @@ export interface PlaybackState {
   speed: number;
   loop: boolean;
   playing: boolean;
-  session: string;  // another session has another text
+  session: string;  // names the played session; another session has another name
 }
 
 /** The body of POST /playback. What is left out stays as it is. A step pauses. */

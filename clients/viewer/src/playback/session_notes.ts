@@ -22,7 +22,7 @@ export function readNotes(text: string): Note[] | undefined {
   }
 }
 
-/** Differs for other notes: those of another session have the same numbers. */
+/** A text that changes when the notes change. The numbers alone do not suffice: each session counts its notes from 1. */
 export const keyOf = (notes: readonly Note[]) => notes.map(({number, written}) => `${number} ${written}`).join();
 
 /** The note that the address names; undefined: none. */

@@ -133,7 +133,7 @@ export class Instants {
         isSkipped(captured_ns, this.newestState.stampNs, this.presentedCapture_ns);
   }
 
-  /** To be called LONGEST_WAIT_MS after a picture's arrival: of a paused session, nothing else may ever arrive. */
+  /** Call this LONGEST_WAIT_MS after a picture has arrived. In a paused session no later message may come. */
   timePassed(): void {
     this.serve();
   }

@@ -11,7 +11,7 @@ const TOGETHER_NS = 5_000_000n;
  * 1.6 mm.
  */
 const BRIDGED_NS = 50_000_000n;
-/** A picture waits at most this long for the station's values: in the times of both, and from its arrival on. */
+/** A picture waits for the station's values until they are this much older than the picture, or for this long. */
 export const LONGEST_WAIT_MS = 500;
 const LONGEST_WAIT_NS = BigInt(LONGEST_WAIT_MS) * 1_000_000n;
 /**

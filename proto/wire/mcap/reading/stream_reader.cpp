@@ -4,6 +4,7 @@
 
 #include "proto/wire/mcap/reading/chunk_search.h"
 #include "proto/wire/mcap/reading/summary.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::wire {
 
@@ -45,8 +46,7 @@ Error McapStreamReader::cut_off() const {
   const bool in_a_chunk = source_->size() > offset_ && source_->read(offset_, 1, opcode) &&
                           static_cast<Opcode>(opcode.front()) == Opcode::Chunk;
   if (in_a_chunk) return mcap::in_chunk(*source_, chunks_, offset_, {.what = "truncated", .where = {}, .fix = {}});
-  return mcap::damaged(*source_, "truncated after " + std::to_string(chunks_) + (chunks_ == 1 ? " chunk" : " chunks"),
-                       offset_);
+  return mcap::damaged(*source_, "truncated after " + counted(chunks_, "chunk", "chunks"), offset_);
 }
 
 /// Continues after a place without a valid record at the next chunk, if there is one.

@@ -40,7 +40,8 @@ TEST(EnergyAccount, DampsEnergyThatTheHandDidNotPutIn) {
   EXPECT_LT(account.damping().N.y(), 0.0) << "against the movement";
 }
 
-/// A newer surface may change the effects' force in one tick. The damping waits, so that both together step less.
+/// A newer surface may change the effects' force in one tick. The damping changes less in this tick, so
+/// that both together make a smaller step.
 TEST(EnergyAccount, TheDampingChangesSlowlyInATickInWhichTheEffectsForceSteps) {
   const auto damping_after = [](double steps_N) {
     EnergyAccount account;

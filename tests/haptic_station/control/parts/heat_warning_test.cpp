@@ -28,7 +28,7 @@ TEST(HeatWarning, VibratesSecondsBeforeTheForceFallsAndNeverSteps) {
   EXPECT_GT(falls_s - warned_s, 3.0);
 }
 
-/// The hand leaves the hot contact: the first forces of the next one are faint, and point anywhere.
+/// A contact begins while the motors are still warm. Its first forces are faint, and their direction turns.
 TEST(HeatWarning, AFaintForceThatTurnsRoundDoesNotMakeItStep) {
   ForceLimiter limiter;
   HeatWarning warning;

@@ -37,8 +37,8 @@ export class EventLog {
   }
 
   /**
-   * Replaces the events received so far by those of the whole session. `whole`: undefined while they are not known; then
-   * those of another session are forgotten.
+   * Replaces the events received so far by those of the whole session. `whole`: undefined while they are not
+   * known; events of another session are then forgotten.
    */
   know(whole: readonly SessionEvent[] | undefined): void {
     if (whole === this.whole || whole?.length === 0) return;

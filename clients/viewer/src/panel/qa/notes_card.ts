@@ -50,7 +50,7 @@ export class NotesCard {
     const text = oneLine(this.text.value);
     const at_s = this.noted_s ?? this.playback.state?.position_s;
     if (text === '' || at_s === undefined) return;
-    this.text.value = '';  // at once: a second press of Add finds nothing to add
+    this.text.value = '';  // before the answer comes, so that a second press of Add finds an empty field
     this.noted_s = undefined;
     if (!(await this.notes.command({at_s, text})) && this.text.value === '') {
       this.text.value = text;

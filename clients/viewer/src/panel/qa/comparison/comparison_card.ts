@@ -22,7 +22,7 @@ export class ComparisonCard {
   private readonly plots = new ComparisonPlots((at_s) => this.seek(at_s));
   private shows = 0;
   private listed = '';
-  private session: string | undefined;  // that is played; undefined: none
+  private session: string | undefined;  // the played session; undefined: none is played
 
   constructor(private readonly playback: PlaybackLink) {
     this.choice.addEventListener('change', () => void this.part.command({with: this.choice.value}).then(() => this.write()));
