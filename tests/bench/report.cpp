@@ -6,6 +6,8 @@
 #include <fstream>
 #include <thread>
 
+#include "support/program/version.h"
+
 namespace telepalp::bench {
 namespace {
 
@@ -63,7 +65,7 @@ Row at_least(std::string name, double value, std::string unit, double reach) {
 }
 
 std::string to_json(const Report& report) {
-  std::string json = "{\"bench\":" + quoted(report.bench) + ",\"commit\":" + quoted(TELEPALP_COMMIT) +
+  std::string json = "{\"bench\":" + quoted(report.bench) + ",\"commit\":" + quoted(program::commit()) +
                      ",\"machine\":" + quoted(machine_name()) + ",\"rows\":[";
   for (const Row& row : report.rows) {
     if (json.back() != '[') json += ',';
@@ -77,7 +79,7 @@ std::string to_json(const Report& report) {
 std::string to_table(const Report& report) {
   std::size_t width = 20;
   for (const Row& row : report.rows) width = std::max(width, row.name.size());
-  std::string table = report.bench + "  (" + machine_name() + ", commit " + TELEPALP_COMMIT + ")\n";
+  std::string table = report.bench + "  (" + machine_name() + ", commit " + program::commit() + ")\n";
   for (const Row& row : report.rows) {
     char line[400];
     std::snprintf(line, sizeof line, "  %-*s %12s %-8s %-14s %s\n", static_cast<int>(width), row.name.c_str(),

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "support/program/version.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 
 namespace telepalp::bench {
@@ -55,7 +56,7 @@ Result<Report> run_accuracy(const program::Arguments& arguments) {
       "torso: 640x480, Gaussian noise of 1 mm, still, after one second of frames; surface built within 0.10 m",
       "load: share of one core for 30 snapshots and 2000 steps a second, computed from the medians"};
   if (parts->size() == std::size(kParts))
-    all.parts.push_back({"conditions", "Machine: " + machine_name() + "; commit " + TELEPALP_COMMIT + ".\n"});
+    all.parts.push_back({"conditions", "Machine: " + machine_name() + "; commit " + program::commit() + ".\n"});
   if (arguments.has("write")) {
     const std::filesystem::path page = std::filesystem::path(arguments.text("write")) / "accuracy.md";
     if (const auto done = rewrite_page(page, all.parts, all.pictures); !done) return done.error();
