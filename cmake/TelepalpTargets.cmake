@@ -11,10 +11,16 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 option(TELEPALP_TESTS "build the tests and telepalp-bench" ON)
 set(TELEPALP_SANITIZE "" CACHE STRING "comma-separated sanitizers, as for the compiler's option -fsanitize=")
 
+option(TELEPALP_PCH "compile with precompiled headers; OFF proves that each file includes what it uses" ON)
+
+# The sloppiness is what precompiled headers need. Paths are relative to the repository, so that two checkouts share
+# the cache.
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+    ${CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 
 # What is built names its sources by their place in the repository (`codec/depth.cpp`), never by a folder of the machine
@@ -26,6 +32,10 @@ target_compile_options(telepalp_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(telepalp_flags INTERFACE -Wno-restrict)  # GCC bug 105651: "a" + std::string() warns
+endif()
+if(TELEPALP_PCH AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Out of a precompiled header GCC 12 warns of copies within <string>, as it does not out of the same header parsed.
+  target_compile_options(telepalp_flags INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 endif()
 target_include_directories(telepalp_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(TELEPALP_SANITIZE)
@@ -59,10 +69,46 @@ function(telepalp_doors)
   endforeach()
 endfunction()
 
+# Half of the compiler's time went into the headers of the standard library, Eigen and GoogleTest. Each is parsed once
+# for the libraries and once for the tests. The lists name system headers, never files of the repository: two checkouts
+# then precompile the same text, and share the cache.
+set(TELEPALP_COMMON_HEADERS <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <cstdio> <cstring> <deque>
+  <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <numbers> <numeric> <optional> <random> <set>
+  <span> <sstream> <string> <string_view> <thread> <tuple> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry>
+  <google/protobuf/generated_message_util.h> <google/protobuf/generated_message_reflection.h>
+  <google/protobuf/map.h> <google/protobuf/message.h> <google/protobuf/repeated_field.h>
+  <google/protobuf/unknown_field_set.h>)
+
+# telepalp_precompiled(NAME LIBRARY|TEST): lets a target use the precompiled headers of its kind.
+function(telepalp_precompiled name kind)
+  if(TELEPALP_PCH AND NOT TELEPALP_FUZZ)
+    string(TOLOWER ${kind} kind)
+    target_precompile_headers(${name} REUSE_FROM telepalp_${kind}_headers)
+  endif()
+endfunction()
+
+# Called once, after the packages are found.
+function(telepalp_make_precompiled_headers)
+  if(NOT TELEPALP_PCH OR TELEPALP_FUZZ)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT precompiled.cpp CONTENT "int main() {}\n")
+  add_library(telepalp_library_headers STATIC ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(telepalp_library_headers PRIVATE telepalp_flags Eigen3::Eigen protobuf::libprotobuf)
+  target_precompile_headers(telepalp_library_headers PRIVATE ${TELEPALP_COMMON_HEADERS})
+  if(TELEPALP_TESTS)
+    add_executable(telepalp_test_headers EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
+    target_link_libraries(telepalp_test_headers PRIVATE telepalp_flags Eigen3::Eigen protobuf::libprotobuf GTest::gtest)
+    target_compile_options(telepalp_test_headers PRIVATE ${TELEPALP_TEST_OPTIMISATION})
+    target_precompile_headers(telepalp_test_headers PRIVATE ${TELEPALP_COMMON_HEADERS} <gtest/gtest.h>)
+  endif()
+endfunction()
+
 # telepalp_library(NAME SOURCES a.cpp … LINKS targets …)
 function(telepalp_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
+  telepalp_precompiled(${name} LIBRARY)
   target_link_libraries(${name} PUBLIC ${ARG_LINKS} PRIVATE telepalp_flags)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
 endfunction()
@@ -88,16 +134,22 @@ function(telepalp_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# telepalp_test(NAME [SERIAL] [WHOLE] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest
+# telepalp_test(NAME [SERIAL] [WHOLE] [OPTIMISED] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest
 # entry for each test. SERIAL: the test tells of time and has the machine to itself (`ctest -LE timed` leaves it out).
 # WHOLE: one ctest entry for the program, because its tests share what is expensive to start, such as running programs.
-# NEEDS: ctest fixtures, such as npm_install_tests.
+# NEEDS: ctest fixtures, such as npm_install_tests. OPTIMISED: compiled as the product is, for a test that measures, or
+# whose own sources compute for long; the others are compiled quickly.
+set(TELEPALP_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
 function(telepalp_test name)
-  cmake_parse_arguments(ARG "SERIAL;WHOLE" "" "SOURCES;LINKS;NEEDS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL;WHOLE;OPTIMISED" "" "SOURCES;LINKS;NEEDS" ${ARGN})
   if(NOT ARG_SERIAL)
     set(ARG_SERIAL FALSE)
   endif()
   add_executable(${name} ${ARG_SOURCES})
+  if(NOT ARG_OPTIMISED)
+    target_compile_options(${name} PRIVATE ${TELEPALP_TEST_OPTIMISATION})
+    telepalp_precompiled(${name} TEST)
+  endif()
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} telepalp_flags GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/where)  # where.h, from tests/support
   set(properties TIMEOUT 300 RUN_SERIAL ${ARG_SERIAL})
