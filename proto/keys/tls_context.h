@@ -32,7 +32,8 @@ using IsRevoked = std::function<bool(const std::string& serial)>;
 /// TLS 1.3 for a client: trusts only the authority of the client's key, and shows the key's certificate if it has one.
 [[nodiscard]] Result<TlsContextPtr> client_context(const KeyFile& key);
 
-/// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address.
+/// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address. A `host` that
+/// cannot be checked, such as an empty one, refuses every server.
 void expect_host(SSL& session, const std::string& host);
 
 /// The person whom the peer's verified certificate names; nullopt: the peer sent none, or one without a role.

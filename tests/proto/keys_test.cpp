@@ -11,6 +11,7 @@
 #include "proto/keys/key_file.h"
 #include "proto/keys/openssl.h"
 #include "proto/keys/revocations.h"
+#include "proto/keys/tls_context.h"
 #include "proto/keys/token.h"
 #include "tests/support/child_process.h"
 
@@ -104,6 +105,43 @@ std::string refusal(const std::filesystem::path& file, mode_t mode) {
   EXPECT_EQ(::chmod(file.c_str(), mode), 0);
   const Result<KeyFile> key = load_key(file, kNow);
   return key ? "" : key.error().what;
+}
+
+/// True if a client that expects `host` accepts a server whose key names 10.0.0.5 and patient.example.
+bool accepts_server_as(const std::string& host) {
+  const Authority by = authority();
+  const KeyFile server_key =
+      *read_key(*by.server_key({.name = "s", .now = kNow}, {"10.0.0.5", "patient.example"}), "server.key");
+  const KeyFile client_key = *read_key(*by.client_key({.name = "a", .role = Role::Doctor, .now = kNow}), "a.key");
+  const Result<TlsContextPtr> servers = server_context(server_key, [](const std::string&) { return false; });
+  const Result<TlsContextPtr> clients = client_context(client_key);
+  SSL* const server = SSL_new(servers->get());
+  SSL* const client = SSL_new(clients->get());
+  BIO* to_server = nullptr;
+  BIO* to_client = nullptr;
+  EXPECT_EQ(BIO_new_bio_pair(&to_client, 0, &to_server, 0), 1);
+  SSL_set_bio(server, to_client, to_client);
+  SSL_set_bio(client, to_server, to_server);
+  SSL_set_accept_state(server);
+  SSL_set_connect_state(client);
+  expect_host(*client, host);
+  for (int round = 0; round < 10; ++round) {
+    (void)SSL_do_handshake(client);
+    (void)SSL_do_handshake(server);
+  }
+  const bool accepted = SSL_is_init_finished(client) == 1;
+  SSL_free(client);
+  SSL_free(server);
+  return accepted;
+}
+
+TEST(ServerNames, OnlyTheExpectedOneIsAcceptedAndOneThatCannotBeCheckedNever) {
+  EXPECT_TRUE(accepts_server_as("10.0.0.5"));
+  EXPECT_TRUE(accepts_server_as("patient.example"));
+  EXPECT_FALSE(accepts_server_as("10.0.0.6"));
+  EXPECT_FALSE(accepts_server_as("other.example"));
+  EXPECT_FALSE(accepts_server_as(""));
+  EXPECT_FALSE(accepts_server_as(std::string("other\0.example", 14))) << "OpenSSL refuses to set this name";
 }
 
 TEST(KeyFiles, AreReadOnlyIfNobodyButTheirOwnerHasAccess) {
