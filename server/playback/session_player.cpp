@@ -171,7 +171,7 @@ void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {
   anchor();
   if (command.has_seek_s()) go_to(timeline_.begin() + Nanoseconds(static_cast<std::int64_t>(command.seek_s() * 1e9)));
   if (command.has_seek_s() && !playing_ && !command.has_step()) show_first_picture();
-  for (std::uint32_t steps = 0; command.has_step() && steps < command.step(); ++steps) step();
+  if (command.has_step()) step(command.step());
 }
 
 /// Maps the present position to now, at the present speed.
@@ -190,7 +190,7 @@ void SessionPlayer::go_to(SessionTime at) {
 void SessionPlayer::show_first_picture() {
   if (picture_shown_) return;
   const SessionTime at = position_;
-  step();
+  step(1);
   if (!picture_shown_) go_to(at);
 }
 
@@ -212,17 +212,14 @@ void SessionPlayer::repeat_picture() {
   map_ = present;
 }
 
-/// Publishes the next depth image and the messages that follow it, up to the depth image after it.
-void SessionPlayer::step() {
+/// Shows the depth image that comes `pictures` after the shown one, with all that a receiver needs beside it. One
+/// anchor maps them all: the station's states of the picture's instant were published before the picture.
+void SessionPlayer::step(std::uint32_t pictures) {
   const auto is_depth = [&] { return next_ && next_->topic.name == wire::kCameraDepth.name; };
-  bool shown = false;
-  while (next_ && !(shown && is_depth())) {
-    shown = shown || is_depth();
-    position_ = next_->published;
-    anchor();
-    publish(*next_);
-    next_ = timeline_.next();
-  }
+  for (std::uint32_t passed = 0; next_ && !(passed == pictures && is_depth()); next_ = timeline_.next())
+    if (is_depth()) ++passed;
+  go_to(next_ ? next_->published : timeline_.end() + Nanoseconds(1));
+  position_ = std::min(position_, timeline_.end());
 }
 
 void SessionPlayer::play_next() {

@@ -56,7 +56,7 @@ class SessionPlayer {
   void carry_out(const msg::PlaybackCommand& command);
   void go_to(SessionTime at);
   void anchor();
-  void step();
+  void step(std::uint32_t pictures);
   void show_first_picture();
   void repeat_picture();
   void play_next();

@@ -243,7 +243,7 @@ TEST(SessionPlayer, PausesStepsSeeksAndGoesOn) {
   stage.messages.clear();
   stage.command("{\"step\": 2}");
   stage.run_for(100ms);
-  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{31, 32}));
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{24, 25, 26, 27, 28, 29, 30, 31, 32})) << "the group up to it";
   stage.messages.clear();
   stage.command("{\"seek_s\": 3.3}");
   stage.run_for(100ms);
@@ -257,6 +257,32 @@ TEST(SessionPlayer, PausesStepsSeeksAndGoesOn) {
   EXPECT_NEAR(to_seconds(depth[59].published - depth[0].published), 59 * 0.0033, 0.001);
 }
 
+/// True if a state of the station is published with the newest depth image, as far from it as in the recording.
+bool has_states_of_its_picture(const Stage& stage) {
+  const auto depth = stage.on(wire::kCameraDepth.name);
+  if (depth.empty()) return false;
+  const std::int64_t captured_ns = static_cast<std::int64_t>(depth_of(depth.back()).captured_ns());
+  for (const wire::Message& message : stage.on(wire::kStationState.name)) {
+    msg::StationState state;
+    if (!state.ParseFromString(*message.payload)) return false;
+    // Images are captured 9 ms before they are published, and a state is published with each.
+    if (std::abs(static_cast<std::int64_t>(state.stamp_ns()) - captured_ns + 24'000'000) < 1'000'000) return true;
+  }
+  return false;
+}
+
+TEST(SessionPlayer, EachStepPublishesTheStationsStatesOfThePictureInThePicturesTime) {
+  Stage stage({.file = session("states", 300).string(), .from_s = 1.0, .paused = true});
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
+  for (std::uint64_t step = 1; step <= 100; ++step) {
+    stage.messages.clear();
+    stage.command("{\"step\": 1}");
+    ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty() && stage.shown().back() == 30 + step; })) << step;
+    stage.run_for(10ms);
+    EXPECT_TRUE(has_states_of_its_picture(stage)) << step;
+  }
+}
+
 TEST(SessionPlayer, PausedAtItsBeginningItShowsTheFirstPictureAndWaits) {
   Stage stage({.file = session("waits", 30).string(), .paused = true});
   ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
@@ -266,8 +292,8 @@ TEST(SessionPlayer, PausedAtItsBeginningItShowsTheFirstPictureAndWaits) {
   EXPECT_FALSE(stage.player->state().playing());
   stage.messages.clear();
   stage.command("{\"step\": 1}");
-  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
-  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{1}));
+  ASSERT_TRUE(stage.run_until([&] { return stage.shown().size() == 2; }));
+  EXPECT_EQ(stage.shown(), (std::vector<std::uint64_t>{0, 1}));
 }
 
 TEST(SessionPlayer, APausedPictureIsShownAgainAsOldAsItIsAndPlayingGoesOnBehindIt) {
