@@ -26,7 +26,9 @@ std::uint32_t next_code(std::string_view& text) noexcept {
   const std::uint32_t first = byte(0);
   const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
   std::uint32_t code = first;
-  if (length > text.size() || (first >= 0x80 && first < 0xC0)) {
+  bool well_formed = length <= text.size() && (first < 0x80 || first >= 0xC0) && first < 0xF8;
+  for (std::size_t i = 1; well_formed && i < length; ++i) well_formed = (byte(i) & 0xC0) == 0x80;
+  if (!well_formed) {
     text.remove_prefix(1);
     return '?';
   }
