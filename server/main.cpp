@@ -164,6 +164,7 @@ Result<std::filesystem::path> compare_option(const program::Arguments& arguments
 }
 
 Result<Asked> read_asked(const program::Arguments& arguments) {
+  if (const Result<void> source = capture::check_source(arguments.text("source")); !source) return source.error();
   const Result<bool> loop = yes_or_no(arguments, "loop");
   if (!loop) return loop.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);

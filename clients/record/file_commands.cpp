@@ -150,8 +150,7 @@ Result<CutOptions> cut_options(const program::Arguments& arguments) {
 int show_info(const std::string& file, bool json) {
   const Result<SessionFacts> facts = inspect(file);
   if (!facts) return program::fail(facts.error());
-  std::fputs((json ? in_json(*facts) : in_words(*facts)).c_str(), stdout);
-  return program::kDone;
+  return program::print(json ? in_json(*facts) : in_words(*facts));
 }
 
 int run_repair(const std::string& file, const std::string& out) {

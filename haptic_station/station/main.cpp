@@ -13,6 +13,7 @@
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/station/signals/station_signals.h"
 #include "haptic_station/station/station.h"
+#include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
@@ -89,6 +90,16 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
                                  .state_folder = arguments.has("state-dir")
                                                      ? std::filesystem::path(arguments.text("state-dir"))
                                                      : station::default_state_folder()};
+}
+
+/// Checks the words of --surface, before any file is read.
+Result<void> check_surface(const std::string& word) {
+  scenes::Scene scene;
+  if (const Result<void> asked = station::ask_for_surface(word, scene); !asked) return asked.error();
+  const std::string& name = scene.message.surface().name();
+  if (name.empty()) return {};
+  if (const auto settings = surface::surface_settings(name); !settings) return settings.error();
+  return {};
 }
 
 /// Reads the scene, and replaces its transforms by those of this site's calibration file, if one is given.
@@ -172,6 +183,8 @@ int main(int argc, char** argv) {
   if (!*read) return program::kDone;
   Result<station::StationOptions> options = options_of(**read);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  if (const Result<void> surface = check_surface((*read)->text("surface")); !surface)
+    return program::fail(surface.error(), program::kAskedWrongly);
   const Result<station::RigChoice> rig = station::read_rig_choice((*read)->text("device"), (*read)->text("tracker"));
   if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =

@@ -52,6 +52,9 @@ struct SourceOptions {
   bool keep_compressed = false;  ///< a session file fills compressed(), and leaves RgbdFrame::color empty
 };
 
+/// Checks what needs no file or camera of `spec`, as for open_source(): its kind, and the words of a synthetic patient.
+[[nodiscard]] Result<void> check_source(std::string_view spec);
+
 /// Opens `spec`: openni2[:URI], oni:FILE, images:DIR, pcd:FILE, synthetic[:MODEL], session:FILE.mcap.
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_source(std::string_view spec, const SourceOptions& options);
 

@@ -13,6 +13,8 @@ namespace telepalp::capture {
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_oni(const std::string& file, const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model,
                                                                     const SourceOptions& options);
+/// Checks the words of MODEL.
+[[nodiscard]] Result<void> check_synthetic(const std::string& model);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_images(const std::string& folder,
                                                                  const SourceOptions& options);
 [[nodiscard]] Result<std::unique_ptr<CaptureSource>> open_pcd(const std::string& file, const SourceOptions& options);

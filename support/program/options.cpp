@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <system_error>
 
 #include "proto/words/error_line.h"
 #include "support/program/log.h"
@@ -138,6 +140,13 @@ std::optional<int> run_command(const Usage& usage, int argc, const char* const* 
   for (const Command& command : usage.commands)
     if (argc > 1 && command.run != nullptr && argv[1] == command.name) return command.run(argc - 1, argv + 1);
   return std::nullopt;
+}
+
+int print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
+  return fail({.what = "the output could not be written: " + std::generic_category().message(errno),
+               .where = "standard output",
+               .fix = "make room on the disk, or write to another place"});
 }
 
 int fail(const Error& error, int code) {

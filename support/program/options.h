@@ -44,6 +44,10 @@ class Arguments {
 /// Command::run is set.
 [[nodiscard]] std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv);
 
+/// Prints `text` to stdout and returns kDone, for `return print(text)` in main; kFailed if stdout cannot take all of
+/// it, as on a full disk.
+int print(const std::string& text);
+
 /// Prints `error: …` to stderr and returns `code`, for `return fail(error)` in main.
 int fail(const Error& error, int code = kFailed);
 

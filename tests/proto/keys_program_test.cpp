@@ -49,15 +49,24 @@ TEST_F(KeysProgram, MakesAnAuthorityKeysAndTokensThatTheirOwnerAloneMayRead) {
   EXPECT_NE(text_of(folder / "anna.key").find("It allows: watch, touch, hand over, record"), std::string::npos);
 }
 
+TEST_F(KeysProgram, OutputThatAFullDiskDoesNotTakeIsAFailure) {
+  ASSERT_EQ(run({"authority"}), 0);
+  const std::string keys = TELEPALP_BINARY_DIR "/bin/telepalp-keys";
+  support::ChildProcess process(
+      "/bin/sh", {"-c", keys + " client --name anna --role doctor --dir " + folder.string() + " >/dev/full"}, log);
+  EXPECT_EQ(process.wait(std::chrono::seconds(20)).value_or(-1), 1);
+  EXPECT_NE(text_of(log).find("standard output"), std::string::npos) << text_of(log);
+}
+
 TEST_F(KeysProgram, InTheWrongOrderOrTwiceSaysWhatToDo) {
   EXPECT_EQ(run({"server", "--host", "10.0.0.5"}), 1);
   EXPECT_NE(text_of(log).find("fix: run telepalp-keys authority --dir"), std::string::npos) << text_of(log);
   ASSERT_EQ(run({"authority"}), 0);
   EXPECT_EQ(run({"authority"}), 1) << "a second authority would make all keys useless";
-  EXPECT_EQ(run({"server"}), 1);
+  EXPECT_EQ(run({"server"}), 2);
   EXPECT_NE(text_of(log).find("--host"), std::string::npos);
-  EXPECT_EQ(run({"client", "--name", "anna"}), 1);
-  EXPECT_EQ(run({"client", "--name", "anna", "--role", "boss"}), 1);
+  EXPECT_EQ(run({"client", "--name", "anna"}), 2);
+  EXPECT_EQ(run({"client", "--name", "anna", "--role", "boss"}), 2);
   ASSERT_EQ(run({"client", "--name", "anna", "--role", "qa"}), 0);
   const std::string first = text_of(folder / "anna.key");
   EXPECT_EQ(run({"client", "--name", "anna", "--role", "doctor"}), 1);

@@ -133,7 +133,8 @@ TEST(ServerProgram, BadInputIsOneLineWithItsFixAndItsExitCode) {
   };
   const Case cases[] = {
       {{"--source", "oni:/no/such/file.oni", "--port", "0"}, 1, "/no/such/file.oni"},
-      {{"--source", "teleporter", "--port", "0"}, 1, "teleporter"},
+      {{"--source", "teleporter", "--port", "0"}, 2, "teleporter"},
+      {{"--source", "synthetic:colour=1", "--port", "0"}, 2, "'colour' is not a setting"},
       {{"--source", "synthetic", "--port", "0", "--ready-file", "/no/such/folder/ready"}, 1, "/no/such/folder/ready"},
       {{"--bind", "0.0.0.0"}, 2, "no key to protect the patient. fix: telepalp-keys authority"},
       {{"--port", "70000"}, 2, "--port"},

@@ -22,6 +22,11 @@ struct Asked {
   keys::WallTime now{};
 };
 
+/// What a key or token for a person needs on the command line: --role and --name.
+[[nodiscard]] Result<void> check_person(const Asked& asked);
+/// What a server's key needs on the command line: --host.
+[[nodiscard]] Result<void> check_hosts(const Asked& asked);
+
 [[nodiscard]] Result<std::string> make_authority(const Asked& asked);
 [[nodiscard]] Result<std::string> make_server_key(const Asked& asked);
 [[nodiscard]] Result<std::string> make_client_key(const Asked& asked);

@@ -61,8 +61,6 @@ Result<std::string> issue(const Asked& asked, const keys::Authority::Issue& what
 Result<std::string> make_for_a_person(const Asked& asked, KeyFile::Kind kind, days valid, const std::string& suffix) {
   const Result<keys::Role> role = role_of(asked);
   if (!role) return role.error();
-  if (asked.name.empty())
-    return Error{.what = "no name is given", .where = "--name", .fix = "name the person, such as --name anna"};
   const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
   if (!folder) return folder.error();
   KeyFile like;
@@ -78,6 +76,21 @@ bool is_serial(const std::string& text) {
 
 }  // namespace
 
+Result<void> check_person(const Asked& asked) {
+  if (const Result<keys::Role> role = role_of(asked); !role) return role.error();
+  if (asked.name.empty())
+    return Error{.what = "no name is given", .where = "--name", .fix = "name the person, such as --name anna"};
+  return {};
+}
+
+Result<void> check_hosts(const Asked& asked) {
+  if (asked.hosts.empty())
+    return Error{.what = "no host is given",
+                 .where = "--host",
+                 .fix = "give each name or address that clients write after --connect, such as --host patient.example"};
+  return {};
+}
+
 Result<std::string> make_authority(const Asked& asked) {
   const std::string name = asked.name.empty() ? "telepalp" : asked.name;
   const Result<KeyFolder> made = KeyFolder::create(asked.folder, name, asked.now, asked.valid.value_or(kAuthorityDays));
@@ -92,10 +105,6 @@ Result<std::string> make_authority(const Asked& asked) {
 Result<std::string> make_server_key(const Asked& asked) {
   const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
   if (!folder) return folder.error();
-  if (asked.hosts.empty())
-    return Error{.what = "no host is given",
-                 .where = "--host",
-                 .fix = "give each name or address that clients write after --connect, such as --host patient.example"};
   KeyFile like;
   like.kind = KeyFile::Kind::Server;
   like.hosts = asked.hosts;

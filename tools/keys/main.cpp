@@ -45,11 +45,12 @@ struct Row {
   std::string_view name;
   bool takes_file;
   Result<std::string> (*run)(const Asked&);
+  Result<void> (*check)(const Asked&) = nullptr;  // of the command line; nullptr: no option is needed
 };
 constexpr std::array kCommands{Row{"authority", false, keys_tool::make_authority},
-                               Row{"server", false, keys_tool::make_server_key},
-                               Row{"client", false, keys_tool::make_client_key},
-                               Row{"token", false, keys_tool::make_token},
+                               Row{"server", false, keys_tool::make_server_key, keys_tool::check_hosts},
+                               Row{"client", false, keys_tool::make_client_key, keys_tool::check_person},
+                               Row{"token", false, keys_tool::make_token, keys_tool::check_person},
                                Row{"renew", true, keys_tool::renew},
                                Row{"revoke", true, keys_tool::revoke},
                                Row{"list", false, keys_tool::list},
@@ -97,9 +98,11 @@ int main(int argc, char** argv) {
   if (!command) return program::fail(command.error(), program::kAskedWrongly);
   const Result<Asked> asked = read_asked(**arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  if (const auto check = (*command)->check)
+    if (const Result<void> complete = check(*asked); !complete)
+      return program::fail(complete.error(), program::kAskedWrongly);
   ::umask(0077);  // a key is its owner's alone: 0600
   const Result<std::string> said = (*command)->run(*asked);
   if (!said) return program::fail(said.error());
-  std::fputs(said->c_str(), stdout);
-  return program::kDone;
+  return program::print(*said);
 }

@@ -3,6 +3,7 @@
 #include "server/capture/pacing/frame_pacer.h"
 #include "server/capture/sources.h"
 #include "server/capture/synthetic/source/patient_model.h"
+#include "server/capture/synthetic/source/synthetic_spec.h"
 
 namespace telepalp::capture {
 namespace {
@@ -30,6 +31,11 @@ class SyntheticSource final : public CaptureSource {
 };
 
 }  // namespace
+
+Result<void> check_synthetic(const std::string& model) {
+  if (const Result<SyntheticSpec> spec = parse_synthetic_spec(model); !spec) return spec.error();
+  return {};
+}
 
 Result<std::unique_ptr<CaptureSource>> open_synthetic(const std::string& model, const SourceOptions& options) {
   Result<NamedPatient> named = open_patient(model);
