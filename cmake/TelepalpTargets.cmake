@@ -13,8 +13,7 @@ set(TELEPALP_SANITIZE "" CACHE STRING "comma-separated sanitizers, as for the co
 
 option(TELEPALP_PCH "compile with precompiled headers; OFF proves that each file includes what it uses" ON)
 
-# The sloppiness is what precompiled headers need. Paths are relative to the repository, so that two checkouts share
-# the cache.
+# The sloppiness is what precompiled headers need. ccache keeps paths relative to the base directory.
 find_program(CCACHE ccache)
 if(CCACHE)
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
@@ -70,8 +69,8 @@ function(telepalp_doors)
 endfunction()
 
 # Half of the compiler's time went into the headers of the standard library, Eigen and GoogleTest. Each is parsed once
-# for the libraries and once for the tests. The lists name system headers, never files of the repository: two checkouts
-# then precompile the same text, and share the cache.
+# for the libraries and once for the tests. The list names system headers alone: a change of the repository's headers
+# precompiles nothing again.
 set(TELEPALP_COMMON_HEADERS <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <cstdio> <cstring> <deque>
   <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <numbers> <numeric> <optional> <random> <set>
   <span> <sstream> <string> <string_view> <thread> <tuple> <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry>
