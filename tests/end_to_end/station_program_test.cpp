@@ -356,7 +356,7 @@ TEST_F(StationProgram, AModelInAnotherUnitIsNamedUntilItsUnitIsSaid) {
   EXPECT_EQ(run({"--surface", "model:" + model.string(), "--check"}), 1);
   EXPECT_NE(text_of(log()).find("probably 1000 times smaller"), std::string::npos) << text_of(log());
   EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit_m=0.001,samples=2000", "--check"}), 0);
-  EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit=mm", "--check"}), 1);
+  EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit=mm", "--check"}), 2);
 }
 
 }  // namespace
