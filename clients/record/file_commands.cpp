@@ -106,12 +106,24 @@ std::string mending_of(const SessionFacts& facts, const std::string& file) {
   return "record again; the other messages can be used, and telepalp-record repair cannot mend the damaged ones";
 }
 
+/// The facts of a finished file. Error: also for a recording that was not completed.
+Result<SessionFacts> facts_of(const std::string& file) {
+  if (const auto partial = unfinished(file))
+    return Error{.what = "the recording was not completed, or is still being made: " + partial->string() +
+                         " holds what was written",
+                 .where = file,
+                 .fix = "if no recorder is running any more: telepalp-record repair " + file};
+  return inspect(file);
+}
+
 int verify(const std::string& file) {
-  const Result<SessionFacts> facts = inspect(file);
+  const Result<SessionFacts> facts = facts_of(file);
   if (!facts) return program::fail(facts.error());
   const auto print = [&](const char* kind, const std::string& text) {
     std::printf("%s: %s%s\n", program::escaped(file).c_str(), kind, program::escaped(text).c_str());
   };
+  if (const std::string partial = file + ".partial"; std::filesystem::exists(partial))
+    print("note: ", partial + " lies beside it: a recording of the same name that was not completed");
   for (const std::string& note : notes_on(*facts)) print("note: ", note);
   for (const std::string& damage : facts->damages) print("damage: ", damage);
   if (facts->damages_in_all > 0)
@@ -148,7 +160,7 @@ Result<CutOptions> cut_options(const program::Arguments& arguments) {
 }
 
 int show_info(const std::string& file, bool json) {
-  const Result<SessionFacts> facts = inspect(file);
+  const Result<SessionFacts> facts = facts_of(file);
   if (!facts) return program::fail(facts.error());
   return program::print(json ? in_json(*facts) : in_words(*facts));
 }

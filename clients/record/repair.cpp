@@ -29,6 +29,7 @@ Result<void> read_all(wire::McapStreamReader& stream, std::vector<std::string>& 
 struct Survey {
   std::uint64_t messages = 0;
   std::vector<std::string> damages;
+  std::vector<std::string> unplaced;  // of these, those that no record shows, so that copying does not meet them
   wire::SessionInfo session;
 };
 
@@ -61,6 +62,9 @@ Result<Survey> survey(const std::filesystem::path& file) {
     found.damages.push_back("the index of the file counts " +
                             counted(indexed->summary().statistics.message_count, "message", "messages") + ", but " +
                             std::to_string(found.messages) + " can be read");
+  if (found.damages.empty())
+    if (const Result<void> checked = stream->check_bytes(); !checked)
+      found.damages = found.unplaced = {checked.error().what};
   return found;
 }
 
@@ -103,7 +107,7 @@ Result<RepairReport> repair(const std::filesystem::path& file, const std::filesy
   if (!stream) return stream.error();
   Result<wire::McapWriter> writer = wire::McapWriter::open(out, found->session);
   if (!writer) return writer.error();
-  RepairReport report{.was_whole = false, .file = out, .messages = 0, .damages = {}};
+  RepairReport report{.was_whole = false, .file = out, .messages = 0, .damages = found->unplaced};
   Result<void> copied = read_all(*stream, report.damages, [&](const wire::mcap::StoredMessage& message) {
     ++report.messages;
     return writer->copy(message.channel->schema, message.channel->channel, message.record);

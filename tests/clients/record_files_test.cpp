@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/property_tree/json_parser.hpp>
 #include <fstream>
+#include <random>
 
 #include "clients/record/edit/merge.h"
 #include "clients/record/facts/session_facts.h"
@@ -162,6 +163,56 @@ TEST_F(Files, VerifyFindsAChunkThatPosesAsARecordOfALaterVersionAndRepairNotesIt
   ASSERT_TRUE(report) << to_string(report.error());
   EXPECT_FALSE(report->was_whole);
   EXPECT_GT(report->messages, 280u);
+}
+
+TEST_F(Files, NoChangedByteIsCalledWholeWhereverItLies) {
+  const std::string whole = bytes_of(write("session.mcap", wire::samples::session(1, 500)));
+  const auto hurt = in("hurt.mcap");
+  std::mt19937 random(28);
+  int called_whole = 0;
+  for (int round = 0; round < 500; ++round) {
+    const std::size_t at = random() % whole.size();
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random() % 255));
+    std::ofstream(hurt, std::ios::binary) << bytes;
+    const auto facts = inspect(hurt);
+    if (facts && facts->damages_in_all == 0 && ++called_whole > 0)
+      ADD_FAILURE() << "byte " << at << " of " << whole.size();
+  }
+  EXPECT_EQ(called_whole, 0);
+}
+
+TEST_F(Files, ADamagedDefinitionOutsideTheChunksIsNamedAndRepairedFromTheSummary) {
+  const auto file = write("session.mcap", wire::samples::session(1, 500));
+  std::string bytes = bytes_of(file);
+  const std::size_t definition = bytes.find("telepalp.msg.");
+  ASSERT_LT(definition, wire::McapReader::open(file)->summary().chunks.front().chunk_start_offset);
+  bytes[definition] = 'T';
+  std::ofstream(file, std::ios::binary) << bytes;
+  const auto facts = inspect(file);
+  ASSERT_TRUE(facts);
+  EXPECT_GT(facts->damages_in_all, 0u);
+  const auto report = repair(file, in("copy.mcap"));
+  ASSERT_TRUE(report) << to_string(report.error());
+  EXPECT_FALSE(report->was_whole);
+  EXPECT_EQ(report->messages, facts->messages);
+  EXPECT_EQ(inspect(in("copy.mcap"))->damages_in_all, 0u);
+}
+
+TEST_F(Files, VerifyAndInfoNameTheUnfinishedRecording) {
+  const auto file = write("session.mcap", wire::samples::session(1, 500));
+  std::filesystem::rename(file, file.string() + ".partial");
+  for (const std::string command : {"verify ", "info "}) {
+    (void)output_of(command + file.string());
+    EXPECT_EQ(exit_code_, 1);
+    EXPECT_NE(log().find(file.string() + ".partial"), std::string::npos) << log();
+    EXPECT_NE(log().find("fix: if no recorder is running any more: telepalp-record repair "), std::string::npos)
+        << log();
+  }
+  std::filesystem::copy_file(file.string() + ".partial", file);
+  EXPECT_NE(output_of("verify " + file.string()).find("a recording of the same name that was not completed"),
+            std::string::npos);
+  EXPECT_EQ(exit_code_, 0);
 }
 
 TEST_F(Files, RepairLeavesOutAnAttachmentThatVerifyNamesAsDamaged) {
@@ -329,6 +380,18 @@ TEST_F(Files, PartsOfASessionMergeToTheSessionWithEachMessageOnce) {
     ASSERT_TRUE(next && *next);
     ASSERT_EQ((*next)->published, message.published);
   }
+}
+
+TEST_F(Files, PartsThatHoldTheSameSceneMergeToASessionThatHoldsItOnce) {
+  auto writer = wire::McapWriter::open(session(), wire::samples::kInfo);
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer->add(wire::mcap::Attachment{1, 2, "scene.json", "application/json", "{}"}));
+  for (const wire::Message& message : wire::samples::session(3, 1000)) ASSERT_TRUE(writer->write(message));
+  ASSERT_TRUE(writer->close());
+  ASSERT_TRUE(cut(session(), in("a.mcap"), {.to = Nanoseconds(2s)}));
+  ASSERT_TRUE(cut(session(), in("b.mcap"), {.from = 1s}));
+  ASSERT_TRUE(merge({in("a.mcap"), in("b.mcap")}, in("merged.mcap")));
+  EXPECT_EQ(inspect(in("merged.mcap"))->attachments.size(), 1u);
 }
 
 TEST_F(Files, StationsOfTwoServersStayApartInAMerge) {

@@ -134,7 +134,7 @@ Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem:
   const std::vector<KeptMessage> before = prelude(*reader, from, options.topics, report.damages);
   Result<wire::McapWriter> writer = wire::McapWriter::open(out, *session);
   if (!writer) return writer.error();
-  Result<void> copied = copy_notes(*reader, *writer);
+  Result<void> copied = NotesCopy(*writer).add(*reader);
   if (copied) copied = writer->add(note_of(file, options));
   for (const KeptMessage& message : before)
     if (copied) copied = message.copy_to(*writer);

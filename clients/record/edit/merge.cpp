@@ -123,9 +123,10 @@ Result<void> with_images_of_one_server(const std::vector<Strand>& strands) {
 
 Result<void> copy_all_notes(std::vector<Strand>& strands, wire::McapWriter& writer) {
   wire::mcap::Metadata note{"telepalp.merge", {}};
+  NotesCopy notes(writer);
   for (std::size_t number = 0; number < strands.size(); ++number) {
     Strand& strand = strands[number];
-    if (const Result<void> copied = copy_notes(strand.reader(), writer); !copied) return copied;
+    if (const Result<void> copied = notes.add(strand.reader()); !copied) return copied;
     std::string& text = note.values["file_" + std::to_string(number)];
     text = strand.file().filename().string() + " from " + strand.session().source;
     if (strand.senders_apart() > 0)

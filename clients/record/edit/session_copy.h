@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/mcap/writer.h"
@@ -25,7 +27,19 @@ class KeptMessage {
   std::string data_;
 };
 
-/// Copies all attachments and all metadata except the record "telepalp.session", because McapWriter writes its own.
-[[nodiscard]] Result<void> copy_notes(wire::McapReader& from, wire::McapWriter& to);
+/// Copies the notes of sessions to one new session: all attachments, and all metadata except the record
+/// "telepalp.session", because McapWriter writes its own. An attachment that several sessions hold, such as the scene
+/// of two parts of one recording, is copied once.
+class NotesCopy {
+ public:
+  explicit NotesCopy(wire::McapWriter& to) : to_(to) {}
+  [[nodiscard]] Result<void> add(wire::McapReader& from);
+
+ private:
+  [[nodiscard]] bool is_new(const wire::mcap::Attachment& attachment);
+
+  wire::McapWriter& to_;
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> attached_;  // name, size and hash of the data
+};
 
 }  // namespace telepalp::record

@@ -59,6 +59,8 @@ Result<void> read_messages(const std::filesystem::path& file, SessionFacts& fact
   if (read != facts.messages)
     note_damage(facts, "the index of the file counts " + counted(facts.messages, "message", "messages") + ", but " +
                            std::to_string(read) + " can be read");
+  if (facts.damages_in_all == 0)
+    if (const Result<void> checked = stream->check_bytes(); !checked) note_damage(facts, checked.error().what);
   survey.finish(facts);
   for (const SessionFacts::Topic& topic : facts.topics)
     if (topic.unreadable > 0)

@@ -1,7 +1,9 @@
 #include "proto/wire/mcap/reading/stream_reader.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "proto/wire/mcap/format/compression.h"
 #include "proto/wire/mcap/reading/chunk_search.h"
 #include "proto/wire/mcap/reading/summary.h"
 #include "proto/words/counted.h"
@@ -60,15 +62,16 @@ Error McapStreamReader::skip_to_next_chunk() {
       offset_);
   offset_ = *found;
   trusted_end_ = *found + 1;  // the next search begins behind this chunk, so that reading always ends
-  learn_channels_from_summary();
   return skipped;
 }
 
-/// The skipped bytes may have defined channels. A complete file repeats all definitions in its summary.
+/// A complete file repeats all definitions in its summary, under a CRC of its own: with them, messages stay readable
+/// where a definition in the data section is damaged or skipped.
 void McapStreamReader::learn_channels_from_summary() {
   if (std::exchange(summary_read_, true)) return;
   const Result<mcap::Summary> summary = mcap::read_summary(*source_);
   if (!summary) return;
+  summary_start_ = summary->start;
   for (const auto& [id, stored] : summary->channels.all()) {
     if (stored.schema != nullptr) (void)channels_.add(*stored.schema);  // false: contradicts a definition before
     (void)channels_.add(stored.channel);
@@ -112,6 +115,7 @@ Result<bool> McapStreamReader::enter_next_record() {
       return true;
     case Opcode::DataEnd:
     case Opcode::Footer:
+      data_end_ = *head;
       ended_ = true;
       complete_ = true;
       return false;
@@ -145,6 +149,7 @@ Result<std::optional<StoredMessage>> McapStreamReader::take(Opcode opcode, std::
 }
 
 Result<std::optional<StoredMessage>> McapStreamReader::next() {
+  learn_channels_from_summary();
   while (!ended_ || walk_) {
     if (waiting_) {
       const Opcode opcode = *std::exchange(waiting_, std::nullopt);
@@ -165,6 +170,26 @@ Result<std::optional<StoredMessage>> McapStreamReader::next() {
     if (!more) return more.error();
   }
   return std::optional<StoredMessage>{};
+}
+
+Result<void> McapStreamReader::check_bytes() {
+  if (!data_end_) return {};
+  const std::uint64_t end = data_end_->offset;
+  if (data_end_->opcode != Opcode::DataEnd || (summary_start_ && *summary_start_ != data_end_->end()))
+    return mcap::damaged(*source_, "the record at the end of its data is damaged", end);
+  if (const Result<void> read = mcap::read_content(*source_, *data_end_, content_); !read) return read.error();
+  const auto wanted = mcap::parse<mcap::DataEnd>(content_);
+  if (!wanted) return mcap::damaged(*source_, "the record at the end of its data is damaged", end);
+  if (wanted->data_section_crc == 0) return {};
+  constexpr std::uint64_t kBlockBytes = 1 << 20;
+  std::uint32_t crc = 0;
+  std::string block;
+  for (std::uint64_t at = 0; at < end; at += block.size()) {
+    if (!source_->read(at, std::min(end - at, kBlockBytes), block)) return mcap::unreadable(*source_, at);
+    crc = mcap::crc32(block, crc);
+  }
+  if (crc == wanted->data_section_crc) return {};
+  return mcap::damaged(*source_, "the CRC of all its data does not match: a byte outside its messages has changed");
 }
 
 Result<mcap::Attachment> McapStreamReader::read(const RecordHead& attachment) {

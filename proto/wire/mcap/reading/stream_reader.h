@@ -34,6 +34,11 @@ class McapStreamReader {
 
   [[nodiscard]] Result<mcap::Attachment> read(const mcap::RecordHead& attachment);
 
+  /// Compares all bytes of the data section with the CRC at its end. It finds what no single record shows: a changed
+  /// byte in a header, in an index, or in a definition outside the chunks. Call it when next() has returned nullopt.
+  /// A file whose end is missing, or whose writer computed no CRC, passes.
+  [[nodiscard]] Result<void> check_bytes();
+
  private:
   explicit McapStreamReader(std::unique_ptr<mcap::ByteSource> source) : source_(std::move(source)) {}
   [[nodiscard]] Result<bool> enter_next_record();
@@ -48,7 +53,9 @@ class McapStreamReader {
   std::uint64_t offset_ = mcap::kMagic.size();
   bool ended_ = false;
   bool complete_ = false;
+  std::optional<mcap::RecordHead> data_end_;  // the record that ends the data section
   bool summary_read_ = false;
+  std::optional<std::uint64_t> summary_start_;  // nullopt: not read yet, or the file has no readable summary
   std::uint64_t chunk_offset_ = 0;                   // of the chunk read last
   std::uint64_t trusted_end_ = mcap::kMagic.size();  // where the search for a chunk begins after damage
   std::uint64_t record_offset_ = 0;                  // of the record outside chunks, or the chunk, read last

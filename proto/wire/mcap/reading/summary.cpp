@@ -97,6 +97,7 @@ Result<Summary> read_summary(ByteSource& source) {
     return damaged(source, "the CRC of its summary does not match", start);
 
   Summary summary;
+  summary.start = start;
   bool counted = false, described = false;  // the number of messages is known; there are schemas or channels
   ByteCursor from(std::string_view(bytes).substr(0, length));
   while (from.ok() && !from.at_end()) {

@@ -12,6 +12,7 @@ namespace telepalp::wire::mcap {
 /// The summary section at the end of a complete file. read_summary() has checked that the chunks, attachments and
 /// metadata which the indexes name lie in the data section.
 struct Summary {
+  std::uint64_t start = 0;  ///< its first byte in the file, behind the record that ends the data section
   ChannelTable channels;
   Statistics statistics;
   std::vector<ChunkIndex> chunks;  ///< in file order
