@@ -16,6 +16,7 @@
 #include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"
+#include "tests/bench/users/users_bench.h"
 
 namespace {
 
@@ -37,6 +38,7 @@ constexpr std::array kBenches{
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
     bench::Bench{"surface", "touch of a noisy, moving surface: time, error and steadiness", bench::run_surface},
+    bench::Bench{"users", "programs and page, driven as a user drives them, under faults", bench::run_users},
 };
 
 program::Usage usage() {
@@ -51,7 +53,7 @@ program::Usage usage() {
             "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
            {"held-out", "SET,SET…",
             "depth: also the mean compression ratio of these inputs, as for --input, which training did not use"},
-           {"part", "NAME", "accuracy: one of surface, patients, prediction, organ, solids, price, z-width, depth"},
+           {"part", "NAME", "accuracy, users: only this part of the benchmark; a wrong name lists the parts"},
            {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
            {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
            {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},

@@ -1,0 +1,45 @@
+#include "tests/bench/users/users_bench.h"
+
+#include "tests/bench/users/section.h"
+#include "tests/support/child_process.h"
+#include "where.h"
+
+namespace telepalp::bench {
+namespace {
+
+/// All sections. A new one needs a file <name>_section.cpp, a declaration in sections.h and a row here.
+const std::vector<UsersSection> kSections{};
+
+Result<std::vector<UsersSection>> sections_of(const program::Arguments& arguments) {
+  if (!arguments.has("part")) return kSections;
+  std::string names;
+  for (const UsersSection& section : kSections) {
+    if (section.name == arguments.text("part")) return std::vector<UsersSection>{section};
+    names += (names.empty() ? "" : ", ") + std::string(section.name);
+  }
+  return Error{.what = "'" + arguments.text("part") + "' is not a part of telepalp-bench users",
+               .where = "--part",
+               .fix = "give one of " + names};
+}
+
+}  // namespace
+
+Result<Report> run_users(const program::Arguments& arguments) {
+  const Result<std::vector<UsersSection>> sections = sections_of(arguments);
+  if (!sections) return sections.error();
+  Report report{.bench = "users", .rows = {}, .notes = {}};
+  for (const UsersSection& section : *sections) {
+    std::fprintf(stderr, "telepalp-bench users: %.*s: %.*s\n", static_cast<int>(section.name.size()),
+                 section.name.data(), static_cast<int>(section.purpose.size()), section.purpose.data());
+    const support::TemporaryFolder scratch;
+    Result<std::vector<Row>> rows = section.run({.programs = TELEPALP_BINARY_DIR "/bin",
+                                                 .viewer = TELEPALP_BINARY_DIR "/viewer",
+                                                 .sources = TELEPALP_SOURCE_DIR,
+                                                 .scratch = scratch.path()});
+    if (!rows) return rows.error();
+    for (Row& row : *rows) report.rows.push_back(std::move(row));
+  }
+  return report;
+}
+
+}  // namespace telepalp::bench
