@@ -15,7 +15,7 @@ struct Touch {
   Point<DepthCamera> hand;  ///< the avatar's fingertips; in contact, at the proxy (paper S1 §II.E, docs/sources.md)
   Point<DepthCamera> proxy;
   Point<DepthCamera> device;  ///< device point; centre of the drawn ball
-  Force<DepthCamera> force;   ///< on the doctor's hand
+  Force<DepthCamera> force;   ///< of the contact, on the doctor's hand; zero while the device is driven
   double indentation_m = 0.0;
   bool in_body = false;
   /// Rotation from the hand frame (hand_avatar.h) to the depth camera's; nullopt: the hand is drawn flat on the skin.

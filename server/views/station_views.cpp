@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/station/contact_force.h"
 #include "proto/wire/vector_message.h"
 
 namespace telepalp::views {
@@ -73,11 +74,13 @@ void add_ball(foxglove::SceneUpdate& scene, const msg::StationState& station, co
   set(*ball.mutable_color(), color);
 }
 
+/// The arrow of the contact's force; no arrow while the device is driven.
 void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
   constexpr double kMetresPerNewton = 0.02;
   constexpr double kLeast_N = 1e-3;
   const Eigen::Vector3d force_N = wire::vector_of(station.force_camera_n());
-  if (!station.has_proxy_camera() || !(force_N.norm() > kLeast_N)) return remove(scene, station, "force");
+  if (!station.has_proxy_camera() || !wire::is_contact(station) || !(force_N.norm() > kLeast_N))
+    return remove(scene, station, "force");
   foxglove::ArrowPrimitive& arrow = *add(scene, station, "force").add_arrows();
   set(*arrow.mutable_pose(), wire::vector_of(station.proxy_camera()),
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), force_N));  // an arrow points along its x

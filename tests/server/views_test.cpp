@@ -69,6 +69,7 @@ TEST(UltrasoundView, IsTheImageOfAProbeOnTheSkinAlone) {
 msg::StationState touching() {
   msg::StationState state;
   state.set_stamp_ns(5);
+  state.set_phase(msg::PHASE_IN_BODY);
   state.mutable_displayed_hand_camera()->set_z(0.7);
   state.mutable_proxy_camera()->set_z(0.71);
   state.mutable_force_camera_n()->set_y(-2.0);
@@ -119,6 +120,15 @@ TEST(SceneView, TheArrowPointsAlongTheForceAndIsAsLongAsItIsStrong) {
       return;
     }
   FAIL() << "no arrow";
+}
+
+TEST(SceneView, TheDrivesForceHasNoArrowOfContact) {
+  msg::StationState state = touching();
+  state.set_phase(msg::PHASE_OUT_BODY);
+  const foxglove::SceneUpdate scene = views::scene_view(state);
+  for (const foxglove::SceneEntity& entity : scene.entities()) EXPECT_NE(entity.id(), "force");
+  ASSERT_EQ(scene.deletions_size(), 2) << "the device, which is not known, and the arrow of the contact before";
+  EXPECT_EQ(scene.deletions(1).id(), "force");
 }
 
 TEST(SceneView, RemovesWhatTheStationDoesNotReport) {

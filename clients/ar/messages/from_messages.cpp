@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "clients/ar/messages/phases.h"
+#include "proto/wire/station/contact_force.h"
 #include "proto/wire/vector_message.h"
 
 namespace telepalp::ar {
@@ -52,7 +53,7 @@ Touch touch_of(const msg::StationState& state) {
   return {hand,
           proxy,
           device,
-          {wire::vector_of(state.force_camera_n())},
+          wire::is_contact(state) ? Force<DepthCamera>{wire::vector_of(state.force_camera_n())} : Force<DepthCamera>{},
           state.indentation_m(),
           state.in_body(),
           attitude_of(state)};
@@ -61,7 +62,8 @@ Touch touch_of(const msg::StationState& state) {
 std::vector<PanelLine> panel_of(const msg::StationState& state, std::optional<std::int64_t> start_ns) {
   const auto stamp_ns = static_cast<std::int64_t>(state.stamp_ns());
   std::vector<PanelLine> lines{{"state", std::string(words_for(state.phase()).words)},
-                               {"force", fixed(wire::vector_of(state.force_n()).norm(), 2) + " N"},
+                               {wire::is_contact(state) ? "force of contact" : "drive, not contact",
+                                fixed(wire::vector_of(state.force_n()).norm(), 2) + " N"},
                                {"indentation", fixed(1e3 * state.indentation_m(), 1) + " mm"}};
   if (state.surface_captured_ns() > 0) {
     const auto age_ns = stamp_ns - static_cast<std::int64_t>(state.surface_captured_ns());

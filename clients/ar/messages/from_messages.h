@@ -20,8 +20,8 @@ namespace telepalp::ar {
 /// only for a state for which is_drawable() is true.
 [[nodiscard]] Touch touch_of(const msg::StationState& state);
 
-/// Lines of the panel: state, force, indentation, age of the surface, and the time since `start_ns` (session time), if
-/// given.
+/// Lines of the panel: state, force of contact or of the drive, indentation, age of the surface, and the time since
+/// `start_ns` (session time), if given.
 [[nodiscard]] std::vector<PanelLine> panel_of(const msg::StationState& state,
                                               std::optional<std::int64_t> start_ns = std::nullopt);
 

@@ -15,7 +15,6 @@ struct PhaseWords {
   std::string_view mark;   ///< S1's state number s_f; R (released) and F (faulted) are not in S1
   double level;            ///< vertical position in the timeline
   std::string_view color;
-  bool contact;  ///< true: the skin or an object inside the body gives force
 };
 
 /// All states, ordered from deepest in the body to farthest from contact.

@@ -6,6 +6,7 @@
 
 #include "clients/ar/messages/phases.h"
 #include "clients/report/summary/summary.h"
+#include "proto/wire/station/contact_force.h"
 
 namespace telepalp::report {
 namespace {
@@ -46,9 +47,11 @@ std::vector<Series> both(const Session& a, const Session& b, Style style_of_a, S
 
 Chart forces(const Session& a, const Session& b, const Window& window) {
   const auto norms = [](const Session& session) {
-    return [values = force_norm_N(session.ticks)](std::size_t i) { return values[i]; };
+    return [&ticks = session.ticks, values = force_norm_N(session.ticks)](std::size_t i) {
+      return wire::is_contact(ticks.phase[i]) ? values[i] : kUnknown;
+    };
   };
-  return {.title = "force of the device",
+  return {.title = "force of contact",
           .x = {"time [s]"},
           .y = {"|F| [N]", plot::Range{0.0, 0.0}},
           .series = both(a, b, Style::Line, Style::Dashed, window, norms)};

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "clients/ar/messages/phases.h"
+#include "proto/wire/station/contact_force.h"
 
 namespace telepalp::report {
 namespace {
@@ -30,7 +30,7 @@ void take(TickComparison& result, const Instant& now, msg::Phase a, msg::Phase b
   ++result.common;
   if (a != b) ++result.phase_other;
   if (a != b && !result.first_phase) result.first_phase = now;
-  const bool contact = ar::words_for(a).contact || ar::words_for(b).contact;
+  const bool contact = wire::is_contact(a) || wire::is_contact(b);
   if (contact && apart_N > kFelt_N && !result.first_felt) result.first_felt = now;
   if (apart_N > (result.largest ? result.largest->force_apart_N : 0.0)) result.largest = now;
   result.at_s.push_back(now.at_s);

@@ -7,6 +7,7 @@
 
 #include "clients/ar/messages/phases.h"
 #include "clients/report/summary/summary.h"
+#include "proto/wire/station/contact_force.h"
 #include "support/plot/palette.h"
 
 namespace telepalp::report {
@@ -57,7 +58,7 @@ std::vector<double> only(std::vector<double> values, Keep keep) {
   return values;
 }
 
-bool is_contact(const Ticks& ticks, std::size_t i) { return ar::words_for(ticks.phase[i]).contact; }
+bool is_contact(const Ticks& ticks, std::size_t i) { return wire::is_contact(ticks.phase[i]); }
 
 /// Displacement of the device from the proxy at first contact along one axis (S1 eq. 8) [mm]; a gap out of contact.
 std::vector<double> indentation_mm(const Ticks& ticks, std::size_t axis) {
@@ -117,6 +118,21 @@ Chart position_chart(const Ticks& ticks, const std::vector<double>& seconds, std
   return chart;
 }
 
+/// The force of contact with its components, and the drive's force, which no component shares.
+Chart force_chart(const Ticks& ticks, const std::vector<double>& seconds) {
+  const auto contact = [&](std::size_t i) { return is_contact(ticks, i); };
+  const auto part = [&](std::size_t axis) { return only(scaled(ticks.force[axis], 1.0), contact); };
+  Chart chart{.title = "force of contact, and of the drive", .x = {"time [s]"}, .y = {"force [N]"}};
+  chart.series = {{"contact |F|", seconds, only(force_norm_N(ticks), contact), std::string(plot::kBlack)},
+                  {"F_x", seconds, part(0), std::string(plot::kVermilion)},
+                  {"F_y", seconds, part(1), std::string(plot::kBlue)},
+                  {"F_z", seconds, part(2), std::string(plot::kGreen)},
+                  {"drive |F|, not contact", seconds,
+                   only(force_norm_N(ticks), [&](std::size_t i) { return !is_contact(ticks, i); }),
+                   std::string(plot::kGrey), Style::Dashed}};
+  return chart;
+}
+
 }  // namespace
 
 Chart position_by_state(const Session& session) {
@@ -169,12 +185,7 @@ std::vector<Chart> timeline(const Session& session) {
                           only(scaled(ticks.proxy[1], 1e3), [&](std::size_t i) { return is_contact(ticks, i); }),
                           std::string(plot::kGreen)});
   position.bands.clear();
-  Chart force{.title = "force of the device", .x = {"time [s]"}, .y = {"force [N]"}};
-  force.series = {{"|F|", seconds, force_norm_N(ticks), std::string(plot::kBlack)},
-                  {"F_x", seconds, scaled(ticks.force[0], 1.0), std::string(plot::kVermilion)},
-                  {"F_y", seconds, scaled(ticks.force[1], 1.0), std::string(plot::kBlue)},
-                  {"F_z", seconds, scaled(ticks.force[2], 1.0), std::string(plot::kGreen)}};
-  return {state_chart(ticks, seconds), std::move(position), std::move(force)};
+  return {state_chart(ticks, seconds), std::move(position), force_chart(ticks, seconds)};
 }
 
 }  // namespace telepalp::report

@@ -97,7 +97,7 @@ std::string states_section(const Summary& summary) {
                  table({"state", "number", "times entered", "time in the state [s]", "share of the session"}, rows));
 }
 
-std::string motion_sections(const Session& session) {
+std::string motion_sections(const Session& session, const Summary& summary) {
   if (session.ticks.size() == 0) return "";
   std::string out =
       section("Position by state",
@@ -119,8 +119,10 @@ std::string motion_sections(const Session& session) {
                        "the skin (states -3 to -1).",
                        in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
-                       "State, height and force on one time axis. Outside the body, the force moves the end-effector; "
-                       "the hand feels only the lift in state 1 (body to plane).",
+                       "State, height and force on one time axis. Only the force of contact comes from the patient. "
+                       "Outside the body, the drive moves the end-effector, and the hand feels only its lift in state "
+                       "1 (body to plane). The drive gave at most " +
+                           readable(summary.force_of_drive_max_N) + " N.",
                        stacked(timeline(session)));
 }
 
@@ -223,7 +225,7 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
          first_screen(session, summary, verdict) + senders_section(summary) + view_section(session, view_png) +
-         notes_section(session) + motion_sections(session) + states_section(summary) +
+         notes_section(session) + motion_sections(session, summary) + states_section(summary) +
          timing_sections(session, summary) + events_section(session) + "</body></html>\n";
 }
 

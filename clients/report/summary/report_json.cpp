@@ -174,6 +174,7 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.begin_object("force_N");
   json.add("max", summary.force_max_N);
   json.add("max_in_contact", summary.force_in_contact_max_N);
+  json.add("max_of_drive", summary.force_of_drive_max_N);
   json.end_object();
   json.begin_object("indentation_mm");
   json.add("max", summary.indentation_max_mm);

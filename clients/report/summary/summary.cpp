@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clients/ar/messages/phases.h"
+#include "proto/wire/station/contact_force.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::report {
@@ -94,9 +95,10 @@ void add_dwells(Summary& summary, const Ticks& ticks) {
     Dwell& dwell = summary.dwells[phase];
     if (i == 0 || ticks.phase[i] != ticks.phase[i - 1]) ++dwell.entries;
     dwell.seconds += period_s;
-    if (ar::kPhases[phase].contact) summary.contact_s += period_s;
-    if (ar::kPhases[phase].contact && !contact_before) ++summary.touches;
-    contact_before = ar::kPhases[phase].contact;
+    const bool contact = wire::is_contact(ticks.phase[i]);
+    if (contact) summary.contact_s += period_s;
+    if (contact && !contact_before) ++summary.touches;
+    contact_before = contact;
   }
 }
 
@@ -137,9 +139,10 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
   summary.ticks_per_s = mean_rate(ticks.at_ns);
   std::vector<double> force_N = force_norm_N(ticks);
   summary.force_max_N = greatest(force_N);
-  for (std::size_t i = 0; i < force_N.size(); ++i)
-    if (!ar::words_for(ticks.phase[i]).contact) force_N[i] = kUnknown;
+  std::vector<double> drive_N = force_N;
+  for (std::size_t i = 0; i < force_N.size(); ++i) (wire::is_contact(ticks.phase[i]) ? drive_N : force_N)[i] = kUnknown;
   summary.force_in_contact_max_N = greatest(force_N);
+  summary.force_of_drive_max_N = greatest(drive_N);
   summary.indentation_max_mm = 1e3 * greatest({ticks.indentation_m.begin(), ticks.indentation_m.end()});
   summary.non_finite = count_non_finite(ticks);
   summary.deadlines_missed = count_overruns(ticks);
@@ -192,7 +195,7 @@ void add_frames(SenderSummary& summary, const Session& session, const SenderReco
 std::uint64_t touches_of(const Ticks& ticks) {
   std::uint64_t touches = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
-    if (ar::words_for(ticks.phase[i]).contact && (i == 0 || !ar::words_for(ticks.phase[i - 1]).contact)) ++touches;
+    if (wire::is_contact(ticks.phase[i]) && (i == 0 || !wire::is_contact(ticks.phase[i - 1]))) ++touches;
   return touches;
 }
 

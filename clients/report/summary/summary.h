@@ -69,8 +69,9 @@ struct Summary {
   std::vector<Dwell> dwells;  ///< in the order of ar::kPhases
   std::uint64_t touches = 0;  ///< number of contacts
   double contact_s = 0.0;
-  double force_max_N = kUnknown;  ///< largest in any state; out of contact, it moves the free device
+  double force_max_N = kUnknown;  ///< largest in any state
   double force_in_contact_max_N = kUnknown;
+  double force_of_drive_max_N = kUnknown;  ///< largest out of contact: no part of it comes from the patient
   double indentation_max_mm = kUnknown;
   double display_least_mJ = kUnknown;     ///< least balance, energy from the hand minus stored; < 0: energy was created
   double hand_excess_most_mJ = kUnknown;  ///< largest in a contact: work on the hand minus the measured skin's work

@@ -20,7 +20,8 @@ export interface ViewerStatus {
   readonly fps: number;
   readonly dropped: number;
   readonly meshVertices: number;
-  readonly force_N: number;
+  readonly force_N: number;  // of the contact; 0 while the device is driven
+  readonly drive_N: number;  // of the drive; 0 in contact
   readonly indentation_m: number;
   readonly phase: string;
   readonly yields_s: number | undefined;
@@ -57,6 +58,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       dropped: now.dropped,
       meshVertices: now.meshVertices,
       force_N: now.force_N ?? 0,
+      drive_N: now.drive_N ?? 0,
       indentation_m: (now.indentation_mm ?? 0) / 1000,
       phase: lookOf(now.phase).name,
       yields_s: now.yields_s,

@@ -2,14 +2,14 @@ import type {Taking} from './calibration/touch_taker';
 import type {DepthFidelity} from './depth/depth_fidelity';
 import type {DepthSummary} from './depth/depth_summary';
 import {
-  Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport, type Vec3,
+  Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport,
 } from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
 import type {Health} from './panel/banner';
 import {type Presence, stationIsLive} from './panel/presence_rows';
 import {shownHand} from './panel/touch_advice';
-import type {Instant, Light} from './present/instant';
+import {forcesOf, type Instant, type Light} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
 
 const UNTAKEN_MS = 2500;
@@ -17,7 +17,8 @@ const SILENT_MS = 1000;  // a station that sent nothing for this long counts as 
 
 /** All texts and numbers that the page shows at one time. */
 export interface Reading extends Health {
-  force_N: number | undefined;
+  force_N: number | undefined;  // of the contact; 0 while the device is driven
+  drive_N: number | undefined;  // of the drive; 0 in contact
   indentation_mm: number | undefined;
   limited: boolean;
   depth: DepthFidelity | undefined;
@@ -43,8 +44,6 @@ export interface Reading extends Health {
   cameraFrames_per_s: number;
   taking: Taking | undefined;  // of a calibration; undefined: there is no live station whose tracker needs one
 }
-
-export const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 
 interface DrawnPicture {
   summary: DepthSummary;
@@ -185,8 +184,10 @@ function presenceOf(news: News | undefined): Presence {
 }
 
 function touchOf(station: StationState | undefined) {
+  const forces = station && forcesOf(station);
   return {
-    force_N: station?.forceN && length(station.forceN),
+    force_N: forces?.force_N,
+    drive_N: forces?.drive_N,
     indentation_mm: station && 1000 * station.indentationM,
     limited: station?.limited ?? false,
     yields_s: station && station.yieldsInS > 0 && Number.isFinite(station.yieldsInS) ? station.yieldsInS : undefined,

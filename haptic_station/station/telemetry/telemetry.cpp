@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "haptic_station/control/phases/phase.h"
+#include "proto/wire/station/contact_force.h"
 #include "proto/wire/vector_message.h"
 #include "proto/words/demand.h"
 
@@ -24,19 +25,6 @@ void set_attitude(msg::StationState& state, const std::array<float, 4>& xyzw) {
 double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v[1]}, double{v[2]}); }
 
 msg::Phase phase_of(const loop::TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
-
-/// True in the states in which the skin or an object below it gives force (S1's contact).
-bool is_contact(std::uint8_t phase) noexcept {
-  switch (static_cast<msg::Phase>(phase)) {
-    case msg::PHASE_IN_BODY:
-    case msg::PHASE_CYLINDER_LATERAL:
-    case msg::PHASE_AROUND_CYLINDER:
-    case msg::PHASE_CYLINDER_UPPER:
-      return true;
-    default:
-      return false;
-  }
-}
 
 }  // namespace
 
@@ -158,7 +146,7 @@ RunTotals::Change RunTotals::add(const loop::TickSample& sample) {
   if (change.phase_changed) ++dwell.entries;
   ++dwell.ticks;
   ++ticks_;
-  if (is_contact(sample.phase)) ++contact_ticks_;
+  if (wire::is_contact(phase_of(sample))) ++contact_ticks_;
   work_.add(static_cast<std::uint64_t>(std::max(0.0F, sample.work_us) * 1000.0F));
   force_max_N_ = std::max(force_max_N_, norm(sample.force));
   return change;

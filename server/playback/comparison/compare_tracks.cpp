@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/wire/station/contact_force.h"
+
 namespace telepalp::playback {
 namespace {
 
@@ -45,7 +47,7 @@ void fill(msg::ComparisonState::Run& run, const StateTrack& track, const Axis& a
   run.mutable_phase()->Resize(kComparisonBins, msg::PHASE_UNSPECIFIED);
   for (const TrackPoint& point : track.points) {
     const int bin = axis.bin(point.at_ns + shift_ns);
-    raise(*run.mutable_force_n()->Mutable(bin), length(point.force_N));
+    if (wire::is_contact(point.phase)) raise(*run.mutable_force_n()->Mutable(bin), length(point.force_N));
     raise(*run.mutable_indentation_mm()->Mutable(bin), 1e3 * double{point.indentation_m});
     run.set_phase(bin, point.phase);
   }

@@ -9,6 +9,7 @@
 #include "clients/ar/depth_mesh.h"
 #include "clients/ar/hand_avatar.h"
 #include "clients/ar/isosurface.h"
+#include "clients/ar/messages/from_messages.h"
 #include "clients/ar/shapes.h"
 #include "clients/ar/text.h"
 #include "support/images/image_file.h"
@@ -201,6 +202,24 @@ TEST(Png, HoldsThePixelsThatItWasGiven) {
   std::vector<std::uint8_t> read(PNG_IMAGE_SIZE(header));
   ASSERT_NE(png_image_finish_read(&header, nullptr, read.data(), 0, nullptr), 0);
   EXPECT_EQ(read, image.rgb);
+}
+
+TEST(TouchOf, TheDrivesForceIsNamedAndDrawnAsNoContact) {
+  msg::StationState state;
+  state.mutable_device_camera()->set_z(0.6);
+  state.mutable_force_n()->set_y(2.5);
+  state.mutable_force_camera_n()->set_z(-2.5);
+  const auto force_of = [&](msg::Phase phase) {
+    state.set_phase(phase);
+    return panel_of(state)[1];
+  };
+  for (const msg::Phase driven : {msg::PHASE_OUT_BODY, msg::PHASE_BODY_TO_PLANE, msg::PHASE_PLANE_TO_BODY}) {
+    EXPECT_EQ(force_of(driven).name, "drive, not contact");
+    EXPECT_TRUE(touch_of(state).force.N.isZero()) << "no arrow";
+  }
+  EXPECT_EQ(force_of(msg::PHASE_IN_BODY).name, "force of contact");
+  EXPECT_EQ(force_of(msg::PHASE_IN_BODY).value, "2.50 N");
+  EXPECT_EQ(touch_of(state).force.N.z(), -2.5);
 }
 
 }  // namespace

@@ -55,7 +55,12 @@ TEST(Summary, TheForceInContactIsSeparateFromTheOneThatMovesTheFreeDevice) {
   session.ticks.force[0][0] = 7.0F;  // at the start the hand is outside the body
   const Summary s = summarise(session);
   EXPECT_EQ(s.force_max_N, 7.0);
+  EXPECT_EQ(s.force_of_drive_max_N, 7.0);
   EXPECT_LT(s.force_in_contact_max_N, 6.0);
+  EXPECT_NE(json_of(session).find("\"max_of_drive\": 7"), std::string::npos);
+  const std::string html = html_of(session);
+  EXPECT_NE(html.find("drive |F|, not contact"), std::string::npos);
+  EXPECT_NE(html.find("The drive gave at most 7"), std::string::npos);
 }
 
 TEST(Verdict, AForceBeyondThePeakIsNamedFirst) {

@@ -9,7 +9,7 @@ const {PlotWindow} = await bundled('panel/plots/window.ts');
 const {StationPast} = await bundled('present/station_past.ts');
 
 const IN_BODY = 1, OUT_BODY = 3;
-const touch = (at_s, force_N = 1, phase = IN_BODY) => ({at_s, force_N, indentation_m: 0.02, phase});
+const touch = (at_s, force_N = 1, phase = IN_BODY, drive_N = 0) => ({at_s, force_N, drive_N, indentation_m: 0.02, phase});
 
 test('missing messages are a gap in the curve, and end a phase', () => {
   const history = new TouchHistory();
@@ -18,6 +18,14 @@ test('missing messages are a gap in the curve, and end a phase', () => {
   assert.deepEqual(force_N, [1, 1, 1, null, 1, 1]);
   assert.deepEqual(at_s, [...at_s].sort((a, b) => a - b));
   assert.deepEqual(history.phases(0, 2).map(({from_s, to_s}) => [from_s, to_s]), [[0, 0.2], [1.2, 1.3]]);
+});
+
+test('the drive has a curve of its own, which ends where a contact begins', () => {
+  const history = new TouchHistory();
+  history.add(touch(0, 0, OUT_BODY, 2.5));
+  history.add(touch(0.1, 1.5, IN_BODY, 0));
+  const {force_N, drive_N} = history.columns(0, 1);
+  assert.deepEqual([force_N, drive_N], [[0, 1.5], [2.5, null]]);
 });
 
 test('phases follow each other without a hole', () => {

@@ -1,10 +1,12 @@
 // What the page knows of the picture that it draws: node viewer_state_test.mjs VIEWER_SOURCES VIEWER_WORK
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
 import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
 const {ViewerState} = await bundled('viewer_state.ts');
+const {forcesOf} = await bundled('present/instant.ts');
 
 const CAPTURED_MS = 1000;
 const instantAt = (captured_ms) => ({
@@ -66,4 +68,23 @@ test('the way of a frame to the hand is not shown of a station that is silent', 
   assert.equal(state.read(2500).surfaceReport, undefined);
   state.news = {...state.news, connected: false};
   assert.equal(state.read(1500).surfaceReport, undefined);
+});
+
+test('the force is contact\'s in the phases of the table that the programs share, and the drive\'s in all others', () => {
+  const table = readFileSync(new URL('../../proto/golden/contact_phases.tsv', import.meta.url), 'utf8');
+  const rows = table.trim().split('\n').slice(1).map((row) => row.split('\t'));
+  assert.equal(rows.length, 10);
+  const forceN = {x: 0, y: 3, z: 4};
+  for (const [phase, force] of rows)
+    assert.deepEqual(
+        forcesOf({phase: Number(phase), forceN}), force === 'contact' ? {force_N: 5, drive_N: 0} : {force_N: 0, drive_N: 5}, `phase ${phase}`);
+  assert.deepEqual(forcesOf({phase: 1, indexing: true, forceN}), {force_N: 0, drive_N: 5});
+});
+
+test('a device that is driven in free air shows no force of contact', () => {
+  const state = new ViewerState();
+  state.news = heard;
+  state.shown({...instantAt(1000), station: {...stationAt(1002), forceN: {x: 2, y: 0, z: 0}}, hand: 'new'}, 1020);
+  const {force_N, drive_N} = state.read(1020);
+  assert.deepEqual([force_N, drive_N], [0, 2]);
 });

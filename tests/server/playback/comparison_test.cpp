@@ -71,6 +71,14 @@ TEST(CompareTracks, ABinKeepsThePeakOfItsTime) {
   EXPECT_EQ(state.a().phase(static_cast<int>(peak)), msg::PHASE_IN_BODY);
 }
 
+TEST(CompareTracks, TheDrivesForceIsNotShownAsContact) {
+  StateTrack a = run(kStart_ns);
+  a.points[100].force_N[1] = 3.0F;
+  const msg::ComparisonState state = compare_tracks(a, run(kStart_ns));
+  EXPECT_EQ(*std::ranges::max_element(state.a().force_n()), 2.0F);
+  EXPECT_EQ(state.a().force_n(0), 0.0F) << "0.5 N of the drive";
+}
+
 TEST(CompareTracks, ARunThatEndsEarlyIsZeroAfterwardsAndIsNotComparedThere) {
   StateTrack shorter = run(kStart_ns);
   shorter.points.resize(1000);

@@ -37,6 +37,16 @@ export enum Phase {
   Faulted,
 }
 
+const IN_CONTACT: ReadonlySet<Phase> =
+    new Set([Phase.InBody, Phase.ObjectLateral, Phase.AroundObject, Phase.ObjectUpper]);
+
+/**
+ * True where the skin, or an object below it, gives the device's force. Elsewhere the force is the drive's, which moves
+ * the free device. `indexing`: the device is beyond the cylinder of workspace indexing.
+ */
+export const isContact = (phase: Phase | undefined, indexing = false) =>
+    phase !== undefined && IN_CONTACT.has(phase) && !indexing;
+
 /** telepalp.msg.CaptureState */
 export enum CaptureState {
   Unspecified,
@@ -100,6 +110,7 @@ export interface StationState {
   surfaceStale: boolean;
   limited: boolean;
   unmodelled: number;          // 1: the patient just moved unlike in the seconds before; then falls to 0 within 1 s
+  indexing?: boolean;          // the device is beyond the cylinder of workspace indexing: the body gives no force
   objectUnseen: boolean;       // an object inside the body stays put: the skin above it is not seen
   objectSlideUnseen: boolean;  // an object does not follow the body along its skin
   passivityJ: number;          // energy taken from the hand less energy stored

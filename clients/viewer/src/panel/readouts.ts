@@ -13,6 +13,7 @@ const milliseconds = (ms: number | undefined) =>
     ms === undefined ? '–' : ms < 999.5 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(ms < 9950 ? 1 : 0)} s`;
 
 const OLD_MS = 250;
+const LEAST_N = 0.05;  // a smaller force is shown as 0.0 N
 const NOTICE_MS = 10_000;
 const PLOTS_EVERY = 2;  // the plots are drawn at each 2nd call of show(), 5 times a second: they cost the most
 
@@ -72,11 +73,13 @@ export class Readouts {
     setText('phase-says', look.says);
   }
 
-  private showTouch({force_N, indentation_mm, limited}: Reading): void {
+  private showTouch({force_N, drive_N, indentation_mm, limited}: Reading): void {
     setText('force', force_N === undefined ? '–' : force_N.toFixed(1));
     setText('indentation', indentation_mm === undefined ? '–' : indentation_mm.toFixed(0));
-    element('force').style.color = force_N === undefined || force_N < 0.05 ? '' : forceColor(force_N).getStyle();
-    element('limited').hidden = !limited || (force_N ?? 0) < 0.05;  // a scene without force has the limit 0 N
+    element('force').style.color = force_N === undefined || force_N < LEAST_N ? '' : forceColor(force_N).getStyle();
+    element('drive').hidden = (drive_N ?? 0) < LEAST_N;
+    setText('drive', `drive ${(drive_N ?? 0).toFixed(1)} N, not contact`);
+    element('limited').hidden = !limited || (force_N ?? 0) < LEAST_N;  // a scene without force has the limit 0 N
   }
 
   private showFreshness(reading: Reading): void {

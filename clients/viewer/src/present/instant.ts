@@ -1,11 +1,21 @@
 import type {DecodedDepth} from '../depth/depth_decoder';
-import type {Phase, StationCompensation, StationState} from '../link/messages';
+import {isContact, type Phase, type StationCompensation, type StationState} from '../link/messages';
 import type {FrameTimes} from './time_account';
 
-/** Force, indentation and phase at a time of the station, for the plots. */
-export interface Touch {
+/** What the device's force is: one of the two is 0. Whatever shows a force asks here which of them it is. */
+export interface Forces {
+  force_N: number;  // of the contact, on the hand
+  drive_N: number;  // moves the free device: nothing of it comes from the patient
+}
+
+export function forcesOf({forceN, phase, indexing}: StationState): Forces {
+  const device_N = forceN === undefined ? 0 : Math.hypot(forceN.x, forceN.y, forceN.z);
+  return isContact(phase, indexing) ? {force_N: device_N, drive_N: 0} : {force_N: 0, drive_N: device_N};
+}
+
+/** Forces, indentation and phase at a time of the station, for the plots. */
+export interface Touch extends Forces {
   at_s: number;
-  force_N: number;
   indentation_m: number;
   phase?: Phase | undefined;
 }

@@ -1,6 +1,6 @@
 import type {DecodedDepth} from '../depth/depth_decoder';
-import type {StationState, Vec3} from '../link/messages';
-import type {Instant, Touch} from './instant';
+import type {StationState} from '../link/messages';
+import {forcesOf, type Instant, type Touch} from './instant';
 import {type Packet, PacketLine} from './packet_line';
 import {
   continuesWithoutPicture, handWithoutPicture, isSkipped, LONGEST_WAIT_MS, nearest, presentableUntil, valuesAt,
@@ -37,8 +37,6 @@ export interface Callbacks {
   present(chosen: Chosen): void;    // once for each ask()
   requestKeyFrame(): void;                // requests a key frame, because nothing can be decoded without one
 }
-
-const length = ({x, y, z}: Vec3) => Math.hypot(x, y, z);
 
 /**
  * Chooses what the page presents next. The page asks when it is ready to draw. It gets the newest instant of which both
@@ -189,7 +187,7 @@ export class Instants {
     const since_ns = this.presentedStamp_ns;
     return this.states.filter(({stampNs}) => stampNs > since_ns && stampNs <= station.stampNs).map((state) => ({
       at_s: Number(state.stampNs / 1000n) / 1e6,
-      force_N: state.forceN === undefined ? 0 : length(state.forceN),
+      ...forcesOf(state),
       indentation_m: state.indentationM,
     }));
   }

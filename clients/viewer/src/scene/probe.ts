@@ -22,7 +22,7 @@ export interface ProbePlace {
   device: Vector3 | undefined;
   proxy: Vector3 | undefined;
   normal: Vector3 | undefined;
-  force_N: Vector3 | undefined;
+  force_N: Vector3 | undefined;  // of the contact; undefined while the device is driven
 }
 
 /** The device's ball, the proxy on the surface, the line between them, the surface's normal and the force. */

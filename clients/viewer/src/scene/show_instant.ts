@@ -1,7 +1,6 @@
 import type {StationCompensation, StationState} from '../link/messages';
 import {shownHand} from '../panel/touch_advice';
-import type {Instant, Picture} from '../present/instant';
-import {length} from '../viewer_state';
+import {forcesOf, type Instant, type Picture} from '../present/instant';
 import {forceColor, FULL_SCALE_N} from './force_color';
 import {fromCamera, rotationFromCamera} from './frames';
 import type {SceneView} from './scene_view';
@@ -30,7 +29,7 @@ function hideStation({hand, transducer, probe, halo, surface}: SceneView): void 
 
 function showStation(
     {hand, transducer, inner, probe, halo, surface}: SceneView, station: StationState, compensation: StationCompensation | undefined): void {
-  const force_N = station.forceN === undefined ? 0 : length(station.forceN);
+  const {force_N, drive_N} = forcesOf(station);
   const color = forceColor(force_N);
   const proxy = station.proxyCamera && fromCamera(station.proxyCamera);
   const at = shownHand(station);
@@ -44,7 +43,7 @@ function showStation(
         device: station.deviceCamera && fromCamera(station.deviceCamera),
         proxy,
         normal,
-        force_N: station.forceCameraN && fromCamera(station.forceCameraN),
+        force_N: drive_N === 0 && station.forceCameraN ? fromCamera(station.forceCameraN) : undefined,
       },
       color);
   halo.show(compensation && {

@@ -8,6 +8,7 @@ const GAP_S = 0.3;  // the station's state comes each 10 ms
 export interface Columns {
   at_s: number[];
   force_N: (number | null)[];
+  drive_N: (number | null)[];  // null in contact
   indentation_mm: (number | null)[];
 }
 
@@ -44,16 +45,18 @@ export class TouchHistory {
   }
 
   columns(from_s: number, to_s: number): Columns {
-    const columns: Columns = {at_s: [], force_N: [], indentation_mm: []};
+    const columns: Columns = {at_s: [], force_N: [], drive_N: [], indentation_mm: []};
     let before_s = Infinity;
-    for (const {at_s, force_N, indentation_m} of this.between(from_s, to_s)) {
+    for (const {at_s, force_N, drive_N, indentation_m} of this.between(from_s, to_s)) {
       if (at_s - before_s > GAP_S) {
         columns.at_s.push(before_s + GAP_S);
         columns.force_N.push(null);
+        columns.drive_N.push(null);
         columns.indentation_mm.push(null);
       }
       columns.at_s.push(at_s);
       columns.force_N.push(force_N);
+      columns.drive_N.push(drive_N > 0 ? drive_N : null);
       columns.indentation_mm.push(1000 * indentation_m);
       before_s = at_s;
     }

@@ -13,15 +13,15 @@ const REST_TEXT = 'Drag in a plot to zoom';
 
 interface Curve {
   box: string;
-  color: string;                        // name of a CSS variable
+  lines: readonly {value: 'force_N' | 'drive_N' | 'indentation_mm'; color: string; dash?: number[]}[];  // color: a CSS variable
   unit: string;
   least: number;                        // least top of the scale
   step: number;                         // the scale grows in such steps
-  value: 'force_N' | 'indentation_mm';
 }
 const CURVES: readonly Curve[] = [
-  {box: 'force-plot', color: '--curve-force', unit: 'N', least: 5, step: 5, value: 'force_N'},
-  {box: 'indentation-plot', color: '--curve-indentation', unit: 'mm', least: 40, step: 20, value: 'indentation_mm'},
+  {box: 'force-plot', unit: 'N', least: 5, step: 5,
+   lines: [{value: 'drive_N', color: '--muted', dash: [3, 3]}, {value: 'force_N', color: '--curve-force'}]},
+  {box: 'indentation-plot', unit: 'mm', least: 40, step: 20, lines: [{value: 'indentation_mm', color: '--curve-indentation'}]},
 ];
 
 interface BoxedPlot {
@@ -70,7 +70,7 @@ export class TouchPlots {
     const {from_s, to_s} = this.window.range(begin_s, end_s);
     const columns = this.history.columns(from_s, to_s);
     for (const {plot, curve} of shown) {
-      plot.setData([columns.at_s, columns[curve.value]], false);
+      plot.setData([columns.at_s, ...curve.lines.map(({value}) => columns[value])], false);
       plot.setScale('x', {min: from_s, max: to_s});
     }
   }
@@ -82,7 +82,7 @@ export class TouchPlots {
 
   private open(curve: Curve): BoxedPlot {
     const box = element(curve.box);
-    const plot = new uPlot(this.options(curve, box), [[], []], box);
+    const plot = new uPlot(this.options(curve, box), [[], ...curve.lines.map(() => [])], box);
     box.addEventListener('keydown', (event) => this.takeKey(event));
     box.addEventListener('dblclick', () => this.follow());
     return {plot, box, curve};
@@ -105,7 +105,7 @@ export class TouchPlots {
         {stroke: muted, grid, ticks: {show: false}, size: 26, gap: 3, font: '10px system-ui, sans-serif',
          splits: (_plot, _axis, least, most) => [least, (least + most) / 2, most]},
       ],
-      series: [{}, {stroke: () => css(curve.color), width: 1.75, points: {show: false}}],
+      series: [{}, ...curve.lines.map(({color, dash}) => ({stroke: () => css(color), width: 1.75, points: {show: false}, ...(dash && {dash})}))],
       cursor: {
         y: false,
         points: {show: false},
@@ -148,7 +148,7 @@ export class TouchPlots {
     const touch = this.pointed_s === undefined ? undefined : this.history.at(this.pointed_s);
     const {end_s} = this.history;
     setText(this.under, touch === undefined || end_s === undefined ? REST_TEXT :
-      `${(touch.at_s - end_s).toFixed(1)} s: ${touch.force_N.toFixed(1)} N, ${(1000 * touch.indentation_m).toFixed(0)} mm, ` +
+      `${(touch.at_s - end_s).toFixed(1)} s: ${touch.drive_N > 0 ? `drive ${touch.drive_N.toFixed(1)}` : touch.force_N.toFixed(1)} N, ${(1000 * touch.indentation_m).toFixed(0)} mm, ` +
           (touch.phase === undefined ? '' : lookOf(touch.phase).name));
   }
 
