@@ -181,6 +181,7 @@ void add(Session& session, const wire::Message& message) {
 }
 
 void Growth::add(std::uint64_t value, bool began_here) noexcept {
+  known_ = last_ || began_here;
   if (!last_) grown_ = began_here ? value : 0;
   if (last_) grown_ += value >= *last_ ? value - *last_ : value;
   last_ = value;

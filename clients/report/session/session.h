@@ -42,9 +42,12 @@ class Growth {
   /// `began_here`: the counter started during the recording, so its first value counts as growth.
   void add(std::uint64_t value, bool began_here) noexcept;
   [[nodiscard]] std::uint64_t in_recording() const noexcept { return grown_; }
+  /// False if the recording has no value, or a single value of a counter that started earlier: growth is unknown then.
+  [[nodiscard]] bool is_known() const noexcept { return known_; }
 
  private:
   std::uint64_t grown_ = 0;
+  bool known_ = false;
   std::optional<std::uint64_t> last_;
 };
 

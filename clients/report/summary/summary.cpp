@@ -121,8 +121,8 @@ std::uint64_t count_non_finite(const Ticks& ticks) {
   return count;
 }
 
-/// Number of ticks that ended after the next one was due. For a session without the station's totals it replaces their
-/// count of missed deadlines.
+/// Number of recorded ticks that ended after the next one was due. It is the count of missed deadlines unless the
+/// station's own count is known: the station also counts deadlines whose ticks it skipped.
 std::uint64_t count_overruns(const Ticks& ticks) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < ticks.size(); ++i)
@@ -149,11 +149,12 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
   add_dwells(summary, ticks);
 }
 
-/// Adds the values that the ticks do not contain; without ticks, all values.
+/// Adds the station's own counts. What the ticks give stays, except the count of missed deadlines where the station's
+/// count covers the recording. Without ticks, all values are the station's.
 void add_stats(Summary& summary, const Session& session) {
   if (!session.station_stats) return;
   const msg::StationStats& stats = *session.station_stats;
-  summary.deadlines_missed = session.deadlines_missed.in_recording();
+  if (session.deadlines_missed.is_known()) summary.deadlines_missed = session.deadlines_missed.in_recording();
   summary.telemetry_dropped = session.telemetry_dropped.in_recording();
   if (stats.has_idle_timer()) summary.idle_timer = {stats.idle_timer().wakeups(), stats.idle_timer().missed()};
   summary.realtime = stats.realtime();
@@ -172,9 +173,11 @@ wire::DepthFidelity depth_of(const Session& session) {
   return touched.mode.empty() && !touched.moved ? session.depth : touched;
 }
 
-/// True if the subscription is the sender's. A session of an older server contains only names.
+/// True if the subscription is the sender's. A session of an older server contains only the names that programs give
+/// themselves; a viewer may be called "workstation 3".
 bool is_of(const Subscription& subscription, std::uint32_t sender) {
-  return sender != 0 ? subscription.sender == sender : subscription.name.find("station") != std::string::npos;
+  constexpr std::string_view kStation = "telepalp-station";
+  return sender != 0 ? subscription.sender == sender : subscription.name == kStation;
 }
 
 /// Adds the frames of all connections of the sender, because it may have reconnected.

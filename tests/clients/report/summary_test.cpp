@@ -104,6 +104,44 @@ TEST(Summary, CountsOnlyWhatHappenedWhileItWasRecorded) {
   EXPECT_EQ(s.frames_dropped, 2U);
 }
 
+msg::StationStats missed(std::uint64_t ticks, std::uint64_t deadlines) {
+  msg::StationStats stats = totals(0, ticks, 0);
+  stats.set_deadlines_missed(deadlines);
+  return stats;
+}
+
+TEST(Summary, LateTicksAreNotReplacedByACountOfTheStationThatDoesNotCoverTheRecording) {
+  Session session;
+  for (const wire::Message& message : made_messages({.seconds = 2.0}))
+    if (message.topic.name == wire::kStationTicks.name) add(session, message);
+  for (std::size_t i = 0; i < 5; ++i) session.ticks.late_us[100 * i] = 600.0F;
+  EXPECT_EQ(summarise(session).deadlines_missed, 5U);
+  add(session, wire::kStationStats, 1.0, missed(200'000, 40));  // the station began 100 s before the recording
+  EXPECT_EQ(summarise(session).deadlines_missed, 5U) << "one count of a station that began earlier says nothing";
+  add(session, wire::kStationStats, 2.0, missed(202'000, 47));
+  EXPECT_EQ(summarise(session).deadlines_missed, 7U) << "the station also counts the ticks that it skipped";
+}
+
+TEST(Summary, OfAnOlderServerOnlyTheStationsOwnNameIsAStation) {
+  Session session;
+  msg::ServerStats stats = connection("127.0.0.1:5001", 0, 100, 1);
+  msg::ServerStats::PerSubscriber& viewer = *stats.add_subscribers();
+  viewer.set_name("nurse's workstation");
+  viewer.set_address("127.0.0.1:5003");
+  msg::ServerStats::PerTopic& depth = *viewer.add_topics();
+  depth.set_topic("/camera/depth");
+  depth.set_sent(1000);
+  depth.set_dropped(500);
+  for (auto& subscriber : *stats.mutable_subscribers()) subscriber.set_sender(0);
+  add(session, wire::kServerStats, 0.0, connection("", 0, 0, 0));
+  add(session, wire::kServerStats, 1.0, stats);
+  add(session, wire::kStationStats, 1.0, totals(0, 2000, 100));
+  settle(session);
+  const Summary s = summarise(session);
+  EXPECT_EQ(s.frames_sent, 100U);
+  EXPECT_EQ(s.frames_dropped, 1U);
+}
+
 TEST(Senders, AForgedStateIsSeparatedAndIsAWarningOnTheFirstLine) {
   Session session;
   msg::StationState forged;
