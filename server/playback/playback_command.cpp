@@ -57,6 +57,8 @@ Result<void> check(const msg::PlaybackCommand& command) {
   if (command.has_speed() && !is_speed(command.speed())) return wrong("speed is not from 0.1 to 10");
   if (command.has_step() && (command.step() < 1 || command.step() > kMostSteps))
     return wrong("step is not from 1 to 100 depth images");
+  if (command.has_step_back() && (command.step_back() < 1 || command.step_back() > kMostSteps))
+    return wrong("step_back is not from 1 to 100 depth images");
   return {};
 }
 

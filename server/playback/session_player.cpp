@@ -23,6 +23,12 @@ constexpr Nanoseconds kLongestPause = 2s;          // a longer pause in a record
 
 double seconds_between(SessionTime from, SessionTime to) { return to_seconds(to - from); }
 
+SessionTime captured_at(const wire::Message& depth) {
+  msg::DepthImage image;
+  (void)image.ParseFromString(*depth.payload);  // retimed() has read it
+  return session_time(static_cast<std::int64_t>(image.captured_ns()));
+}
+
 }  // namespace
 
 Result<std::unique_ptr<SessionPlayer>> SessionPlayer::open(const PlaybackSpec& spec, bool loop,
@@ -105,6 +111,10 @@ void SessionPlayer::show_state() {
   state_.set_playing(playing_);
   state_.set_damaged(timeline_.damaged());
   state_.set_begin_ns(static_cast<std::uint64_t>(to_nanoseconds(timeline_.begin())));
+  if (!shown_) return;
+  state_.set_shown_ns(static_cast<std::uint64_t>(to_nanoseconds(shown_->map(shown_->instant))));
+  state_.set_shown_s(seconds_between(timeline_.begin(), shown_->instant));
+  state_.set_shown_speed(shown_->map.speed);
 }
 
 /// Sleeps until `due`, at most until the next status. False: a command came, or the player stops.
@@ -167,11 +177,12 @@ void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {
   if (command.has_loop()) loop_ = command.loop();
   if (command.has_speed()) speed_ = command.speed();
   if (command.has_play()) playing_ = command.play();
-  if (command.has_step()) playing_ = false;
+  if (command.has_step() || command.has_step_back()) playing_ = false;
   anchor();
   if (command.has_seek_s()) go_to(timeline_.begin() + Nanoseconds(static_cast<std::int64_t>(command.seek_s() * 1e9)));
-  if (command.has_seek_s() && !playing_ && !command.has_step()) show_first_picture();
+  if (command.has_seek_s() && !playing_ && !command.has_step() && !command.has_step_back()) show_first_picture();
   if (command.has_step()) step(command.step());
+  if (command.has_step_back()) step_back(command.step_back());
 }
 
 /// Maps the present position to now, at the present speed.
@@ -207,7 +218,7 @@ void SessionPlayer::repeat_picture() {
   };
   do next_ = timeline_.next();
   while (!is_as_before());
-  const TimeMap present = std::exchange(map_, picture_map_);
+  const TimeMap present = std::exchange(map_, shown_ ? shown_->map : map_);
   for (const wire::Message& message : needed) publish(message);
   map_ = present;
 }
@@ -220,6 +231,13 @@ void SessionPlayer::step(std::uint32_t pictures) {
     if (is_depth()) ++passed;
   go_to(next_ ? next_->published : timeline_.end() + Nanoseconds(1));
   position_ = std::min(position_, timeline_.end());
+}
+
+/// Shows the depth image that comes `pictures` before the shown one, or the first one. A seek to the instant at which
+/// an image was published shows the image before it.
+void SessionPlayer::step_back(std::uint32_t pictures) {
+  for (; pictures > 0 && shown_ && shown_->is_picture; --pictures) go_to(shown_->published);
+  show_first_picture();
 }
 
 void SessionPlayer::play_next() {
@@ -244,12 +262,22 @@ void SessionPlayer::publish(const wire::Message& recorded) {
   }
   std::optional<wire::Message> message = retimed(recorded, map_);
   if (!message) return;
-  if (recorded.topic.name == wire::kCameraDepth.name) {
-    picture_shown_ = true;
-    picture_map_ = map_;
-    ++depth_images_;
-  }
+  note_shown(recorded);
   hand_over(std::move(*message));
+}
+
+void SessionPlayer::note_shown(const wire::Message& recorded) {
+  const bool is_picture = recorded.topic.name == wire::kCameraDepth.name;
+  if (is_picture) {
+    picture_shown_ = true;
+    ++depth_images_;
+  } else if (shown_ && shown_->is_picture) {
+    return;
+  }
+  shown_ = {.is_picture = is_picture,
+            .instant = is_picture ? captured_at(recorded) : recorded.published,
+            .published = recorded.published,
+            .map = map_};
 }
 
 void SessionPlayer::publish_status_when_due() {

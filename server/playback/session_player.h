@@ -51,18 +51,27 @@ class SessionPlayer {
   [[nodiscard]] std::uint64_t depth_images() const noexcept { return depth_images_; }  ///< published; any thread
 
  private:
+  /// The newest published depth image, or any message before the first one. Times are those of the recording.
+  struct Shown {
+    bool is_picture;
+    SessionTime instant;  ///< capture of the image, or publishing time of another message
+    SessionTime published;
+    TimeMap map;  ///< with which it was published
+  };
   SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool loop, wire::SessionClock clock);
   void run();
   void carry_out(const msg::PlaybackCommand& command);
   void go_to(SessionTime at);
   void anchor();
   void step(std::uint32_t pictures);
+  void step_back(std::uint32_t pictures);
   void show_first_picture();
   void repeat_picture();
   void play_next();
   [[nodiscard]] bool at_end();
   [[nodiscard]] bool finish();
   void publish(const wire::Message& recorded);
+  void note_shown(const wire::Message& recorded);
   void publish_status_when_due();
   void hand_over(wire::Message message);
   [[nodiscard]] bool wait_until(SessionTime due);
@@ -81,7 +90,7 @@ class SessionPlayer {
   bool color_registered_ = true;
   bool ended_ = false;
   bool picture_shown_ = false;  // a depth image was published since the last seek
-  TimeMap picture_map_;         // the map with which the newest depth image was published
+  std::optional<Shown> shown_;
   SessionTime status_at_{};
   std::optional<std::string> status_;  // text of the status published last
   SessionTime repeated_at_{};

@@ -283,6 +283,54 @@ TEST(SessionPlayer, EachStepPublishesTheStationsStatesOfThePictureInThePicturesT
   }
 }
 
+TEST(SessionPlayer, EachStepBackPublishesTheImageBeforeWithTheStationsStates) {
+  Stage stage({.file = session("back", 300).string(), .from_s = 5.0, .paused = true});
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
+  stage.run_for(20ms);
+  ASSERT_EQ(stage.shown().back(), 151u);
+  for (std::uint64_t step = 1; step <= 100; ++step) {
+    stage.messages.clear();
+    stage.command("{\"step_back\": 1}");
+    ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty() && stage.shown().back() == 151 - step; })) << step;
+    stage.run_for(10ms);
+    EXPECT_TRUE(has_states_of_its_picture(stage)) << step;
+  }
+  stage.command("{\"step\": 1}");
+  EXPECT_TRUE(stage.run_until([&] { return stage.shown().back() == 52; })) << "a step forward undoes a step back";
+}
+
+TEST(SessionPlayer, AStepBackFromTheFirstImageStaysThere) {
+  Stage stage({.file = session("first", 30).string(), .from_s = 0.1, .paused = true});
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty() && stage.shown().back() == 3; }));
+  stage.messages.clear();
+  stage.command("{\"step_back\": 100}");
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
+  stage.run_for(50ms);
+  EXPECT_EQ(stage.shown().back(), 0u);
+  EXPECT_FALSE(stage.player->state().playing());
+}
+
+TEST(SessionPlayer, StatesWhereThePublishedImageLiesInTheSession) {
+  Stage stage({.file = session("place", 300).string(), .from_s = 1.0, .paused = true});
+  const auto expect_place = [&](double captured_s) {
+    const msg::PlaybackState state = stage.player->state();
+    EXPECT_EQ(state.shown_ns(), depth_of(stage.on("/camera/depth").back()).captured_ns());
+    EXPECT_NEAR(state.shown_s(), captured_s, 1e-9);
+  };
+  ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty() && stage.player->state().shown_ns() > 0; }));
+  stage.run_for(50ms);
+  expect_place(30 * 0.033 - 0.009);
+  stage.command("{\"step\": 7}");
+  stage.run_for(100ms);
+  expect_place(37 * 0.033 - 0.009);
+  stage.command("{\"play\": true, \"speed\": 2}");
+  stage.run_for(300ms);
+  EXPECT_EQ(stage.player->state().shown_speed(), 2.0);
+  stage.command("{\"play\": false}");
+  stage.run_for(100ms);
+  expect_place(static_cast<double>(stage.shown().back()) * 0.033 - 0.009);
+}
+
 TEST(SessionPlayer, PausedAtItsBeginningItShowsTheFirstPictureAndWaits) {
   Stage stage({.file = session("waits", 30).string(), .paused = true});
   ASSERT_TRUE(stage.run_until([&] { return !stage.shown().empty(); }));
@@ -379,8 +427,9 @@ TEST(SessionEvents, AFileThatCannotBeReadHasNoneAndIsComplete) {
 }
 
 TEST(PlaybackCommand, WrongJsonAndValuesOutOfRangeAreNamed) {
-  for (const char* wrong : {"", "[]", "{\"speed\": 0.01}", "{\"speed\": \"nan\"}", "{\"step\": 0}", "{\"step\": 101}",
-                            "{\"seek_s\": -1}", "{\"faster\": true}", "{\"play\": 3}"})
+  for (const char* wrong :
+       {"", "[]", "{\"speed\": 0.01}", "{\"speed\": \"nan\"}", "{\"step\": 0}", "{\"step\": 101}", "{\"step_back\": 0}",
+        "{\"step_back\": 101}", "{\"seek_s\": -1}", "{\"faster\": true}", "{\"play\": 3}"})
     EXPECT_FALSE(read_command(wrong)) << wrong;
   EXPECT_TRUE(read_command("{}"));
 }
