@@ -37,6 +37,10 @@ const EXTRA: Record<View, Extra> = {
   qa: {topics: ['/station/events'], light: false},
 };
 
+/** No new picture, and no values: those of a station that is silent are not shown. */
+const WITHOUT_STATION: Instant =
+    {picture: undefined, station: undefined, hand: 'none', late_ms: undefined, trail: [], times: undefined};
+
 const state = new ViewerState();
 const readouts = new Readouts();
 const canvas = document.getElementById('scene') as HTMLCanvasElement;
@@ -71,8 +75,10 @@ const link = new SiteLink({
     showInstant(view, withHand ? instant : {...instant, hand: 'none'});
   },
   news: (news) => {
+    const wasSilent = state.news?.silentSince_ms !== undefined;
     state.news = news;
     viewerHand.showHolder(news.holder, news.viewer);
+    if (wasSilent !== (news.silentSince_ms !== undefined)) showReadings();
   },
   probe: (probe) => inside.showProbe(probe, performance.now()),
   inside: (structures) => inside.showStructures(structures),
@@ -139,11 +145,22 @@ measureHeight('readings', '--readings');
 measureHeight('banner', '--banner-height');
 link.ask('instant');
 link.ask('probe');
+
+/** Shows the newest readings. Hand and force of a silent station leave the picture together with its numbers. */
+function showReadings(): Reading {
+  const reading = read();
+  if (reading.station === undefined && reading.handInstant_ms !== undefined && coming === undefined) {
+    coming = WITHOUT_STATION;
+    showInstant(view, coming);
+  }
+  readouts.show(reading);
+  return reading;
+}
+
 window.setInterval(() => {
   link.ask('news');
-  const reading = read();
+  const reading = showReadings();
   views.setRole(reading.role);
-  readouts.show(reading);
   steering.feel(reading.force_N);
   readouts.showDetail(view.detail);
   inside.look(performance.now());

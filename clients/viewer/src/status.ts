@@ -34,6 +34,10 @@ export interface ViewerStatus {
   readonly pictureInstant_ms: number | undefined;
   readonly numbersInstant_ms: number | undefined;
   readonly handInstant_ms: number | undefined;
+  readonly stale: boolean;
+  readonly paused: boolean;
+  readonly silenceLimit_ms: number | undefined;
+  readonly imageGap_ms: number | undefined;
   readonly account: TimeAccount | undefined;
   readonly holdsHand: boolean;
   readonly undecodable: number;
@@ -71,6 +75,10 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       pictureInstant_ms: now.pictureInstant_ms,
       numbersInstant_ms: now.numbersInstant_ms,
       handInstant_ms: now.handInstant_ms,
+      stale: now.stale,
+      paused: now.paused,
+      silenceLimit_ms: now.silenceLimit_ms,
+      imageGap_ms: now.imageGap_ms,
       account: now.account,
       holdsHand: now.holdsHand,
       undecodable: now.undecodable,

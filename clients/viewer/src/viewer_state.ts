@@ -2,7 +2,7 @@ import type {Taking} from './calibration/touch_taker';
 import type {DepthFidelity} from './depth/depth_fidelity';
 import type {DepthSummary} from './depth/depth_summary';
 import {
-  Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport,
+  isAtRest, isPaused, Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport,
 } from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
@@ -10,10 +10,13 @@ import type {Health} from './panel/banner';
 import {type Presence, stationIsLive} from './panel/presence_rows';
 import {shownHand} from './panel/touch_advice';
 import {forcesOf, type Instant, type Light} from './present/instant';
-import {accountFor, type FrameTimes, type TimeAccount, WorstOfSecond} from './present/time_account';
+import {accountFor, type FrameTimes, type TimeAccount, total_ms, WorstOfSecond} from './present/time_account';
 
 const UNTAKEN_MS = 2500;
-const SILENT_MS = 1000;  // a station that sent nothing for this long counts as gone
+const STALE_MS = 1000;   // an older picture is stale, also on a path with longer gaps
+const SILENT_MS = 850;   // a station that sent nothing for this long counts as gone; the page shows it within 1 s
+const OLD_NUMBERS_MS = 250;
+const AWAY_MS = 2500;     // a server sends a message each second
 
 /** All texts and numbers that the page shows at one time. */
 export interface Reading extends Health {
@@ -21,6 +24,9 @@ export interface Reading extends Health {
   drive_N: number | undefined;  // of the drive; 0 in contact
   indentation_mm: number | undefined;
   limited: boolean;
+  numbersOld: boolean;  // nothing newer has come from the station since the picture became stale
+  silenceLimit_ms: number | undefined;  // images that come later than this are too late for this path
+  imageGap_ms: number | undefined;      // during 99 % of the time, the gap between images is shorter; undefined: not known yet
   depth: DepthFidelity | undefined;
   link_ms: number | undefined;
   clockError_ms: number | undefined;  // bound on the error of ages that compare two computers' clocks
@@ -30,6 +36,7 @@ export interface Reading extends Health {
   undecodable: number;
   lateTicks: number | undefined;
   pictureInstant_ms: number | undefined;  // session time of the exposure that is drawn
+  picturePublished_ms: number | undefined;  // session time at which the server sent it
   numbersInstant_ms: number | undefined;  // session time that force and numbers belong to
   handInstant_ms: number | undefined;     // session time of hand and force in the scene; undefined: they are hidden
   role: string;                           // of this visitor at the server; empty while it is not known
@@ -47,7 +54,8 @@ export interface Reading extends Health {
 
 interface DrawnPicture {
   summary: DepthSummary;
-  captured_ms: number;  // session time
+  captured_ms: number;   // session time
+  published_ms: number;  // session time
   times: FrameTimes | undefined;
   drawn_ms: number;
 }
@@ -86,7 +94,8 @@ export class ViewerState {
     this.late_ms = late_ms;
     if (hand !== 'kept') this.hand_ms = hand === 'new' && station !== undefined ? milliseconds(station.stampNs) : undefined;
     if (picture === undefined) return;
-    this.picture = {summary: picture.summary, captured_ms: milliseconds(picture.captured_ns), times, drawn_ms: now_ms};
+    const {summary, captured_ns, published_ns} = picture;
+    this.picture = {summary, captured_ms: milliseconds(captured_ns), published_ms: milliseconds(published_ns), times, drawn_ms: now_ms};
   }
 
   /** The picture of `instant` is on the screen. */
@@ -101,9 +110,16 @@ export class ViewerState {
   read(now_ms: number): Reading {
     const {news, picture} = this;
     const connected = news?.connected ?? false;
-    const station = connected && news?.stationHeard_ms !== undefined ? this.station : undefined;
-    const account = this.account(now_ms);
-    const presence = presenceOf(news);
+    const rests = this.rests;
+    const station = connected && news?.stationHeard_ms !== undefined && (rests || !this.stationIsSilent(now_ms)) ? this.station : undefined;
+    const exact = this.account(now_ms);
+    const account = exact && this.worst.note(exact, now_ms);
+    const silence_ms = !connected || rests || news?.silentSince_ms === undefined ? undefined : now_ms - news.silentSince_ms;
+    const picture_ms = this.pictureAge_ms(now_ms);
+    const age_ms = account === undefined ? picture_ms : total_ms(account);
+    const stale = connected && !rests && age_ms !== undefined && (silence_ms !== undefined || age_ms > STALE_MS);
+    const station_ms = news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms;
+    const presence = presenceOf(news, now_ms);
     return {
       ...touchOf(station),
       connected,
@@ -114,12 +130,18 @@ export class ViewerState {
       depth: news?.depth,
       holdsHand: this.holdsHand,
       graphicsLost: this.graphicsLost,
-      paused: this.paused,
+      paused: this.isPaused,
+      stale,
+      silence_ms,
+      heardAny_ms: news?.heardAny_ms === undefined ? undefined : now_ms - news.heardAny_ms,
+      numbersOld: stale && station !== undefined && station_ms !== undefined && station_ms > OLD_NUMBERS_MS,
+      silenceLimit_ms: news?.silenceLimit_ms,
+      imageGap_ms: news?.imageGap_ms,
       untaken: news?.untaken_ms !== undefined && now_ms - news.untaken_ms < UNTAKEN_MS,
       surfaceStale: station !== undefined && (news?.surfaceStale ?? false),
-      station_ms: news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms,
-      picture_ms: this.pictureAge_ms(now_ms),
-      account: account && this.worst.note(account, now_ms),
+      station_ms,
+      picture_ms,
+      account,
       late_ms: connected ? this.late_ms : undefined,
       link_ms: connected ? news?.link_ms : undefined,
       clockError_ms: news?.clockError_ms,
@@ -129,6 +151,7 @@ export class ViewerState {
       undecodable: news?.undecodable ?? 0,
       lateTicks: news?.lateTicks,
       pictureInstant_ms: picture?.captured_ms,
+      picturePublished_ms: picture?.published_ms,
       numbersInstant_ms: station && milliseconds(station.stampNs),
       handInstant_ms: this.hand_ms,
       role: news?.role ?? '',
@@ -143,6 +166,17 @@ export class ViewerState {
       taking: stationIsLive(presence) ? news?.taking : undefined,
       cameraFrames_per_s: connected ? news?.capture?.framesPerS ?? 0 : 0,
     };
+  }
+
+  private get isPaused(): boolean {
+    const capture = this.news?.capture;
+    return this.paused || (capture !== undefined && isPaused(capture));
+  }
+
+  /** No newer picture is expected. */
+  private get rests(): boolean {
+    const capture = this.news?.capture;
+    return this.isPaused || (capture !== undefined && isAtRest(capture));
   }
 
   private unknownPhase(now_ms: number): Phase | undefined {
@@ -172,8 +206,9 @@ export class ViewerState {
   }
 }
 
-function presenceOf(news: News | undefined): Presence {
-  const known = news?.connected === true ? news : undefined;
+/** It is not known who is here while the server is silent. */
+function presenceOf(news: News | undefined, now_ms: number): Presence {
+  const known = news?.connected === true && now_ms - (news.heardAny_ms ?? now_ms) < AWAY_MS ? news : undefined;
   return {
     stats: known?.stats,
     touching: known?.touching ?? 0,

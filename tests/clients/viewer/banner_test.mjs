@@ -10,6 +10,7 @@ const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
   account: {site: 10, network: 30, computer: 20}, late_ms: undefined, station_ms: 10, surfaceStale: false, surface_ms: 40,
   handShown: true, holdsHand: false, role: 'doctor', untaken: false, yields_s: undefined, graphicsLost: false, paused: false,
+  stale: false, silence_ms: undefined, heardAny_ms: 10,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
 
@@ -19,13 +20,13 @@ for (const [place, says] of [['site', /^The picture is 2\.\d s old\. Patient’s
                              ['network', /^The picture is 2\.\d s old\. Network: images need 2\.0 s/],
                              ['computer', /^The picture is 2\.\d s old\. This computer: .* 2\.0 s/]])
   test(`an old picture names the place where the time went: ${place}`, () => {
-    const {title, text} = banner({account: {...WELL.account, [place]: 2000}});
+    const {title, text} = banner({stale: true, account: {...WELL.account, [place]: 2000}});
     assert.equal(title, 'Stale picture');
     assert.match(text, says);
   });
 
 test('while the session clock is not known, an old picture blames nobody', () => {
-  assert.equal(banner({account: undefined, picture_ms: 1500}).text, 'The picture is 1.5 s old.');
+  assert.equal(banner({stale: true, account: undefined, picture_ms: 1500}).text, 'The picture is 1.5 s old.');
 });
 
 test('numbers that are much older than the picture are a warning', () => {
@@ -34,7 +35,7 @@ test('numbers that are much older than the picture are a warning', () => {
 });
 
 test('a fault comes before a slow picture', () => {
-  assert.equal(banner({phase: 9, account: {...WELL.account, computer: 5000}}).title, 'Station faulted');
+  assert.equal(banner({phase: 9, stale: true, account: {...WELL.account, computer: 5000}}).title, 'Station faulted');
 });
 
 test('lost graphics are said, though numbers go on', () => {
@@ -51,7 +52,7 @@ test('warm motors are announced seconds before they lower the force', () => {
 });
 
 test('the picture of a paused session is paused, not stale', () => {
-  const old = {account: {...WELL.account, site: 60_000}};
+  const old = {account: {...WELL.account, site: 60_000}, silence_ms: 60_000};
   assert.equal(banner({...old, paused: true}).title, 'Paused');
   assert.equal(banner({...old, paused: true, graphicsLost: true}).title, 'No picture');
 });
@@ -60,4 +61,17 @@ test('without a picture, a camera is waited for, and a played session says that 
   const from = (source) => banner({picture_ms: undefined, capture: {state: 0, source, detail: ''}}).title;
   assert.equal(from('openni2'), 'Waiting for the camera');
   assert.equal(from('session:run.mcap'), 'No picture');
+});
+
+test('a silence says whether anything else still comes, and its text changes once a second', () => {
+  const silent = (silence_ms, heardAny_ms, station_ms) => banner({stale: true, silence_ms, heardAny_ms, station_ms}).text;
+  assert.equal(silent(300, 290, 290), 'Nothing has come from the server. The picture is the last one received.');
+  assert.equal(silent(3210, 3200, 3200), silent(3900, 3890, 3890));
+  assert.match(silent(3210, 3200, 3200), /^Nothing has come from the server for 3 s\./);
+  assert.equal(silent(300, 5, 5), 'No image has come. The connection works. The numbers go on.');
+  assert.equal(silent(2500, 5, undefined), 'No image has come for 2 s. The connection works.');
+});
+
+test('a stopped server comes before warm motors', () => {
+  assert.equal(banner({yields_s: 2.34, stale: true, silence_ms: 300}).title, 'Stale picture');
 });

@@ -22,7 +22,7 @@ for (const [what, key, focus, state, command] of [
   ['arrows turn the view while the picture has the focus', 'ArrowRight', 'scene', {}, undefined],
   ['arrows choose while the speed has the focus', 'ArrowRight', 'choice', {}, undefined],
   ['period goes one image on', '.', 'other', {}, {step: 1}],
-  ['comma pauses one image back', ',', 'scene', {position_s: 1 / 30}, {play: false, seek_s: 0}],
+  ['comma goes one image back', ',', 'scene', {}, {step_back: 1}],
   ['up and down stay with the view', 'ArrowUp', 'other', {}, undefined],
   ['letters stay with the view', 'r', 'other', {}, undefined],
 ])

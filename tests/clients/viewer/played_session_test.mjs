@@ -8,6 +8,7 @@ const {PlayedPart} = await bundled('playback/played_part.ts');
 const {joined, networkRows, placeOf, readNetwork, SLIDERS, textOf} = await bundled('playback/network_state.ts');
 const {keyOf, noteInAddress, readNotes} = await bundled('playback/session_notes.ts');
 const {addressOfMoment} = await bundled('playback/moment.ts');
+const {shownMoment} = await bundled('playback/shown_moment.ts');
 
 const STATE = {
   profile: 'lte', changed: false, delay_ms: 25, jitter_ms: 8, loss_percent: 0.5, burst_packets: 3, rate_Mbit_per_s: 40,
@@ -140,4 +141,28 @@ test('an address names a moment and a note', () => {
   for (const wrong of ['', '?note=', '?note=-1', '?note=x', '?note=1e3']) assert.equal(noteInAddress(wrong), undefined, wrong);
   const [note] = readNotes('{"notes":[{"number":"3","at_s":1.5,"text":"<b>","who":"Ada","written":"2026-03-01T12:00:00Z"}]}');
   assert.deepEqual(note, {number: 3, at_s: 1.5, text: '<b>', who: 'Ada', written: '2026-03-01T12:00:00Z'});
+});
+
+const PLAYER = {position_s: 9, playing: false, shown: {at_ms: 1000, at_s: 4, speed: 0.5}};
+const PAGE = {pictureInstant_ms: 1000, picturePublished_ms: 1020, numbersInstant_ms: 1002};
+
+test('the moment of a paused session is the shown picture\'s, and a seek to it shows that picture', () => {
+  const {values_s, seek_s} = shownMoment(PLAYER, PAGE);
+  assert.equal(values_s, 4);
+  assert.ok(seek_s > 4.01 && seek_s < 4.0115, `behind the publication at half speed, at 4.01 s: ${seek_s}`);
+});
+
+test('while it plays, the moment is that of the picture on the screen, which is older than the player\'s newest', () => {
+  assert.equal(shownMoment({...PLAYER, playing: true}, {...PAGE, pictureInstant_ms: 800, picturePublished_ms: 820}).values_s, 3.9);
+});
+
+test('until picture and player agree, the moment is the player\'s position', () => {
+  assert.deepEqual(shownMoment(PLAYER, {...PAGE, pictureInstant_ms: 967}), {values_s: 9, seek_s: 9});
+  assert.equal(shownMoment({...PLAYER, shown: undefined}, PAGE).values_s, 9);
+});
+
+test('in a session without images, the moment is that of the numbers', () => {
+  const reading = {pictureInstant_ms: undefined, picturePublished_ms: undefined, numbersInstant_ms: 990};
+  assert.equal(shownMoment(PLAYER, reading).values_s, 3.995);
+  assert.equal(shownMoment(PLAYER, {...reading, numbersInstant_ms: 900}).values_s, 9);
 });

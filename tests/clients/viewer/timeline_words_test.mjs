@@ -7,7 +7,7 @@ import {bundled} from './bundled.mjs';
 const {timelineLook, clock, refusal} = await bundled('playback/timeline_words.ts');
 const {readState, afterCommand} = await bundled('playback/playback_state.ts');
 
-const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true, session: 'a.mcap 17'};
+const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true, shown: undefined, session: 'a.mcap 17'};
 const look = (changes) => timelineLook({...STATE, ...changes});
 
 test('the first button offers the other of play and pause', () => {
@@ -38,6 +38,16 @@ test('a state is read from the server\'s JSON, and anything else is refused', ()
   for (const wrong of ['', 'null', '[]', '<html>', JSON.stringify({...json, speed: '1'}), JSON.stringify({...json, loop: 1})])
     assert.equal(readState(wrong), undefined, wrong);
   assert.notEqual(readState(JSON.stringify({...json, begin_ns: '18'})).session, STATE.session, 'a file that was recorded anew');
+});
+
+test('the newest published image is read, and it is not known after a seek or a step', () => {
+  const json = {...STATE, file: 'a.mcap', begin_ns: '17', shown_ns: '1700000000123456789', shown_s: 3.25, shown_speed: 0.5};
+  const state = readState(JSON.stringify(json));
+  assert.deepEqual(state.shown, {at_ms: 1700000000123.456, at_s: 3.25, speed: 0.5});
+  assert.equal(readState(JSON.stringify({...json, shown_ns: '0'})).shown, undefined);
+  for (const command of [{seek_s: 1}, {step: 1}, {step_back: 1}]) assert.equal(afterCommand(state, command).shown, undefined);
+  assert.deepEqual(afterCommand(state, {speed: 2}).shown, state.shown);
+  assert.equal(afterCommand(state, {step_back: 1}).playing, false);
 });
 
 test('the effect of a command is known before the server reports it', () => {

@@ -10,7 +10,7 @@ const {forcesOf} = await bundled('present/instant.ts');
 
 const CAPTURED_MS = 1000;
 const instantAt = (captured_ms) => ({
-  picture: {captured_ns: BigInt(captured_ms) * 1_000_000n, summary: {}},
+  picture: {captured_ns: BigInt(captured_ms) * 1_000_000n, published_ns: BigInt(captured_ms + 5) * 1_000_000n, summary: {}},
   station: undefined, hand: 'none', late_ms: undefined, trail: [],
   times: {captured_ms, published_ms: captured_ms + 5, complete_ms: captured_ms + 10},
 });
@@ -48,6 +48,7 @@ test('picture, hand and numbers change together, when the instant comes to the s
   assert.equal(state.frames, 1);
   state.shown({...instantAt(1300), picture: undefined, station: stationAt(1300), hand: 'kept'}, 1310);
   assert.deepEqual(instants(state.read(1310)), [1000, 1002, 1300], 'the hand stays with its picture');
+  state.news = {...heard, stationHeard_ms: 2105};
   state.shown({...instantAt(2100), picture: undefined, station: stationAt(2100), hand: 'none'}, 2110);
   assert.deepEqual(instants(state.read(2110)), [1000, undefined, 2100]);
 });
@@ -87,4 +88,52 @@ test('a device that is driven in free air shows no force of contact', () => {
   state.shown({...instantAt(1000), station: {...stationAt(1002), forceN: {x: 2, y: 0, z: 0}}, hand: 'new'}, 1020);
   const {force_N, drive_N} = state.read(1020);
   assert.deepEqual([force_N, drive_N], [0, 2]);
+});
+
+const LIVE = {state: 1, source: 'synthetic'};
+const PAUSED = {state: 2, source: 'session:a.mcap'};
+
+/** A page that shows a picture and numbers of 1000 ms, drawn at 1020 ms. The last message came at 1010 ms. */
+function page(news = {}) {
+  const state = new ViewerState();
+  state.news = {connected: true, everConnected: true, offset_ms: 0, stationHeard_ms: 1010, heardAny_ms: 1010, capture: LIVE,
+                heard: {published_ms: 1000, received_ms: 1010}, silentSince_ms: undefined, ...news};
+  const shown = {...instantAt(1000), station: {...stationAt(1002), phase: 1, forceN: {x: 0, y: 2, z: 0}, indentationM: 0.01}, hand: 'new'};
+  state.taken(shown);
+  state.shown(shown, 1020);
+  state.drawn(shown, 1020);
+  return state;
+}
+
+test('a silence that the path does not explain makes the picture stale, marks the numbers, and ends them within 1 s', () => {
+  const state = page();
+  assert.equal(state.read(1200).stale, false);
+  state.news = {...state.news, silentSince_ms: 1010};
+  const marked = state.read(1300);
+  assert.deepEqual([marked.stale, marked.numbersOld, marked.force_N], [true, true, 2]);
+  assert.equal(marked.silence_ms, 290);
+  const gone = state.read(1910);
+  assert.deepEqual([gone.stale, gone.force_N, gone.indentation_mm, gone.numbersInstant_ms], [true, undefined, undefined, undefined]);
+});
+
+test('while only the images stop, the numbers are those of now', () => {
+  const state = page({silentSince_ms: 1010, stationHeard_ms: 1990});
+  const {stale, numbersOld, force_N} = state.read(2000);
+  assert.deepEqual([stale, numbersOld, force_N], [true, false, 2]);
+});
+
+test('a paused session is neither stale nor without numbers, whoever paused it', () => {
+  const state = page({capture: PAUSED, silentSince_ms: 1010});
+  const {stale, paused, force_N} = state.read(60_000);
+  assert.deepEqual([stale, paused, force_N], [false, true, 2]);
+  state.news = {...state.news, capture: LIVE};
+  assert.equal(state.read(60_000).stale, true);
+});
+
+test('the last picture of a recording that has ended stays as it is', () => {
+  assert.equal(page({capture: {state: 4, source: 'a.oni'}}).read(60_000).stale, false);
+});
+
+test('a picture of more than a second is stale, however regular its images are', () => {
+  assert.equal(page().read(2100).stale, true);
 });

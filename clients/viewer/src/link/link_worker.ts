@@ -10,8 +10,9 @@ import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
 import {LONGEST_WAIT_MS} from '../present/presented_instant';
 import {StationPast} from '../present/station_past';
-import type {CompressedImage, StationState} from './messages';
+import {type CompressedImage, isAtRest, type StationState} from './messages';
 import {milliseconds, now_ms, SessionClock} from './session_clock';
+import {SilenceWatch} from './silence_watch';
 import {SiteFacts} from './site_facts';
 import {Stream} from './stream';
 import type {FromWorker, News, ToWorker} from './worker_messages';
@@ -60,7 +61,7 @@ async function present({decoded, station, hand, late_ms, color, arrival, trail: 
   if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, ...numbers}});
   const bitmap = color && await bitmapOf('/camera/color', color.data);
   if (bitmap !== undefined) lightMeter?.measure(bitmap, now_ms());
-  const picture = {...decoded, captured_ns: arrival.captured_ns, color: bitmap, cameraMatrix};
+  const picture = {...decoded, captured_ns: arrival.captured_ns, published_ns: arrival.published_ns, color: bitmap, cameraMatrix};
   const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
   post({instant: {picture, ...numbers}}, bitmap === undefined ? own : [...own, bitmap]);
 }
@@ -84,6 +85,16 @@ function takenAt({timestamp}: CompressedImage, published_ns: bigint): bigint {
   return timestamp === undefined ? published_ns : timestamp.seconds * 1_000_000_000n + BigInt(timestamp.nanos);
 }
 
+let silenceTimer: ReturnType<typeof setTimeout> | undefined;
+const silence = new SilenceWatch({
+  now_ms,
+  setTimer: (call, after_ms) => {
+    clearTimeout(silenceTimer);
+    silenceTimer = setTimeout(call, after_ms);
+  },
+  changed: () => post({news: news()}),
+});
+
 function stationCame(state: StationState): void {
   facts.stationCame(state, now_ms());
   past.stateCame(state);
@@ -97,6 +108,7 @@ const stream = new Stream(
       '/clock': () => undefined,  // one message a second: the stream treats silence as a lost connection
       '/camera/depth': (image, published_ns) => {
         facts.depthCame(image);
+        silence.imageCame();
         instants.depthCame({bytes: image.data, captured_ns: image.capturedNs, published_ns});
         clearTimeout(waitEnds);
         waitEnds = setTimeout(() => instants.timePassed(), LONGEST_WAIT_MS + 1);
@@ -108,6 +120,7 @@ const stream = new Stream(
       },
       '/camera/status': (capture) => {
         facts.capture = capture;
+        silence.rest(isAtRest(capture));
       },
       '/station/state': stationCame,
       '/station/stats': (stats) => {
@@ -139,6 +152,7 @@ const stream = new Stream(
         past.forget();
         taker.inUse = undefined;
         instants.restart();
+        silence.restart();
       },
       warned: (text) => {
         console.warn('server:', text);
@@ -158,6 +172,9 @@ function news(): News {
     taking: taker.inUse && taker.taking,
     offset_ms: clock.offset_ms,
     clockError_ms: clock.error_ms,
+    silentSince_ms: silence.since_ms,
+    silenceLimit_ms: silence.limit_ms,
+    imageGap_ms: silence.usual_ms,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,
     undecodable: stream.undecodable + decoder.undecodable,

@@ -90,6 +90,12 @@ export interface CaptureStatus {
   colorRegistered: boolean;
 }
 
+/** The server plays a session that is paused. */
+export const isPaused = ({state, source}: CaptureStatus) => state === CaptureState.Waiting && source.startsWith('session:');
+
+/** No image is expected: the played session is paused, or a recording has ended. */
+export const isAtRest = (capture: CaptureStatus) => capture.state === CaptureState.Ended || isPaused(capture);
+
 export interface StationState {
   stampNs: bigint;
   surfaceCapturedNs: bigint;

@@ -29,17 +29,19 @@ export class SiteFacts {
   private stationHeard_ms: number | undefined;
   private link_ms: number | undefined;
   private heard: News['heard'];
+  private heardAny_ms: number | undefined;
 
   connected(): void {
     this.everConnected = true;
     this.lastSequence = undefined;  // frames missed without a connection are no drops of the link
     this.holder = {viewer: 0n, asking: []};
-    this.station = this.stationHeard_ms = this.link_ms = this.heard = this.stats = this.surfaceReport = undefined;
+    this.station = this.stationHeard_ms = this.link_ms = this.heard = this.heardAny_ms = this.stats = this.surfaceReport = undefined;
     this.events = [];
   }
 
   /** A message of any topic came. `published_ms` on this computer's clock; undefined while the session clock is unknown. */
   came(published_ms: number | undefined, now_ms: number): void {
+    this.heardAny_ms = now_ms;
     if (published_ms === undefined) return;
     this.heard = {published_ms, received_ms: now_ms};
     const age_ms = now_ms - published_ms;
@@ -67,9 +69,9 @@ export class SiteFacts {
 
   get news() {
     const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped} = this;
-    const {stats, surfaceReport, events} = this;
+    const {stats, surfaceReport, events, heardAny_ms} = this;
     return {
-      everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
+      everConnected, link_ms, heard, heardAny_ms, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
       stats, surfaceReport, events,
       touching: this.station?.sender ?? 0,
       phase: this.station?.phase ?? Phase.Unspecified,

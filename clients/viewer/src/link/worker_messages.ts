@@ -1,5 +1,5 @@
 // Messages between page and link worker. The worker sends one message for each request of the page, so that no messages
-// queue up for a busy page.
+// queue up for a busy page. Besides, it sends its news at once when the images stop, and when they come again.
 
 import type {Touch} from '../calibration/offset_fit';
 import type {Taking} from '../calibration/touch_taker';
@@ -20,6 +20,10 @@ export interface News {
   clockError_ms: number | undefined;  // bound on the error of offset_ms
   link_ms: number | undefined;    // from the server's sending to this computer, smoothed
   heard: {published_ms: number; received_ms: number} | undefined;
+  heardAny_ms: number | undefined;     // when the newest message of any topic came; undefined: none on this connection
+  silentSince_ms: number | undefined;  // when the last image came, while no newer one has come for too long for this path
+  silenceLimit_ms: number;             // a longer silence is not explained by this path's gaps
+  imageGap_ms: number | undefined;     // during 99 % of the time, the gap between images is shorter; undefined: not known yet
   waiting: FrameTimes | undefined;
   capture: CaptureStatus | undefined;
   depth: DepthFidelity | undefined;

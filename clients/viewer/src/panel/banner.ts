@@ -15,6 +15,9 @@ export interface Health extends TouchHealth {
   surfaceStale: boolean;
   surface_ms: number | undefined;
   paused: boolean;           // the played session is paused
+  stale: boolean;            // the picture is too old, or no newer one has come for longer than this path explains
+  silence_ms: number | undefined;   // since the last image, if that is longer than this path explains
+  heardAny_ms: number | undefined;  // since the newest message of any topic
   graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
   phase: Phase | undefined;  // undefined: there is a station, but its phase at this instant is not known
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
@@ -26,7 +29,8 @@ export interface Banner {
   text: string;
 }
 
-const STALE_MS = 1000;
+const RECENT_MS = 1000;
+const NOTHING_MS = 250;  // the station's state comes each 10 ms
 const LATE_MS = 400;
 const WARM_S = 4;
 
@@ -56,22 +60,27 @@ export function bannerFor(health: Health): Banner | undefined {
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
   if (health.capture?.state === CaptureState.Ended)
     return {level: 'wait', title: 'The played recording has ended', text: 'The last picture stays.'};
+  if (health.paused) return {level: 'wait', title: 'Paused', text: 'The played session is stopped at this moment.'};
+  if (health.silence_ms !== undefined) return {level: 'warn', title: 'Stale picture', text: silenceSays(health)};
   if (health.yields_s !== undefined && health.yields_s < WARM_S && isRecent(health.station_ms))
     return {
       level: 'warn',
       title: 'The device is warm',
       text: `In ${health.yields_s.toFixed(1)} s the device gives less force, and the hand sinks in deeper. Press less, or let go.`,
     };
-  if (health.paused) return {level: 'wait', title: 'Paused', text: 'The played session is stopped at this moment.'};
-  const age_ms = health.account === undefined ? health.picture_ms : total_ms(health.account);
-  if (age_ms > STALE_MS) return {level: 'warn', title: 'Stale picture', text: whereTo(age_ms, health.account)};
+  if (health.stale)
+    return {
+      level: 'warn',
+      title: 'Stale picture',
+      text: whereTo(health.account === undefined ? health.picture_ms : total_ms(health.account), health.account),
+    };
   if (health.surfaceStale)
     return {
       level: 'warn',
       title: 'No surface to feel',
       text: health.surface_ms === undefined ? '' : `The device is beyond the measured surface, or the surface is too old: ${seconds(health.surface_ms)}.`,
     };
-  if (health.station_ms !== undefined && health.station_ms > STALE_MS)
+  if (health.station_ms !== undefined && health.station_ms > RECENT_MS)
     return {level: 'warn', title: 'Station silent', text: `The station has sent no message for ${seconds(health.station_ms)}.`};
   if (health.late_ms !== undefined && health.late_ms > LATE_MS)
     return {
@@ -88,6 +97,15 @@ const BLAME: Record<Place, (part: string) => string> = {
   computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
 };
 
+/** The text while no image comes. It changes once a second, because a screen reader reads out each change. */
+function silenceSays({silence_ms, heardAny_ms, station_ms}: Health): string {
+  const since = (ms: number) => (ms < 1000 ? '' : ` for ${Math.floor(ms / 1000)} s`);
+  if (heardAny_ms !== undefined && heardAny_ms > NOTHING_MS)
+    return `Nothing has come from the server${since(heardAny_ms)}. The picture is the last one received.`;
+  const numbers = station_ms !== undefined && station_ms < NOTHING_MS ? ' The numbers go on.' : '';
+  return `No image has come${since(silence_ms ?? 0)}. The connection works.${numbers}`;
+}
+
 /** Names the place that causes most of the picture's age. */
 function whereTo(age_ms: number, account: TimeAccount | undefined): string {
   if (account === undefined) return `The picture is ${seconds(age_ms)} old.`;
@@ -96,5 +114,5 @@ function whereTo(age_ms: number, account: TimeAccount | undefined): string {
 }
 
 function isRecent(age_ms: number | undefined): boolean {
-  return age_ms !== undefined && age_ms <= STALE_MS;
+  return age_ms !== undefined && age_ms <= RECENT_MS;
 }

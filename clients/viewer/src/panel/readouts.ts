@@ -49,9 +49,11 @@ export class Readouts {
     setText('drawn-detail', `${stride === 1 ? 'each pixel' : `mesh 1:${stride}`}, ${(100 * share).toFixed(0)} %`);
   }
 
-  private showLink({connected, everConnected, capture}: Reading): void {
-    element('link').dataset['state'] = connected ? 'live' : everConnected ? 'lost' : 'wait';
-    setText('link-text', connected ? 'connected' : everConnected ? 'disconnected' : 'connecting');
+  private showLink(reading: Reading): void {
+    const {capture} = reading;
+    const [state, text] = linkLook(reading);
+    element('link').dataset['state'] = state;
+    setText('link-text', text);
     const away = capture === undefined || capture.state === CaptureState.Unspecified;
     setText('source', away ? '' : shortSource(capture.source) + (capture.colorRegistered ? '' : ' · colour not aligned'));
     element('source').title = away ? '' : capture.source;
@@ -95,13 +97,14 @@ export class Readouts {
   }
 
   private updateBanner(reading: Reading): void {
-    document.body.dataset['old'] = String(!reading.connected && reading.everConnected);
+    document.body.dataset['old'] = String(reading.stale || (!reading.connected && reading.everConnected));
+    document.body.dataset['numbers'] = reading.numbersOld ? 'old' : '';
     const banner = bannerFor(reading);
-    this.showBanner(banner?.level === 'alarm' ? banner : this.notice ?? banner);
+    this.showBanner(reading.stale || banner?.level === 'alarm' ? banner : this.notice ?? banner);
     setTitle(banner);
   }
 
-  /** Shows `notice` in the banner for NOTICE_MS, except while the readings cause an alarm. */
+  /** Shows `notice` in the banner for NOTICE_MS, except while the picture is stale or the readings cause an alarm. */
   showNotice(notice: Banner): void {
     this.notice = notice;
     window.setTimeout(() => {
@@ -116,6 +119,12 @@ export class Readouts {
     setText('banner-title', banner.title);
     setText('banner-text', banner.text);
   }
+}
+
+function linkLook({connected, everConnected, stale, silence_ms}: Reading): [string, string] {
+  if (!connected) return everConnected ? ['lost', 'disconnected'] : ['wait', 'connecting'];
+  if (!stale) return ['live', 'connected'];
+  return ['stale', silence_ms === undefined ? 'late' : 'silent'];
 }
 
 /** "session:/data/2026/anna.mcap" becomes "session: anna.mcap". */

@@ -4,13 +4,12 @@ import {type PlaybackCommand, type PlaybackState, seekTo} from './playback_state
 export type Focus = 'scene' | 'button' | 'choice' | 'other';
 
 const LEAP_S = 5;
-const IMAGE_S = 1 / 30;  // the player steps forwards only; backwards we seek by one image of a usual camera
 
 /** The command that `key` gives; undefined: the key is not for the playback. */
 export function commandForKey(key: string, focus: Focus, state: PlaybackState): PlaybackCommand | undefined {
   if (focus === 'choice') return undefined;                   // its keys choose
   if (key === ' ') return focus === 'button' ? undefined : {play: !state.playing};  // space presses a button
-  if (key === ',') return {play: false, ...seekTo(state, state.position_s - IMAGE_S)};
+  if (key === ',') return {step_back: 1};
   if (key === '.') return {step: 1};
   if (focus === 'scene') return undefined;                    // its arrows turn the view
   if (key === 'ArrowLeft') return seekTo(state, state.position_s - LEAP_S);

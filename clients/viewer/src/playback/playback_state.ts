@@ -1,3 +1,6 @@
+import {milliseconds} from '../link/session_clock';
+import type {PublishedInstant} from './shown_moment';
+
 /** How the server plays a session: the reply to GET and POST /playback. Positions count from the session's beginning. */
 export interface PlaybackState {
   position_s: number;
@@ -5,6 +8,7 @@ export interface PlaybackState {
   speed: number;
   loop: boolean;
   playing: boolean;
+  shown: PublishedInstant | undefined;  // undefined: none, or not known since the last command
   session: string;  // names the played session; another session has another name
 }
 
@@ -12,6 +16,7 @@ export interface PlaybackState {
 export interface PlaybackCommand {
   seek_s?: number;
   step?: number;
+  step_back?: number;
   speed?: number;
   loop?: boolean;
   play?: boolean;
@@ -19,7 +24,7 @@ export interface PlaybackCommand {
 
 /** The state in the JSON `text`; undefined if a value is missing, of another type or not finite. */
 export function readState(text: string): PlaybackState | undefined {
-  let json: Partial<Record<keyof PlaybackState | 'file' | 'begin_ns', unknown>> | null;
+  let json: Partial<Record<keyof PlaybackState | 'file' | 'begin_ns' | keyof ShownJson, unknown>> | null;
   try {
     json = JSON.parse(text);
   } catch {
@@ -28,17 +33,32 @@ export function readState(text: string): PlaybackState | undefined {
   const {position_s, duration_s, speed, loop, playing, file, begin_ns} = json ?? {};
   if (!isNumber(position_s) || !isNumber(duration_s) || !isNumber(speed)) return undefined;
   if (typeof loop !== 'boolean' || typeof playing !== 'boolean') return undefined;
-  return {position_s, duration_s, speed, loop, playing, session: `${String(file)} ${String(begin_ns)}`};
+  const shown = readShown(json as ShownJson);
+  return {position_s, duration_s, speed, loop, playing, shown, session: `${String(file)} ${String(begin_ns)}`};
+}
+
+interface ShownJson {
+  shown_ns?: unknown;  // 64-bit integers come as text in Protobuf's JSON
+  shown_s?: unknown;
+  shown_speed?: unknown;
+}
+
+function readShown({shown_ns, shown_s, shown_speed}: ShownJson): PublishedInstant | undefined {
+  if (!/^[1-9]\d*$/.test(String(shown_ns)) || !isNumber(shown_s) || !isNumber(shown_speed)) return undefined;
+  return {at_ms: milliseconds(BigInt(String(shown_ns))), at_s: shown_s, speed: shown_speed};
 }
 
 /** The state that `command` will lead to: shown at once, because the server replies with the state before it. */
-export function afterCommand(state: PlaybackState, {seek_s, step, speed, loop, play}: PlaybackCommand): PlaybackState {
+export function afterCommand(
+    state: PlaybackState, {seek_s, step, step_back, speed, loop, play}: PlaybackCommand): PlaybackState {
+  const steps = step !== undefined || step_back !== undefined;
   return {
     ...state,
+    shown: steps || seek_s !== undefined ? undefined : state.shown,
     position_s: seek_s ?? state.position_s,
     speed: speed ?? state.speed,
     loop: loop ?? state.loop,
-    playing: step === undefined && (play ?? state.playing),
+    playing: !steps && (play ?? state.playing),
   };
 }
 

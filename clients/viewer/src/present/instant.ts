@@ -28,6 +28,7 @@ export interface Light {
 
 export interface Picture extends DecodedDepth {
   captured_ns: bigint;
+  published_ns: bigint;
   color: ImageBitmap | undefined;  // undefined: the previous image stays
   cameraMatrix: readonly number[] | undefined;
 }

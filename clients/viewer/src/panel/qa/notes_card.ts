@@ -20,11 +20,12 @@ export class NotesCard {
   private noted_s: number | undefined;  // the moment at which the writing began
   private shows = 0;
   private shown = '';
+  private moment_s = 0;  // of the shown picture
 
   constructor(private readonly playback: PlaybackLink, private readonly notes: Notes, private readonly redrawn: () => void) {
     this.text.addEventListener('input', () => {
       if (this.text.value === '') this.noted_s = undefined;
-      else this.noted_s ??= this.playback.state?.position_s;
+      else this.noted_s ??= this.moment_s;
     });
     this.form.addEventListener('submit', (event) => {
       event.preventDefault();
@@ -32,12 +33,14 @@ export class NotesCard {
     });
   }
 
-  show(): void {
+  /** `moment_s`: a seek to it shows the picture that the page shows now. */
+  show(moment_s: number): void {
     const {state} = this.playback;
+    this.moment_s = moment_s;
     this.card.hidden = state === undefined || this.notes.state === undefined;
     if (state === undefined) return this.notes.forget();
     if (this.shows++ % LOOK_EVERY === 0) void this.notes.look().then(() => this.write());
-    setText(element('note-at'), clock(this.noted_s ?? state.position_s));
+    setText(element('note-at'), clock(this.noted_s ?? moment_s));
   }
 
   /** The chosen note, if the session stands at its moment. */
@@ -48,8 +51,8 @@ export class NotesCard {
 
   private async add(): Promise<void> {
     const text = oneLine(this.text.value);
-    const at_s = this.noted_s ?? this.playback.state?.position_s;
-    if (text === '' || at_s === undefined) return;
+    const at_s = this.noted_s ?? this.moment_s;
+    if (text === '') return;
     this.text.value = '';  // before the answer comes, so that a second press of Add finds an empty field
     this.noted_s = undefined;
     if (!(await this.notes.command({at_s, text})) && this.text.value === '') {

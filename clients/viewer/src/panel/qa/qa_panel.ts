@@ -3,6 +3,7 @@ import {addressOfMoment, momentInAddress} from '../../playback/moment';
 import type {OverviewBand} from '../../playback/overview_band';
 import type {PlaybackLink} from '../../playback/playback_link';
 import {seekTo} from '../../playback/playback_state';
+import {type ShownMoment, shownMoment} from '../../playback/shown_moment';
 import {clock} from '../../playback/timeline_words';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
@@ -26,6 +27,7 @@ export class QaPanel {
   private readonly notesCard: NotesCard;
   private readonly comparison: ComparisonCard;
   private shown: LoggedEvent | undefined;  // the newest event in the list
+  private moment: ShownMoment | undefined;  // undefined: no session can be moved
   private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
   constructor(
@@ -37,13 +39,15 @@ export class QaPanel {
     element('snapshot').addEventListener('click', () => void this.snapshot());
   }
 
-  show({connected, events, sessionNow_ns, presence}: Reading): void {
+  show(reading: Reading): void {
+    const {connected, events, sessionNow_ns, presence} = reading;
     const {state} = this.playback;
     this.showAskedMoment();
+    this.moment = state && shownMoment(state, reading);
     this.network.show(state !== undefined);
-    this.notesCard.show();
-    this.comparison.show();
-    setText(element('moment'), state === undefined ? presence.playsSession ? 'recorded' : 'live' : `${clock(state.position_s)} of ${clock(state.duration_s)}`);
+    this.notesCard.show(this.moment?.seek_s ?? 0);
+    this.comparison.show(this.moment?.values_s ?? 0);
+    setText(element('moment'), state === undefined ? presence.playsSession ? 'recorded' : 'live' : `${clock(this.moment?.seek_s ?? 0)} of ${clock(state.duration_s)}`);
     element<HTMLButtonElement>('share').disabled = state === undefined;
     const whole = state && this.whole.overview?.events;
     if (!connected && whole === undefined) this.log.forget();
@@ -88,9 +92,9 @@ export class QaPanel {
   }
 
   private async share(): Promise<void> {
-    const {state} = this.playback;
-    if (state === undefined) return;
-    const address = addressOfMoment(location.href, state.position_s, this.notesCard.numberAt(state.position_s));
+    if (this.moment === undefined) return;
+    const {seek_s} = this.moment;
+    const address = addressOfMoment(location.href, seek_s, this.notesCard.numberAt(seek_s));
     history.replaceState(null, '', address);
     try {
       await navigator.clipboard.writeText(address);

@@ -32,8 +32,8 @@ export class ComparisonCard {
     });
   }
 
-  /** A complete comparison is asked for seldom: a reply has about 60 kB. */
-  show(): void {
+  /** `moment_s`: to which the page's numbers belong. A complete comparison is asked for seldom: a reply has about 60 kB. */
+  show(moment_s: number): void {
     const session = this.playback.state?.session;
     if (session !== this.session) {
       this.session = session;
@@ -46,7 +46,7 @@ export class ComparisonCard {
     if (session === undefined) return;
     const every = state === undefined || state.with === '' ? UNKNOWN_EVERY : state.complete ? COMPARED_EVERY : READING_EVERY;
     if (this.shows++ % every === 0) void this.part.look().then(() => this.write());
-    if (state?.runs !== undefined) this.plots.show(state.runs, this.playback.state?.position_s ?? 0);
+    if (state?.runs !== undefined) this.plots.show(state.runs, moment_s);
   }
 
   private seek(at_s: number): void {
