@@ -18,16 +18,14 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
   has_surface_ = true;
 }
 
-void HapticLoop::hand_sampled(SessionTime at, const Point<HapticBase>& hand,
-                              const std::optional<Eigen::Quaterniond>& attitude) noexcept {
+void HapticLoop::hand_sampled(const ports::HandSample& sample) noexcept {
   // A sample from the future is dropped. If it were used, all later samples would seem older than it.
-  if (ticked_ && at > last_tick_ + kSameSession) return;
-  const tracking::Taken taken = hand_.update(at, hand);
-  if (taken == tracking::Taken::Used || taken == tracking::Taken::Restarted) {
-    hand_sampled_ = at;
-    newest_hand_ = hand;
-    if (attitude) (void)attitude_.update(at, *attitude);
-  }
+  if (ticked_ && sample.at > last_tick_ + kSameSession) return;
+  const tracking::Taken taken = hand_.update(sample.at, sample.hand);
+  if (taken != tracking::Taken::Used && taken != tracking::Taken::Restarted) return;
+  hand_sampled_ = sample.at;
+  newest_hand_ = sample.hand;
+  if (sample.attitude) (void)attitude_.update(sample.at, *sample.attitude);
 }
 
 ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
@@ -60,12 +58,16 @@ ObjectPlacements HapticLoop::objects() const noexcept {
   return objects;
 }
 
-HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept {
+TickOut HapticLoop::tick(const TickIn& given) noexcept {
+  const SessionTime now = given.now;
+  const double dt_s = given.dt_s;
+  if (given.surface != nullptr) adopt(*given.surface, now);
+  if (given.hand) hand_sampled(*given.hand);
   if (begins_new_time_line(now, last_tick_)) begin_new_time_line();
   last_tick_ = now;
   ticked_ = true;
   // Sense.
-  const GatedReading gated = device_gate_.step(device, dt_s);
+  const GatedReading gated = device_gate_.step(given.reading, dt_s);
   const Indexed indexed = indexing_.step(gated.at, dt_s);
   const Point<HapticBase> device_at = in_patient_frame(gated.at);
   const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device_at, now, dt_s, controller_.touching());
@@ -74,7 +76,7 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
   hand.at = in_patient_frame(hand.at);
   const control::ControlInput in{.device = device_at,
                                  .device_velocity = gated.velocity,
-                                 .device_age_s = device.age_s,
+                                 .device_age_s = given.reading.age_s,
                                  .device_implausible_s = gated.implausible_s,
                                  .hand = hand.at,
                                  .hand_velocity = hand.velocity,
@@ -86,8 +88,7 @@ HapticLoop::Act HapticLoop::tick(const ports::DeviceReading& device, SessionTime
                                  .interacts = indexed.interacts,
                                  .recall = indexed.recall,
                                  .reindexed = indexed.moved,
-                                 .rearm = rearm_};
-  rearm_ = false;
+                                 .rearm = given.rearm};
   last_touch_ = touch;
   last_hand_ = hand;
   // Decide.

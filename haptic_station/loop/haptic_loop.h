@@ -1,14 +1,11 @@
 #pragma once
 
-#include <memory>
-
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/loop/body_frame.h"
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/device_gate.h"
-#include "haptic_station/loop/tick_sample.h"
+#include "haptic_station/loop/tick.h"
 #include "haptic_station/loop/workspace_indexing.h"
-#include "haptic_station/ports/rig.h"
 #include "haptic_station/surface/touch/touch.h"
 #include "haptic_station/tracking/attitude_estimate.h"
 #include "haptic_station/tracking/hand_estimate.h"
@@ -16,12 +13,6 @@
 #include "proto/words/time.h"
 
 namespace telepalp::loop {
-
-/// A surface and its place relative to the haptic device. The surface thread hands it to the haptic thread.
-struct TouchableSurface {
-  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off between the threads owns it, too
-  Transform<HapticBase, DepthCamera> haptic_from_camera;
-};
 
 /// One tick of the haptic station: sense, decide, act. Connects surface::Touch, the estimate of the hand and the
 /// encountered controller. It uses no clock, no thread and no device, so that the same tick runs live at 2 kHz, in
@@ -40,31 +31,10 @@ class HapticLoop {
         controller_(controller),
         indexing_(controller.settings().indexing) {}
 
-  /// Uses a newer surface from the next tick on. Its snapshot must stay alive until the next adopt().
-  void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
-
-  /// Takes a sample of the hand tracker, in the device's own frame, stamped with the time of the measurement. A sample
-  /// stamped more than 50 ms after the last tick is dropped. `attitude`: rotation from the hand's axes to H, the haptic
-  /// base's frame; nullopt: the tracker does not measure it.
-  void hand_sampled(SessionTime at, const Point<HapticBase>& hand,
-                    const std::optional<Eigen::Quaterniond>& attitude = std::nullopt) noexcept;
-
-  /// Call when an operator asks to re-arm after a fault. The next tick handles the request.
-  void rearm() noexcept { rearm_ = true; }
-
-  /// The result of one tick: the force to apply until the next tick [N, in H], after the limiter, and the values that
-  /// telemetry publishes, without the tick's number and times.
-  struct Act {
-    Force<HapticBase> force;
-    ports::SurfaceContact contact;
-    control::ControlOutput control;
-    TickSample sample;
-  };
-  /// Runs one tick. `now` may stand still or go back by up to 50 ms. A larger step back means that another session has
-  /// begun: surface and hand samples are then discarded, and the controller gives no force (phase Released) until new
-  /// ones come. `device`: in the device's own frame. The returned Act is in H; workspace indexing moves H relative
-  /// to that frame.
-  [[nodiscard]] Act tick(const ports::DeviceReading& device, SessionTime now, double dt_s) noexcept;
+  /// Runs one tick: takes what came, senses, decides. The caller applies the force. `given.now` may stand still or go
+  /// back by up to 50 ms. A larger step back means that another session has begun: surface and hand samples are then
+  /// discarded, and the controller gives no force (phase Released) until new ones come.
+  [[nodiscard]] TickOut tick(const TickIn& given) noexcept;
 
   /// The delay compensation of the last tick. The caller sets its time stamp.
   [[nodiscard]] Compensation compensation() const noexcept;
@@ -88,6 +58,8 @@ class HapticLoop {
   [[nodiscard]] control::EncounteredController& controller() noexcept { return controller_; }
 
  private:
+  void adopt(const TouchableSurface& surface, SessionTime now) noexcept;
+  void hand_sampled(const ports::HandSample& sample) noexcept;
   void begin_new_time_line() noexcept;
   [[nodiscard]] ports::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
   [[nodiscard]] TickSample sample_of(const control::ControlInput& in, const control::ControlOutput& out) const noexcept;
@@ -114,7 +86,6 @@ class HapticLoop {
   SessionTime last_tick_{};
   bool has_surface_ = false;
   bool ticked_ = false;
-  bool rearm_ = false;
 };
 
 }  // namespace telepalp::loop

@@ -18,16 +18,17 @@ class CameraSkin final : public TrialSkin {
   explicit CameraSkin(const BellySettings& belly)
       : belly_(belly), builder_(surface::SurfaceSettings{}), sensor_({.seed = belly.seed}) {}
 
-  void show(double time_s, const Point<HapticBase>& device, loop::HapticLoop& loop) override {
-    if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return;
+  [[nodiscard]] const loop::TouchableSurface* newer(double time_s, const Point<HapticBase>& device) override {
+    if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return nullptr;
     ++frames_;
     const SessionTime now{from_seconds(time_s)};
     const Transform<HapticBase, DepthCamera> placed = trial_camera();
-    const auto snapshot =
+    auto snapshot =
         builder_.add(seen_at(time_s, now), kCamera, now, surface::Reach{placed.inverse() * device, kReach_m});
-    if (!snapshot) return;
-    loop.adopt({snapshot, placed}, now);
-    shown_ = snapshot;
+    if (!snapshot) return nullptr;
+    before_ = std::move(shown_.snapshot);
+    shown_ = {std::move(snapshot), placed};
+    return &shown_;
   }
 
   [[nodiscard]] double true_depth_m(const Point<HapticBase>& point, double time_s) const override {
@@ -64,7 +65,8 @@ class CameraSkin final : public TrialSkin {
   BellySettings belly_;
   surface::SurfaceBuilder builder_;
   sensor::DepthSensor sensor_;
-  std::shared_ptr<const surface::SurfaceSnapshot> shown_;  // shared: the builder returns a shared_ptr
+  loop::TouchableSurface shown_;
+  std::shared_ptr<const surface::SurfaceSnapshot> before_;  // shared: the loop refers to it until it gets `shown_`
   std::uint64_t frames_ = 0;
 };
 

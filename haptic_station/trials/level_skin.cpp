@@ -46,11 +46,13 @@ class LevelSkin final : public TrialSkin {
  public:
   LevelSkin(const device::BreathingPlane& plane, double begins_s) : plane_(plane), begins_s_(begins_s) {}
 
-  void show(double time_s, const Point<HapticBase>&, loop::HapticLoop& loop) override {
-    if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return;
+  [[nodiscard]] const loop::TouchableSurface* newer(double time_s, const Point<HapticBase>&) override {
+    if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return nullptr;
     const Transform<HapticBase, DepthCamera> placed = trial_camera();
-    shown_ = std::make_shared<const SinePlane>(plane_, time_s, begins_s_, ++frames_, placed.iso.translation().y());
-    loop.adopt({shown_, placed}, SessionTime{from_seconds(time_s)});
+    before_ = std::move(shown_.snapshot);
+    shown_ = {std::make_shared<const SinePlane>(plane_, time_s, begins_s_, ++frames_, placed.iso.translation().y()),
+              placed};
+    return &shown_;
   }
   [[nodiscard]] double true_depth_m(const Point<HapticBase>& point, double time_s) const override {
     return plane_.at_m(begins_s_ + time_s) - point.m.y();
@@ -59,7 +61,8 @@ class LevelSkin final : public TrialSkin {
  private:
   device::BreathingPlane plane_;
   double begins_s_;
-  std::shared_ptr<const SinePlane> shown_;  // shared: the hand-off to the loop needs a shared_ptr
+  loop::TouchableSurface shown_;
+  std::shared_ptr<const surface::SurfaceSnapshot> before_;  // shared: the loop refers to it until it gets `shown_`
   std::uint64_t frames_ = 0;
 };
 

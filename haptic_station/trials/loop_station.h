@@ -21,13 +21,15 @@ class LoopStation {
 
   /// Runs one tick. `device::Intention person(const device::TrialView&)` gives the hand's intended position.
   template <class Person>
-  loop::HapticLoop::Act step(Person&& person) {
+  loop::TickOut step(Person&& person) {
     const double now_s = time_s();
     const SessionTime now{from_seconds(now_s)};
-    skin_.show(now_s, pair_.device(), loop_);
-    if (const auto sample = tracker_.sample(now_s, pair_.true_hand())) loop_.hand_sampled(now, *sample);
-    const loop::HapticLoop::Act act =
-        loop_.tick({.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0}, now, settings_.tick_s);
+    loop::TickIn in{.now = now,
+                    .dt_s = settings_.tick_s,
+                    .reading = {.at = pair_.device(), .velocity = pair_.device_velocity()},
+                    .surface = skin_.newer(now_s, pair_.device())};
+    if (const auto sample = tracker_.sample(now_s, pair_.true_hand())) in.hand = {now, *sample};
+    const loop::TickOut act = loop_.tick(in);
     pair_.step(act.force, person(device::TrialView{now_s, act.contact, pair_.device()}), settings_.tick_s);
     ++tick_;
     return act;

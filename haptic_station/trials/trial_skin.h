@@ -12,13 +12,13 @@ namespace telepalp::trials {
 /// camera.
 [[nodiscard]] Transform<HapticBase, DepthCamera> trial_camera(double height_m = 0.8) noexcept;
 
-/// A simulated patient. The haptic loop gets snapshots of the skin at 30 Hz; the caller can also query the true skin.
+/// A simulated patient: snapshots of the skin at 30 Hz, as the haptic loop gets them, and the true skin beside them.
 class TrialSkin {
  public:
   virtual ~TrialSkin() = default;
-  /// Gives `loop` a new snapshot if a camera has made one by `time_s`. Call it at each tick. `device`: centre of the
-  /// region that the hand can reach; the snapshot need cover only this region.
-  virtual void show(double time_s, const Point<HapticBase>& device, loop::HapticLoop& loop) = 0;
+  /// The new surface if a camera has made one by `time_s`, else nullptr. Valid until the next surface. Call it at each
+  /// tick. `device`: centre of the region that the hand can reach; the surface need cover only this region.
+  [[nodiscard]] virtual const loop::TouchableSurface* newer(double time_s, const Point<HapticBase>& device) = 0;
   /// Depth of `point` below the true skin [m]; negative outside.
   [[nodiscard]] virtual double true_depth_m(const Point<HapticBase>& point, double time_s) const = 0;
 };

@@ -45,7 +45,7 @@ void measure_tick(double seconds, Report& report) {
   const Intrinsics camera{.width = 640, .height = 480, .fx = 525.0, .fy = 525.0, .cx = 319.5, .cy = 239.5};
   const DepthImage depth = noisy_plane();
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
-  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
+  loop::TouchableSurface shown;
   effects::EffectBank bank;
   (void)bank.add(effects::Skin{});
   loop::HapticLoop loop({}, control::EncounteredController({}, bank));
@@ -59,16 +59,16 @@ void measure_tick(double seconds, Report& report) {
   const auto ticks = static_cast<std::int64_t>(seconds / kTick_s);
   for (std::int64_t i = 0; i < ticks; ++i) {
     const SessionTime now{from_seconds(static_cast<double>(i) * kTick_s)};
-    if (const auto sample = rig.hand(now)) loop.hand_sampled(sample->at, sample->hand);
+    loop::TickIn in{.now = now, .dt_s = kTick_s, .hand = rig.hand(now)};
+    loop::TouchableSurface before_shown;  // the loop refers to it until this tick
     if (i % kTicksPerFrame == 0) {
-      auto newer = builder.add(depth, camera, now, std::nullopt);
-      loop.adopt({newer, haptic_from_camera}, now);
-      snapshot = std::move(newer);
+      before_shown = std::exchange(shown, {builder.add(depth, camera, now, std::nullopt), haptic_from_camera});
+      in.surface = &shown;
     }
-    const ports::DeviceReading device = rig.read();
+    in.reading = rig.read();
     const double cpu_before_us = thread_us();
     const auto before = std::chrono::steady_clock::now();
-    const auto act = loop.tick(device, now, kTick_s);
+    const auto act = loop.tick(in);
     const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count();
     cpu_us.add(thread_us() - cpu_before_us);
     tick_us.add(took_us);

@@ -60,34 +60,39 @@ void HapticThread::run() noexcept {
   }
 }
 
+bool HapticThread::asked_to_rearm() noexcept {
+  return rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed);
+}
+
 void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   const Clock::time_point began = Clock::now();
   const SessionTime now{due.deadline.time_since_epoch() +
                         Nanoseconds{clock_offset_ns_.load(std::memory_order_relaxed)}};
   const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
 
-  if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
-  if (const std::optional<ports::HandSample> sample = rig_.hand(now))
-    loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
-  if (rearm_.load(std::memory_order_relaxed) && rearm_.exchange(false, std::memory_order_relaxed)) loop_.rearm();
-  const ports::DeviceReading reading = rig_.read();
-  device_.put(loop_.in_patient_frame(reading.at));
-  device_to_surface_.put(loop_.in_patient_frame(reading.at));
-  loop::HapticLoop::Act act = loop_.tick(reading, now, dt_s);
+  const loop::TickIn in{.now = now,
+                        .dt_s = dt_s,
+                        .hand = rig_.hand(now),
+                        .reading = rig_.read(),
+                        .surface = surfaces_.take() ? &surfaces_.current() : nullptr,
+                        .rearm = asked_to_rearm()};
+  device_.put(loop_.in_patient_frame(in.reading.at));
+  device_to_surface_.put(loop_.in_patient_frame(in.reading.at));
+  loop::TickOut out = loop_.tick(in);
   const Clock::time_point decided = Clock::now();
-  rig_.apply(act.force, loop_.in_device_frame(act.contact), dt_s);
+  rig_.apply(out.force, loop_.in_device_frame(out.contact), dt_s);
 
-  act.sample.tick = tick_++;
-  act.sample.stamp_ns = to_nanoseconds(now);
-  act.sample.late_ns = static_cast<std::uint32_t>(due.late.count());
-  act.sample.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
+  out.sample.tick = tick_++;
+  out.sample.stamp_ns = to_nanoseconds(now);
+  out.sample.late_ns = static_cast<std::uint32_t>(due.late.count());
+  out.sample.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
   if (tick_ % kTicksPerCompensation == 0) {
     loop::Compensation compensation = loop_.compensation();
-    compensation.stamp_ns = act.sample.stamp_ns;
+    compensation.stamp_ns = out.sample.stamp_ns;
     compensation_.put(compensation);
   }
   if (tick_ % kTicksPerBill == 0) bill_.put(bill_of(loop_.controller().effects()));
-  if (!ticks_.try_push(act.sample)) counts_.ticks_dropped.fetch_add(1, std::memory_order_relaxed);
+  if (!ticks_.try_push(out.sample)) counts_.ticks_dropped.fetch_add(1, std::memory_order_relaxed);
 }
 
 }  // namespace telepalp::station

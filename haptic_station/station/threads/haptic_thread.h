@@ -58,6 +58,7 @@ class HapticThread {
  private:
   void run() noexcept;
   void greet_device(TickTimer& timer) noexcept;
+  [[nodiscard]] bool asked_to_rearm() noexcept;
   void tick(const TickTimer::Tick& due) noexcept;
 
   loop::HapticLoop& loop_;                             // owner: haptic thread

@@ -41,22 +41,26 @@ std::vector<Row> measure(const Options&) {
   Distribution tick_us;
   Distribution snapshot_us;
   Distribution work_us;
-  std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
+  loop::TouchableSurface shown;
   double sink = 0.0;
   for (int i = 0; i < 40'000; ++i) {
     const double t = i * kTick_s;
     const Point<HapticBase> device{{0.01 * std::sin(3.0 * t), 0.04 - 0.05 * eased((t - 1.0) / 1.0), 0.0}};
+    loop::TickIn in{.now = at_time(t), .dt_s = kTick_s, .reading = {.at = device, .velocity = {}}};
+    loop::TouchableSurface before;  // the loop refers to it until this tick
     if (i % 67 == 0) {
       const DepthImage depth = patient->depth_of(pose(t), at_time(t));
       const double start = now_us();
-      snapshot =
-          builder.add(depth, patient->settings().camera, at_time(t), surface::Reach{placed.inverse() * device, 0.16});
+      before = std::move(shown);
+      shown = {
+          builder.add(depth, patient->settings().camera, at_time(t), surface::Reach{placed.inverse() * device, 0.16}),
+          placed};
       snapshot_us.add(now_us() - start);
-      loop.adopt({snapshot, placed}, at_time(t));
+      in.surface = &shown;
     }
-    if (i % 20 == 0) loop.hand_sampled(at_time(t), device);
+    if (i % 20 == 0) in.hand = {at_time(t), device};
     const double start = now_us();
-    sink += loop.tick({.at = device, .velocity = {}, .age_s = 0.0}, at_time(t), kTick_s).force.N.y();
+    sink += loop.tick(in).force.N.y();
     tick_us.add(now_us() - start);
     const double work = now_us();
     sink += fixed_work();

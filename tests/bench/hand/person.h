@@ -16,7 +16,7 @@ class Person {
   [[nodiscard]] virtual ports::DeviceReading read() const noexcept = 0;
   [[nodiscard]] virtual Point<HapticBase> device() const noexcept = 0;  ///< true position, without sensor errors
   [[nodiscard]] virtual Point<HapticBase> hand() const noexcept = 0;
-  virtual void apply(const loop::HapticLoop::Act& act, double time_s, double dt_s) = 0;
+  virtual void apply(const loop::TickOut& act, double time_s, double dt_s) = 0;
 };
 
 /// A hand that no force moves: the device follows `path`, which may depend on the controller's last output.
@@ -28,7 +28,7 @@ class RigidHand final : public Person {
   [[nodiscard]] ports::DeviceReading read() const noexcept override { return {at_, velocity_, 0.0}; }
   [[nodiscard]] Point<HapticBase> device() const noexcept override { return at_; }
   [[nodiscard]] Point<HapticBase> hand() const noexcept override { return at_; }
-  void apply(const loop::HapticLoop::Act& act, double time_s, double dt_s) override {
+  void apply(const loop::TickOut& act, double time_s, double dt_s) override {
     const Point<HapticBase> next = path_(time_s + dt_s, act.control);
     velocity_.v = (next.m - at_.m) / dt_s;
     at_ = next;
@@ -52,7 +52,7 @@ class ArmHand final : public Person {
   }
   [[nodiscard]] Point<HapticBase> device() const noexcept override { return pair_.true_device(); }
   [[nodiscard]] Point<HapticBase> hand() const noexcept override { return pair_.true_hand(); }
-  void apply(const loop::HapticLoop::Act& act, double time_s, double dt_s) override {
+  void apply(const loop::TickOut& act, double time_s, double dt_s) override {
     pair_.step(act.force, aim_(time_s), dt_s);
   }
 

@@ -34,18 +34,19 @@ void BenchStation::receive(std::shared_ptr<const surface::SurfaceSnapshot> snaps
 
 Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
   const SessionTime now = at_time(time_s);
+  loop::TickIn in{.now = now, .dt_s = kTick_s, .reading = person_->read()};
+  const loop::TouchableSurface before = touched_;  // the loop refers to it until this tick
   for (; !arriving_.empty() && arriving_.front().at_s <= time_s; arriving_.pop_front()) {
-    loop_.adopt({arriving_.front().snapshot, haptic_from_camera_}, now);
-    touched_ = arriving_.front().snapshot;
+    touched_ = {arriving_.front().snapshot, haptic_from_camera_};
+    in.surface = &touched_;
   }
   if (const auto sample = tracker_.sample(time_s, person_->hand()); sample && !settings_.tracker_silent(time_s))
-    loop_.hand_sampled(now, *sample);
-  ports::DeviceReading reading = person_->read();
-  settings_.spoil(time_s, reading);
+    in.hand = {now, *sample};
+  settings_.spoil(time_s, in.reading);
   Tick tick{.time_s = time_s, .device_m = person_->device().m};
   tick.moved_m = tick.device_m - before_m_;
   before_m_ = tick.device_m;
-  const loop::HapticLoop::Act act = loop_.tick(reading, now, kTick_s);
+  const loop::TickOut act = loop_.tick(in);
   tick.force_N = act.force.N;
   tick.control = act.control;
   tick.surface_age_s = act.contact.age_s;

@@ -69,7 +69,7 @@ class BenchStation {
   loop::HapticLoop loop_;
   device::SimulatedTracker tracker_;
   std::deque<Arriving> arriving_;
-  std::shared_ptr<const surface::SurfaceSnapshot> touched_;
+  loop::TouchableSurface touched_;
   Eigen::Vector3d before_m_;
 };
 

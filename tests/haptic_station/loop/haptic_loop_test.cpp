@@ -53,7 +53,7 @@ struct Outcome {
     raise(most.surface_sigma_m, compensation.surface_sigma_m);
     raise(most.shown_offset_m, compensation.shown_offset_m);
   }
-  void add(const HapticLoop::Act& act, const HapticLoop::Act& before) {
+  void add(const TickOut& act, const TickOut& before) {
     if (act.control.phase == control::Phase::OutBody) ++out_body;
     finite = finite && act.force.N.allFinite() && act.control.displayed_hand.m.allFinite();
     largest_force_N = std::max(largest_force_N, act.force.N.norm());
@@ -78,7 +78,7 @@ Outcome run(const capture::SyntheticPatient& patient, double seconds) {
       {.device = scene.simulated_device, .hand = scene.simulated_hand, .tracker = {}, .rest = {{0.0, 0.1, 0.0}}},
       device::ScriptedIntention(device::waypoints(scene.trial), {}));
   Outcome outcome;
-  HapticLoop::Act before;
+  TickOut before;
   std::optional<surface::Reach> reach;
   for (int tick = 0; tick * kTick_s < seconds;) {
     const RgbdFrame frame = patient.frame_at(at_tick(tick), static_cast<std::uint64_t>(tick));
@@ -86,9 +86,11 @@ Outcome run(const capture::SyntheticPatient& patient, double seconds) {
     const test::NoHeapScope no_heap;
     for (int in_frame = 0; in_frame < kTicksPerFrame; ++in_frame, ++tick) {
       const SessionTime now = at_tick(tick);
-      if (surfaces.take()) loop.adopt(surfaces.current(), now);
-      if (const auto sample = rig.hand(now)) loop.hand_sampled(sample->at, sample->hand);
-      const HapticLoop::Act act = loop.tick(rig.read(), now, kTick_s);
+      const TickOut act = loop.tick({.now = now,
+                                     .dt_s = kTick_s,
+                                     .hand = rig.hand(now),
+                                     .reading = rig.read(),
+                                     .surface = surfaces.take() ? &surfaces.current() : nullptr});
       rig.apply(act.force, act.contact, kTick_s);
       outcome.add(act, before);
       outcome.add(loop.compensation());
@@ -129,7 +131,6 @@ TEST(HapticLoop, TellsTheHandsAttitudePredictedToNowInTheCamerasFrame) {
   PlaneSnapshot plane(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(), 1.0);
   TouchableSurface surface{std::shared_ptr<const surface::SurfaceSnapshot>(&plane, [](const auto*) {}), {}};
   surface.haptic_from_camera.iso.linear() = camera_turn.toRotationMatrix();
-  loop.adopt(surface, at_tick(0));
   const auto turned = [](int tick) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(2.0 * tick * kTick_s, Eigen::Vector3d::UnitY()));
   };
@@ -138,8 +139,12 @@ TEST(HapticLoop, TellsTheHandsAttitudePredictedToNowInTheCamerasFrame) {
     if (tick == 10) {
       EXPECT_EQ(sample.hand_attitude_camera, (std::array<float, 4>{})) << "no hand yet";
     }
-    if (tick >= 10 && tick % 20 == 0) loop.hand_sampled(at_tick(tick), {{0.0, 0.02, 0.0}}, turned(tick));
-    sample = loop.tick({.at = {{0.0, 0.03, 0.0}}, .velocity = {}}, at_tick(tick), kTick_s).sample;
+    TickIn in{.now = at_tick(tick),
+              .dt_s = kTick_s,
+              .reading = {.at = {{0.0, 0.03, 0.0}}, .velocity = {}},
+              .surface = tick == 0 ? &surface : nullptr};
+    if (tick >= 10 && tick % 20 == 0) in.hand = {at_tick(tick), {{0.0, 0.02, 0.0}}, turned(tick)};
+    sample = loop.tick(in).sample;
   }
   const auto& q = sample.hand_attitude_camera;
   const Eigen::Quaterniond got(q[3], q[0], q[1], q[2]);
@@ -150,8 +155,11 @@ TEST(HapticLoop, WithoutASurfaceThereIsNoForce) {
   const scenes::Scene scene = palpation();
   HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
   for (int tick = 0; tick < 2000; ++tick) {
-    loop.hand_sampled(at_tick(tick), {{0.0, 0.02, 0.0}});
-    EXPECT_EQ(loop.tick({.at = {{0.0, -0.02, 0.0}}, .velocity = {}}, at_tick(tick), kTick_s).force.N.norm(), 0.0);
+    const TickOut out = loop.tick({.now = at_tick(tick),
+                                   .dt_s = kTick_s,
+                                   .hand = ports::HandSample{at_tick(tick), {{0.0, 0.02, 0.0}}},
+                                   .reading = {.at = {{0.0, -0.02, 0.0}}, .velocity = {}}});
+    EXPECT_EQ(out.force.N.norm(), 0.0);
   }
 }
 

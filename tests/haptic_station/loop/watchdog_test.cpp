@@ -39,30 +39,32 @@ class Bench {
   unsigned silent = 0;        ///< Parts
   Nanoseconds clock_step{0};  ///< step of session time, from now on
 
-  HapticLoop::Act tick() {
+  TickOut tick() {
     const SessionTime now = session_time(4'000'000'000'000 + std::int64_t{tick_} * 500'000) + clock_step;
     if (tick_ % kTicksPerFrame == 0 && (silent & kSurface) == 0) {
       surface_ = std::make_shared<PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
       surface_->captured = now;
       surfaces_.put({surface_, {}});
     }
-    if (surfaces_.take()) loop_.adopt(surfaces_.current(), now);
-    if (tick_ % kTicksPerSample == 0 && (silent & kTracker) == 0) loop_.hand_sampled(now, pair_.true_hand());
+    TickIn in{.now = now, .dt_s = kTick_s, .surface = surfaces_.take() ? &surfaces_.current() : nullptr};
+    in.rearm = std::exchange(rearm_, false);
+    if (tick_ % kTicksPerSample == 0 && (silent & kTracker) == 0) in.hand = {now, pair_.true_hand()};
     if ((silent & kDevice) == 0)
       reading_ = {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
     else
       reading_.age_s += kTick_s;
-    const HapticLoop::Act act = loop_.tick(reading_, now, kTick_s);
+    in.reading = reading_;
+    const TickOut act = loop_.tick(in);
     pair_.step(act.force, {.at = {{0.0, wanted_height_m(), 0.0}}, .velocity = {}}, kTick_s);
     ++tick_;
     return act;
   }
-  HapticLoop::Act run(int ticks) {
-    HapticLoop::Act act;
+  TickOut run(int ticks) {
+    TickOut act;
     for (int i = 0; i < ticks; ++i) act = tick();
     return act;
   }
-  void rearm() { loop_.rearm(); }
+  void rearm() { rearm_ = true; }
   [[nodiscard]] double true_hand_m() const { return pair_.true_hand().m.y(); }
 
  private:
@@ -83,6 +85,7 @@ class Bench {
   std::shared_ptr<PlaneSnapshot> surface_;
   ports::DeviceReading reading_;
   int tick_ = 0;
+  bool rearm_ = false;
 };
 
 struct Silence {
@@ -110,20 +113,20 @@ TEST_P(Watchdog, LetsGoWithinFiftyMillisecondsOfTheLimitAndGently) {
   int pressed = 0;
   for (int at = kInContact; at < kInContact + 2800; at += 97) {
     Bench bench;
-    HapticLoop::Act before = bench.run(at);
+    TickOut before = bench.run(at);
     if (before.force.N.norm() > 0.5) ++pressed;
     bench.silent = GetParam().parts;
     // At the beginning of the silence the newest frame or sample may already be old, so the force may end earlier.
     const int limit = static_cast<int>(GetParam().limit_s * kTicksPerSecond);
     double largest_step_N = 0.0;
     for (int tick = 0; tick < limit + kFiftyMilliseconds; ++tick) {
-      const HapticLoop::Act act = bench.tick();
+      const TickOut act = bench.tick();
       largest_step_N = std::max(largest_step_N, (act.force.N - before.force.N).norm());
       before = act;
     }
     EXPECT_LE(largest_step_N, 0.25) << "from tick " << at;
     for (int tick = 0; tick < kTicksPerSecond; ++tick) {
-      const HapticLoop::Act act = bench.tick();
+      const TickOut act = bench.tick();
       ASSERT_EQ(act.force.N.norm(), 0.0) << "from tick " << at << ", " << tick << " ticks later";
       ASSERT_EQ(act.control.phase, GetParam().becomes);
     }
@@ -168,13 +171,13 @@ const ClockStep kClockSteps[] = {
 TEST(WatchdogClock, AStepOfSessionTimeNeitherJerksNorFreezesTheHand) {
   for (const ClockStep& c : kClockSteps) {
     Bench bench;
-    HapticLoop::Act before = bench.run(kInContact);  // at a tick without a sample or a frame
+    TickOut before = bench.run(kInContact);  // at a tick without a sample or a frame
     ASSERT_GT(before.force.N.norm(), 0.5);
     bench.clock_step = c.step;
     bool let_go = false;
     double largest_step_N = 0.0;
     for (int tick = 0; tick < 2 * kTicksPerSecond; ++tick) {
-      const HapticLoop::Act act = bench.tick();
+      const TickOut act = bench.tick();
       ASSERT_TRUE(act.force.N.allFinite()) << c.what;
       let_go = let_go || control::has_let_go(act.control.phase);
       largest_step_N = std::max(largest_step_N, (act.force.N - before.force.N).norm());

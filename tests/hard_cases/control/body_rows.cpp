@@ -43,8 +43,8 @@ struct BodyScene {
   std::function<Vector3d(double now_s)> body = [](double) { return Vector3d::Zero(); };  ///< displacement in H
   std::function<bool(double now_s)> hidden = [](double) { return false; };  ///< something is over the object's skin
   Vector3d device_m{0.0, 0.06, 0.0};
-  std::function<void(const loop::HapticLoop&, const loop::HapticLoop::Act&, double now_s)> watch =
-      [](const auto&, const auto&, double) {};
+  std::function<void(const loop::HapticLoop&, const loop::TickOut&, double now_s)> watch = [](const auto&, const auto&,
+                                                                                              double) {};
 };
 
 DepthImage seen_of(const BodyScene& scene, double now_s, const sensor::DepthSensor& camera) {
@@ -73,22 +73,23 @@ void run(const BodyScene& scene) {
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
   builder.watch(loop::mark_lines(bank, placed().inverse()));
   const sensor::DepthSensor camera({});
-  std::shared_ptr<const surface::SurfaceSnapshot> shown;
+  ShownSurface shown;
   int frames = 0;
   const Point<HapticBase> above{{scene.device_m.x(), 0.06, scene.device_m.z()}};
   for (int tick = 0; tick * LoopScene::kTick_s < scene.seconds; ++tick) {
     const double now_s = tick * LoopScene::kTick_s;
     const double down = smooth_step(now_s - 0.7);
     const Point<HapticBase> device{above.m + down * (scene.device_m - above.m)};
+    loop::TickIn in{.now = at_s(now_s), .dt_s = LoopScene::kTick_s, .reading = {.at = device, .velocity = {}}};
     if (now_s * kFrame_hz >= frames) {
       ++frames;
       auto newer = builder.add(seen_of(scene, now_s, camera), kCamera, at_s(now_s),
                                surface::Reach{placed().inverse() * device, 0.16});
-      loop.adopt({newer, placed()}, at_s(now_s));
-      shown = std::move(newer);  // the one before lives until the next adopt()
+      if (newer) in.surface = shown.show({std::move(newer), placed()});
     }
-    if (tick % LoopScene::kTicksPerSample == 0) loop.hand_sampled(at_s(now_s), device);
-    scene.watch(loop, loop.tick({.at = device, .velocity = {}, .age_s = 0.0}, at_s(now_s), LoopScene::kTick_s), now_s);
+    if (tick % LoopScene::kTicksPerSample == 0) in.hand = {at_s(now_s), device};
+    const loop::TickOut out = loop.tick(in);
+    scene.watch(loop, out, now_s);
   }
 }
 
@@ -105,7 +106,7 @@ struct Followed {
 Followed follow(BodyScene scene, double plateau_s) {
   Followed got;
   int ticks = 0;
-  scene.watch = [&](const loop::HapticLoop& loop, const loop::HapticLoop::Act&, double now_s) {
+  scene.watch = [&](const loop::HapticLoop& loop, const loop::TickOut&, double now_s) {
     const double since_s = now_s - 1.0;
     if (since_s < 0.0 || std::fmod(since_s, plateau_s) < plateau_s - 0.5) return;
     const loop::ObjectPlacement sphere = loop.objects()[kSphere];
@@ -170,7 +171,7 @@ AssertionResult hidden_from_the_camera() {
   double back_off_m = 0.0;
   int said = 0;
   int ticks = 0;
-  scene.watch = [&](const loop::HapticLoop& loop, const loop::HapticLoop::Act&, double now_s) {
+  scene.watch = [&](const loop::HapticLoop& loop, const loop::TickOut&, double now_s) {
     const loop::ObjectPlacement sphere = loop.objects()[kSphere];
     const Eigen::Vector3f moved(sphere.moved.data());
     if (now_s > 3.2 && now_s < 4.9) {
@@ -194,7 +195,7 @@ AssertionResult felt_under_a_skin_that_moves() {
   double before_N = 0.0;
   double after_N = 0.0;
   Vector3d last_N = Vector3d::Zero();
-  scene.watch = [&](const loop::HapticLoop&, const loop::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::HapticLoop&, const loop::TickOut& act, double now_s) {
     if (now_s > 2.5) step_N = std::max(step_N, (act.force.N - last_N).norm());
     last_N = act.force.N;
     if (now_s > 2.8 && now_s < 3.0) before_N = act.force.N.y();

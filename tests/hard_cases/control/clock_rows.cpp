@@ -111,7 +111,7 @@ struct ForceFrom {
 };
 ForceFrom force_from(LoopScene scene, double from_s) {
   ForceFrom seen;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+  scene.watch = [&](const loop::TickOut& act, double now_s, const auto&, const auto&) {
     (now_s < from_s ? seen.before_N : seen.most_N) =
         now_s < from_s ? act.force.N.norm() : std::max(seen.most_N, act.force.N.norm());
   };
@@ -149,7 +149,7 @@ AssertionResult ages_that_are_none() {
 AssertionResult outage() {
   LoopScene scene = with_camera_stamps([](double) { return 0.0; }, 2.5);
   double at_half_s_N = 0.0;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+  scene.watch = [&](const loop::TickOut& act, double now_s, const auto&, const auto&) {
     if (now_s < 3.0) at_half_s_N = act.force.N.norm();
   };
   (void)feel(scene);
@@ -222,7 +222,7 @@ AssertionResult images_return_over_a_hand_in_the_skin() {
   };
   double began_with = 0.0;
   double least_J = 0.0;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double, const auto&, const auto&) {
+  scene.watch = [&](const loop::TickOut& act, double, const auto&, const auto&) {
     if (control::is_inside(act.control.phase) && !control::is_inside(act.control.previous))
       began_with = act.contact.support;
     least_J = std::min(least_J, act.control.passivity_J);

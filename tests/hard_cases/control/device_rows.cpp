@@ -102,7 +102,7 @@ WrongEncoders with_encoders(const std::function<double(double)>& off_m, double s
   scene.encoders = [&](double now_s, ports::DeviceReading& reading) { reading.at.m.y() += off_m(now_s); };
   WrongEncoders seen;
   Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const auto&, const auto&) {
+  scene.watch = [&](const loop::TickOut& act, double now_s, const auto&, const auto&) {
     if (now_s > kGlitch_s - 0.001) {
       seen.step_N = std::max(seen.step_N, (act.force.N - before_N).norm());
       seen.least_balance_J = std::min(seen.least_balance_J, act.control.passivity_J);

@@ -48,8 +48,7 @@ LettingGo tracker_lost_in_contact(double lost_s, double back_s, Person person) {
   const double let_go_s =
       lost_s + control::AgeLimits{}.tracker_in_contact_s + control::TransitionSettings{}.contact_release_s + 0.05;
   double height_m = 0.0;
-  scene.watch = [&, let_go_s](const loop::HapticLoop::Act& act, double now_s, const auto&,
-                              const device::SimulatedPair& pair) {
+  scene.watch = [&, let_go_s](const loop::TickOut& act, double now_s, const auto&, const device::SimulatedPair& pair) {
     if (now_s <= lost_s) seen.before_N = act.force.N.norm();
     if (now_s <= lost_s) height_m = pair.true_hand().m.y();
     if (now_s > lost_s) seen.step_N = std::max(seen.step_N, (act.force.N - before_N).norm());
@@ -122,14 +121,12 @@ AssertionResult tracker_blinks() {
 Felt with_swapped_hands(Person person, const std::function<bool(double)>& swapped, double& shown_m) {
   LoopScene scene;
   scene.person = std::move(person);
-  scene.operate = [](double now_s, loop::HapticLoop& loop) {
-    if (now_s > 3.0 && now_s < 3.001) loop.rearm();
-  };
+  scene.rearms = [](double now_s) { return now_s > 3.0 && now_s < 3.001; };
   scene.tracker = [&](int tick, double now_s, const Point<HapticBase>& hand) {
     if (tick % LoopScene::kTicksPerSample != 0) return std::vector<TrackedHand>{};
     return std::vector<TrackedHand>{{now_s, {hand.m + (swapped(now_s) ? 0.3 : 0.0) * Eigen::Vector3d::UnitX()}}};
   };
-  scene.watch = [&](const loop::HapticLoop::Act& act, double, const auto&, const device::SimulatedPair& pair) {
+  scene.watch = [&](const loop::TickOut& act, double, const auto&, const device::SimulatedPair& pair) {
     shown_m = std::max(shown_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
   };
   return feel(scene);
@@ -168,7 +165,7 @@ AssertionResult jumps_that_last() {
   double faulted_s = 9.0;
   double off_m = 0.0;
   std::uint64_t counted = 0;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const loop::HapticLoop& loop,
+  scene.watch = [&](const loop::TickOut& act, double now_s, const loop::HapticLoop& loop,
                     const device::SimulatedPair& pair) {
     if (act.control.phase == Phase::Faulted) faulted_s = std::min(faulted_s, now_s);
     off_m = std::max(off_m, std::abs(act.sample.hand[0] - pair.true_hand().m.x()));
@@ -213,7 +210,7 @@ AssertionResult jittered() {
   };
   double sigma_m = 0.0;
   double error_m = 0.0;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const loop::HapticLoop& loop,
+  scene.watch = [&](const loop::TickOut& act, double now_s, const loop::HapticLoop& loop,
                     const device::SimulatedPair& pair) {
     if (now_s < 1.0) return;
     sigma_m = std::max(sigma_m, loop.compensation().hand_sigma_m);

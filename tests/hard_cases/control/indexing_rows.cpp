@@ -50,7 +50,7 @@ Indexing index(const Along& along, double seconds, bool on = true) {
   Indexing seen;
   double switched_s = 0.0;
   bool off = false;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s, const loop::HapticLoop& loop, const auto&) {
+  scene.watch = [&](const loop::TickOut& act, double now_s, const loop::HapticLoop& loop, const auto&) {
     seen.farthest_m = std::max(seen.farthest_m, loop.in_patient_frame({}).m.norm());
     if (act.sample.indexing != off) {
       off = act.sample.indexing;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "haptic_station/loop/haptic_loop.h"
@@ -51,35 +53,58 @@ struct LoopScene {
       };
   /// Replaces the true reading of the device's encoders at `now_s`.
   std::function<void(double now_s, ports::DeviceReading&)> encoders = [](double, ports::DeviceReading&) {};
-  /// What an operator does at `now_s`.
-  std::function<void(double now_s, loop::HapticLoop&)> operate = [](double, loop::HapticLoop&) {};
-  std::function<void(const loop::HapticLoop::Act&, double now_s, const loop::HapticLoop&, const device::SimulatedPair&)>
-      watch = [](const loop::HapticLoop::Act&, double, const loop::HapticLoop&, const device::SimulatedPair&) {};
+  /// Whether an operator asks to re-arm at `now_s`.
+  std::function<bool(double now_s)> rearms = [](double) { return false; };
+  std::function<void(const loop::TickOut&, double now_s, const loop::HapticLoop&, const device::SimulatedPair&)> watch =
+      [](const loop::TickOut&, double, const loop::HapticLoop&, const device::SimulatedPair&) {};
 };
 
 inline SessionTime at_s(double seconds) { return session_time(4'000'000'000'000) + from_seconds(seconds); }
+
+/// The tick at `now_s` of a loop whose device and hand are `pair`, with a reading and nothing else.
+inline loop::TickIn in_of(const device::SimulatedPair& pair, double now_s) {
+  return {.now = at_s(now_s),
+          .dt_s = LoopScene::kTick_s,
+          .reading = {.at = pair.device(), .velocity = pair.device_velocity()}};
+}
+
+/// The surface that the loop touches, and the one before it, to which the loop refers until the next tick.
+class ShownSurface {
+ public:
+  [[nodiscard]] const loop::TouchableSurface* show(loop::TouchableSurface newer) {
+    before_ = std::exchange(shown_, std::move(newer));
+    return &shown_;
+  }
+
+ private:
+  loop::TouchableSurface shown_;
+  loop::TouchableSurface before_;
+};
 
 inline Felt feel(const LoopScene& scene) {
   loop::HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
   device::SimulatedPair pair({}, {});
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
-  std::shared_ptr<loop::PlaneSnapshot> shown;
+  ShownSurface shown;
+  std::deque<TrackedHand> tracked;  // the station's trackers give one sample per tick
   Felt felt;
   for (int tick = 0; tick * LoopScene::kTick_s < scene.seconds; ++tick) {
     const double now_s = tick * LoopScene::kTick_s;
+    loop::TickIn in = in_of(pair, now_s);
+    in.rearm = scene.rearms(now_s);
     if (const auto seen = scene.camera(tick, now_s)) {
       auto newer = std::make_shared<loop::PlaneSnapshot>(Eigen::Vector3d::UnitY() * seen->height_m,
                                                          Eigen::Vector3d::UnitY(), 1.0);
       newer->captured = at_s(seen->captured_s);
-      loop.adopt({newer, {}}, at_s(now_s));
-      shown = std::move(newer);  // the earlier one must stay alive until the next adopt()
+      in.surface = shown.show({std::move(newer), {}});
     }
-    for (const TrackedHand& one : scene.tracker(tick, now_s, pair.true_hand()))
-      loop.hand_sampled(at_s(one.at_s), one.hand);
-    ports::DeviceReading reading{.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0};
-    scene.encoders(now_s, reading);
-    scene.operate(now_s, loop);
-    const auto act = loop.tick(reading, at_s(now_s), scene.kTick_s);
+    for (const TrackedHand& one : scene.tracker(tick, now_s, pair.true_hand())) tracked.push_back(one);
+    if (!tracked.empty()) {
+      in.hand = {at_s(tracked.front().at_s), tracked.front().hand};
+      tracked.pop_front();
+    }
+    scene.encoders(now_s, in.reading);
+    const loop::TickOut act = loop.tick(in);
     const device::SimulatedPair before = pair;
     pair.step(act.force, scene.person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);
     felt.add(act.control, before, pair, LoopScene::kTick_s);

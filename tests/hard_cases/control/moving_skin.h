@@ -60,28 +60,27 @@ struct MovingSkinScene {
   effects::EffectBank effects = the_skin();
   Person person = presses_to(0.03);
   std::function<MovingSkin::Shape(double now_s)> skin;
-  std::function<void(const loop::HapticLoop::Act&, double now_s)> watch = [](const auto&, double) {};
+  std::function<void(const loop::TickOut&, double now_s)> watch = [](const auto&, double) {};
 };
 
 inline Felt feel(const MovingSkinScene& scene) {
   loop::HapticLoop loop({}, control::EncounteredController({}, scene.effects));
   device::SimulatedPair pair({}, {});
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
-  std::shared_ptr<MovingSkin> shown;
+  ShownSurface shown;
   Felt felt;
   int frames = 0;
   for (int tick = 0; tick * LoopScene::kTick_s < scene.seconds; ++tick) {
     const double now_s = tick * LoopScene::kTick_s;
+    loop::TickIn in = in_of(pair, now_s);
     if (now_s * scene.frames_hz >= frames) {
       ++frames;
       const double captured_s = now_s - scene.delay_s;
       auto newer = std::make_shared<MovingSkin>(scene.skin(captured_s), at_s(captured_s));
-      loop.adopt({newer, {}}, at_s(now_s));
-      shown = std::move(newer);  // the earlier one must stay alive until the next adopt()
+      in.surface = shown.show({std::move(newer), {}});
     }
-    if (tick % LoopScene::kTicksPerSample == 0) loop.hand_sampled(at_s(now_s), pair.true_hand());
-    const auto act = loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s),
-                               LoopScene::kTick_s);
+    if (tick % LoopScene::kTicksPerSample == 0) in.hand = {at_s(now_s), pair.true_hand()};
+    const loop::TickOut act = loop.tick(in);
     const device::SimulatedPair before = pair;
     pair.step(act.force, scene.person({now_s, act.contact, pair.device()}), LoopScene::kTick_s);
     felt.add(act.control, before, pair, LoopScene::kTick_s);

@@ -23,7 +23,7 @@ AssertionResult step_by_10_mm() {
       scene.skin = [=](double now_s) { return MovingSkin::Shape{.flat_m = now_s < 3.0 ? 0.0 : step_m}; };
       double last_N = 0.0;
       double reached_s = 1e9;
-      scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+      scene.watch = [&](const loop::TickOut& act, double now_s) {
         const double force_N = act.force.N.norm();
         if (now_s > 2.5) worst_N = std::max(worst_N, std::abs(force_N - last_N));
         last_N = force_N;
@@ -49,7 +49,7 @@ AssertionResult let_go_as_it_sinks() {
     return aim;
   };
   double excess_J = 0.0, seen_J = 0.0, deepest_m = 0.0, last_m = 0.05, force_N = 0.0, law_N = 0.0;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::TickOut& act, double now_s) {
     const double device_m = act.sample.device[1];
     excess_J += (force_N - law_N) * (device_m - last_m);
     last_m = device_m;
@@ -86,7 +86,7 @@ AssertionResult rubbed_in_step_with_the_breath() {
   double first_x_m = 0.0;
   double worst_m = 0.0;
   bool touched = false;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::TickOut& act, double now_s) {
     if (!control::is_inside(act.control.phase)) return;
     if (!std::exchange(touched, true)) first_x_m = act.contact.proxy.m.x();
     if (now_s < 60.0) return;
@@ -113,7 +113,7 @@ AssertionResult off_the_rim() {
   };
   double on_it_N = 0.0;
   double beyond_N = 0.0;
-  scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+  scene.watch = [&](const loop::TickOut& act, double now_s) {
     const double push_N = act.contact.in_body ? act.force.N.norm() : 0.0;
     if (now_s > 2.0 && now_s < 2.5) on_it_N = std::max(on_it_N, push_N);
     if (act.contact.support < 0.5 && act.contact.in_body) beyond_N = std::max(beyond_N, push_N);
@@ -138,7 +138,7 @@ AssertionResult hidden_while_the_hand_goes_deeper() {
       return aim;
     };
     double least_support = 1.0, least_J = 0.0, off = 0.0;
-    scene.watch = [&](const loop::HapticLoop::Act& act, double now_s) {
+    scene.watch = [&](const loop::TickOut& act, double now_s) {
       if (now_s > 3.0 && act.contact.in_body) least_support = std::min(least_support, act.contact.support);
       if (now_s > 2.5) least_J = std::min(least_J, act.control.passivity_J);
       if (now_s > 6.0) off = std::max(off, std::abs(act.force.N.y() / (150.0 * -act.sample.device[1]) - 1.0));
@@ -159,20 +159,19 @@ AssertionResult gap_in_contact() {
     loop::HapticLoop loop({}, control::EncounteredController({}, the_skin({.law = law, .anchor = anchor})));
     device::SimulatedPair pair({}, {});
     pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
-    std::shared_ptr<MovingSkin> shown;
+    ShownSurface shown;
     const Person person = presses_to(0.03);
     double worst_N = 0.0, felt_s = 1e9, off = 0.0;
     Eigen::Vector3d last_N = Eigen::Vector3d::Zero();
     for (int tick = 0; tick < 20000; ++tick) {
       const double now_s = tick * LoopScene::kTick_s;
+      loop::TickIn in = in_of(pair, now_s);
       if (tick % LoopScene::kTicksPerFrame == 0 && (now_s < 3.0 || now_s > 5.0)) {
         auto newer = std::make_shared<MovingSkin>(MovingSkin::Shape{.flat_m = now_s < 3.0 ? 0.0 : 0.02}, at_s(now_s));
-        loop.adopt({newer, {}}, at_s(now_s));
-        shown = std::move(newer);
+        in.surface = shown.show({std::move(newer), {}});
       }
-      if (tick % LoopScene::kTicksPerSample == 0) loop.hand_sampled(at_s(now_s), pair.true_hand());
-      const auto act = loop.tick({.at = pair.device(), .velocity = pair.device_velocity(), .age_s = 0.0}, at_s(now_s),
-                                 LoopScene::kTick_s);
+      if (tick % LoopScene::kTicksPerSample == 0) in.hand = {at_s(now_s), pair.true_hand()};
+      const loop::TickOut act = loop.tick(in);
       if (now_s > 2.5) worst_N = std::max(worst_N, (act.force.N - last_N).norm());
       last_N = act.force.N;
       const double law_N = 300.0 * (0.02 - pair.device().m.y());

@@ -88,29 +88,32 @@ ports::DeviceReading ReplayedStation::spoiled(ports::DeviceReading reading, Nano
   return reading;
 }
 
-/// `now`: as the station's clock shows it. Messages carry `true_now`, so that a wrong clock does not put the messages
-/// of a topic out of order.
-void ReplayedStation::adopt(BuiltSurface built, SessionTime now, SessionTime true_now) {
+/// Messages carry `true_now`, so that a wrong clock of the station does not put the messages of a topic out of order.
+void ReplayedStation::report_touchable(const BuiltSurface& built, SessionTime true_now) {
   if (telemetry_) telemetry_->touchable(built, true_now);
   touchable_ = built.times;
-  loop_.adopt(built.surface, now);
-  touched_ = std::move(built.surface.snapshot);  // after adopt(), when the loop no longer refers to the last snapshot
 }
 
 TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
   const SessionTime now = clock(true_now);
   const Nanoseconds since = true_now - kBegin;
   touchable_.reset();
-  if (auto built = surfaces_.step(true_now, device_, watch)) adopt(std::move(*built), now, true_now);
+  std::optional<BuiltSurface> built = surfaces_.step(true_now, device_, watch);
+  if (built) report_touchable(*built, true_now);
   TickOutcome out{.at = true_now, .tracker_lost = any_contains(scenario_.faults.tracker_lost, since)};
   watch.sample(Part::Loop, [&] {
-    const auto sample = rig_->hand(now);
-    if (sample && !out.tracker_lost) loop_.hand_sampled(sample->at, sample->hand, sample->attitude);
-    const ports::DeviceReading reading = rig_->read();
-    device_ = out.device = loop_.in_patient_frame(reading.at);
-    out.act = loop_.tick(spoiled(reading, since), now, to_seconds(kTick));
+    loop::TickIn in{.now = now,
+                    .dt_s = to_seconds(kTick),
+                    .hand = rig_->hand(now),
+                    .reading = rig_->read(),
+                    .surface = built ? &built->surface : nullptr};
+    if (out.tracker_lost) in.hand.reset();
+    device_ = out.device = loop_.in_patient_frame(in.reading.at);
+    in.reading = spoiled(in.reading, since);
+    out.act = loop_.tick(in);
     rig_->apply(out.act.force, loop_.in_device_frame(out.act.contact), to_seconds(kTick));
   });
+  if (built) touched_ = std::move(built->surface.snapshot);  // the loop no longer refers to the last snapshot
   if (telemetry_) watch.sample(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, loop_); });
   return out;
 }

@@ -23,7 +23,7 @@ struct StationSetup {
 struct TickOutcome {
   SessionTime at;
   Point<HapticBase> device{};  ///< true position, without the scenario's encoder glitches
-  loop::HapticLoop::Act act{};
+  loop::TickOut act{};
   bool tracker_lost = false;
 };
 
@@ -45,7 +45,7 @@ class ReplayedStation {
   class Telemetry;
   [[nodiscard]] SessionTime clock(SessionTime now) const noexcept;
   [[nodiscard]] ports::DeviceReading spoiled(ports::DeviceReading reading, Nanoseconds since) const noexcept;
-  void adopt(BuiltSurface built, SessionTime now, SessionTime true_now);
+  void report_touchable(const BuiltSurface& built, SessionTime true_now);
 
   Scenario scenario_;
   std::unique_ptr<ports::Rig> rig_;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kNear_m = 0.045;  // at a larger distance from the skin the nearest point is not computed
 
 /// As the controller decides whether the skin gives force.
-bool is_touching(const loop::HapticLoop::Act& act) noexcept {
+bool is_touching(const loop::TickOut& act) noexcept {
   const bool may_feel = control::is_inside(act.control.phase) || act.control.phase == control::Phase::BodyToPlane;
   return may_feel && act.contact.valid && act.contact.in_body;
 }
@@ -22,7 +22,7 @@ bool is_at_object(control::Phase phase) noexcept {
 
 TickRecord judged(const TickOutcome& tick, const Transform<HapticBase, DepthCamera>& haptic_from_camera,
                   const std::optional<capture::TrueSurface>& surface, const effects::SkinLaw* law, double peak_N) {
-  const loop::HapticLoop::Act& act = tick.act;
+  const loop::TickOut& act = tick.act;
   TickRecord record{.force_N = act.force.N.cast<float>(),
                     .device_m = tick.device.m,
                     .phase = act.control.phase,
