@@ -1,6 +1,6 @@
 #include "tests/bench/users/users_bench.h"
 
-#include "tests/bench/users/section.h"
+#include "tests/bench/users/sections.h"
 #include "tests/support/child_process.h"
 #include "where.h"
 
@@ -8,7 +8,9 @@ namespace telepalp::bench {
 namespace {
 
 /// All sections. A new one needs a file <name>_section.cpp, a declaration in sections.h and a row here.
-const std::vector<UsersSection> kSections{};
+const std::vector<UsersSection> kSections{
+    {"page", "a server that is silent, and a played session that is moved image by image", run_page_section},
+};
 
 Result<std::vector<UsersSection>> sections_of(const program::Arguments& arguments) {
   if (!arguments.has("part")) return kSections;

@@ -1,50 +1,17 @@
 // How soon the page notices that images have stopped, and how seldom it is wrong:
 // node silence_test.mjs VIEWER_SOURCES VIEWER_WORK TELEPALP_IMAGE_ARRIVALS
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
 import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
+import {imageArrivals, watchWith} from './image_arrivals.mjs';
 
 const {ImageGaps} = await bundled('link/image_gaps.ts');
 const {SilenceWatch} = await bundled('link/silence_watch.ts');
 const arrivals = process.argv[4];
 
-const SECONDS = 600;
-
-/** Times of arrival [ms] of images over a profile of proto/impaired, in virtual time. */
-const over = (profile, kilobytes, seconds = SECONDS) =>
-    execFileSync(arrivals, [profile, String(seconds), String(kilobytes)], {encoding: 'utf8', maxBuffer: 1 << 26})
-        .trim().split('\n').map(Number);
-
-/** A watch on a clock that is moved by hand; `marks`: times at which a silence was noticed. */
-function watchOn() {
-  const seen = {now_ms: 0, due_ms: Infinity, call: undefined, marks: [], changes: 0};
-  const watch = new SilenceWatch({
-    now_ms: () => seen.now_ms,
-    setTimer: (call, after_ms) => {
-      seen.due_ms = seen.now_ms + after_ms;
-      seen.call = call;
-    },
-    changed: () => {
-      ++seen.changes;
-      if (watch.since_ms !== undefined) seen.marks.push(seen.now_ms);
-    },
-  });
-  watch.restart();
-  const passTo = (at_ms) => {
-    while (seen.due_ms <= at_ms) {
-      seen.now_ms = seen.due_ms;
-      seen.due_ms = Infinity;
-      seen.call();
-    }
-    seen.now_ms = at_ms;
-  };
-  return {seen, watch, passTo, image: (at_ms) => {
-    passTo(at_ms);
-    watch.imageCame();
-  }};
-}
+const watchOn = () => watchWith(SilenceWatch);
+const over = (profile, kilobytes, seconds = 600) => imageArrivals(arrivals, profile, kilobytes, seconds);
 
 /** Images each 33 ms from `from_ms` to `to_ms`. */
 function regular(image, from_ms, to_ms) {
@@ -55,7 +22,7 @@ for (const [profile, kilobytes] of [['lte', 60], ['satellite', 20], ['satellite'
   test(`ten minutes over ${profile} with images of ${kilobytes} kB: at most one false mark`, () => {
     const {seen, image} = watchOn();
     const times = over(profile, kilobytes);
-    assert.ok(times.length > 25 * SECONDS, `${times.length} images`);
+    assert.ok(times.length > 25 * 600, `${times.length} images`);
     times.forEach(image);
     assert.ok(seen.marks.length <= 1, `${seen.marks.length} false marks, at ${seen.marks} ms`);
   });
