@@ -5,7 +5,7 @@ import {mkdir, readFile, writeFile} from 'node:fs/promises';
 import {basename, join} from 'node:path';
 import {brotliCompressSync} from 'node:zlib';
 
-import {withoutUnusedShaders} from './unused_shaders.mjs';
+import {withoutUnusedParts} from './unused_parts.mjs';
 
 const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
@@ -19,7 +19,7 @@ const {metafile} = await build({
   minify: true,
   legalComments: 'eof',
   metafile: true,
-  plugins: [withoutUnusedShaders],
+  plugins: [withoutUnusedParts],
   logLevel: 'warning',
 });
 
