@@ -9,12 +9,11 @@
 #include "clients/ar/depth_mesh.h"
 #include "clients/ar/hand_avatar.h"
 #include "clients/ar/shapes.h"
+#include "proto/words/drawn_sizes.h"
 
 namespace telepalp::ar {
 namespace {
 
-constexpr float kBallRadius_m = 0.03F;  // S1 §II.A: the end-effector is a ball of 6 cm diameter
-constexpr float kArrow_m_per_N = 0.025F;
 constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
 constexpr Ink kProxyInk{0, 158, 115}, kDeviceInk{0, 114, 178}, kForceInk{240, 228, 66};
 
@@ -107,23 +106,26 @@ void draw_touch(const Scene& scene, const Touch& touch, const Mesh& skin, const 
   const Eigen::Vector3f force = touch.force.N.cast<float>();
   scene.draw(skin, {.shine = 0.10F});
   scene.draw(sleeve, {.shine = 0.04F});
-  scene.draw(painted(ball(device, kBallRadius_m), linear(kDeviceInk)),
+  scene.draw(painted(ball(device, static_cast<float>(kBallRadius_m)), linear(kDeviceInk)),
              {.opacity = 0.38F, .behind = 0.44F, .shine = 0.6F, .rim = 0.6F, .takes_shadow = false});
   const Mesh rod = painted(frustum(device, proxy, 0.0022F, 0.0022F), linear({255, 255, 255}));
   const Mesh tip = painted(ball(proxy, 0.0075F), linear(kProxyInk));
-  const Mesh push = painted(arrow(proxy, proxy + kArrow_m_per_N * force, 0.0048F), linear(kForceInk));
+  const Mesh push =
+      painted(arrow(proxy, proxy + static_cast<float>(kArrow_m_per_N) * force, 0.0048F), linear(kForceInk));
   scene.draw(rod, {.behind = 0.75F, .takes_shadow = false});
   scene.draw(push, {.behind = 0.45F, .shine = 0.25F, .takes_shadow = false});
   scene.draw(tip, {.behind = 0.6F, .shine = 0.3F, .takes_shadow = false});
 }
 
+std::string rounded(double value) { return std::to_string(std::lround(value)); }
+
 std::vector<PanelLine> key_to_colours(const Touch& touch) {
   const Eigen::Vector3f skin = avatar_color(touch.indentation_m);
   const Ink hand{srgb_from_linear(skin.x()), srgb_from_linear(skin.y()), srgb_from_linear(skin.z())};
   return {{"doctor's hand (redder when deeper)", "", hand},
-          {"haptic device's ball, 6 cm", "", kDeviceInk},
+          {"haptic device's ball, " + rounded(200.0 * kBallRadius_m) + " cm", "", kDeviceInk},
           {"proxy on the skin", "", kProxyInk},
-          {"force (25 mm long for 1 N)", "", kForceInk}};
+          {"force (" + rounded(1e3 * kArrow_m_per_N) + " mm long for 1 N)", "", kForceInk}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "haptic_station/trials/cylinder_paths.h"
+#include "proto/words/phase_names.h"
 #include "support/plot/chart.h"
 #include "support/plot/number.h"
 #include "support/plot/palette.h"
@@ -51,7 +52,7 @@ plot::Band band_of(Phase phase, double from_s, double to_s) {
   return {.from = from_s,
           .to = to_s,
           .color = std::string(color_of(phase)),
-          .name = name(phase),
+          .name = std::string(phase_name(static_cast<int>(phase)).words),
           .mark = std::to_string(control::plotted_number(phase))};
 }
 
@@ -94,7 +95,7 @@ plot::Chart chart_over_time(const TrialResult& result, const char* title, const 
 
 plot::Chart force_against_indentation(const TrialResult& result) {
   plot::Series inside{
-      .name = "in body", .x = {}, .y = {}, .color = std::string(plot::kVermilion), .style = plot::Style::Path};
+      .name = "in contact", .x = {}, .y = {}, .color = std::string(plot::kVermilion), .style = plot::Style::Path};
   for (const TrialSample& s : result.samples)
     if (control::is_inside(s.phase)) {
       inside.x.push_back(s.indentation_m * 1e3);
@@ -163,9 +164,8 @@ std::string to_html(std::span<const TrialResult> results) {
       "alone. Surface camera: a belly, built from "
       "the depth images of a Kinect-like camera with noise and steps of depth. There is no network. Positions are in "
       "the haptic base's frame: y points up, and the origin is the middle of the skin. |d| is the indentation, |F| "
-      "the force. The numbers in the charts name the controller's phase: 0 in body, 1 body to plane, 2 out body, 3 "
-      "plane to body, -1 cylinder lateral, -2 around the cylinder, "
-      "-3 cylinder upper, 4 released and 5 faulted (both without force).</p>\n";
+      "the force. The colours and numbers in the charts name the controller's phase; numbers below 4 are those of "
+      "paper S1 (docs/sources.md). The phases 4 and 5 have no force.</p>\n";
   for (const TrialResult& result : results) {
     const TrialFigures& f = result.figures;
     out += "<h2>" + std::string(title(result.trial)) + ", surface: " + result.surface + "</h2>\n<p>largest force " +

@@ -6,6 +6,8 @@
 #include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/station/contact_force.h"
 #include "proto/wire/vector_message.h"
+#include "proto/words/drawn_sizes.h"
+#include "proto/words/phase_names.h"
 
 namespace telepalp::views {
 namespace {
@@ -76,7 +78,6 @@ void add_ball(foxglove::SceneUpdate& scene, const msg::StationState& station, co
 
 /// The arrow of the contact's force; no arrow while the device is driven.
 void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
-  constexpr double kMetresPerNewton = 0.02;
   constexpr double kLeast_N = 1e-3;
   const Eigen::Vector3d force_N = wire::vector_of(station.force_camera_n());
   if (!station.has_proxy_camera() || !wire::is_contact(station) || !(force_N.norm() > kLeast_N))
@@ -84,12 +85,25 @@ void add_force(foxglove::SceneUpdate& scene, const msg::StationState& station) {
   foxglove::ArrowPrimitive& arrow = *add(scene, station, "force").add_arrows();
   set(*arrow.mutable_pose(), wire::vector_of(station.proxy_camera()),
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), force_N));  // an arrow points along its x
-  const double length_m = kMetresPerNewton * force_N.norm();
+  const double length_m = kArrow_m_per_N * force_N.norm();
   arrow.set_shaft_length(0.7 * length_m);
   arrow.set_shaft_diameter(0.006);
   arrow.set_head_length(0.3 * length_m);
   arrow.set_head_diameter(0.014);
   set(*arrow.mutable_color(), kForce);
+}
+
+/// The phase in a doctor's words, above the device as the camera sees it.
+void add_phase(foxglove::SceneUpdate& scene, const msg::StationState& station) {
+  if (!station.has_device_camera()) return remove(scene, station, "phase");
+  constexpr double kAbove_m = 0.06, kLetters_m = 0.02;
+  foxglove::TextPrimitive& text = *add(scene, station, "phase").add_texts();
+  set(*text.mutable_pose(), wire::vector_of(station.device_camera()) - kAbove_m * Eigen::Vector3d::UnitY(),
+      Eigen::Quaterniond::Identity());
+  text.set_billboard(true);
+  text.set_font_size(kLetters_m);
+  set(*text.mutable_color(), kDevice);
+  text.set_text(std::string(phase_name(static_cast<int>(station.phase())).words));
 }
 
 /// The hand's attitude as a unit quaternion; the identity when the station sent none, or one that is not a rotation.
@@ -140,9 +154,11 @@ foxglove::SceneUpdate scene_view(const msg::StationState& station) {
   foxglove::SceneUpdate scene;
   add_ball(scene, station, "hand", station.has_displayed_hand_camera(), station.displayed_hand_camera(),
            {0.09, 0.09, 0.03}, kHand);
-  add_ball(scene, station, "device", station.has_device_camera(), station.device_camera(), {0.02, 0.02, 0.02}, kDevice);
+  add_ball(scene, station, "device", station.has_device_camera(), station.device_camera(),
+           Eigen::Vector3d::Constant(2.0 * kBallRadius_m), kDevice);
   add_ball(scene, station, "proxy", station.has_proxy_camera(), station.proxy_camera(), {0.012, 0.012, 0.012}, kProxy);
   add_force(scene, station);
+  add_phase(scene, station);
   return scene;
 }
 

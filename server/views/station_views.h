@@ -17,9 +17,9 @@ namespace telepalp::views {
 [[nodiscard]] foxglove::FrameTransforms transforms_view(const std::optional<msg::StationState>& station,
                                                         SessionTime now);
 
-/// Hand, device and proxy, and the force of contact as an arrow of 2 cm per newton, in the depth camera's frame. Parts
-/// without a value in `station` are deleted, and so is the arrow while the device is driven; all parts disappear 1 s
-/// after the station's last message.
+/// Hand, device and proxy, the force of contact as an arrow and the phase in words, in the depth camera's frame, in the
+/// sizes of proto/words/drawn_sizes.h. Parts without a value in `station` are deleted, and so is the arrow while the
+/// device is driven; all parts disappear 1 s after the station's last message.
 [[nodiscard]] foxglove::SceneUpdate scene_view(const msg::StationState& station);
 
 /// The displayed hand with its attitude, in the depth camera's frame; nullopt while the station has no hand.

@@ -127,14 +127,39 @@ TEST(SceneView, TheDrivesForceHasNoArrowOfContact) {
   state.set_phase(msg::PHASE_OUT_BODY);
   const foxglove::SceneUpdate scene = views::scene_view(state);
   for (const foxglove::SceneEntity& entity : scene.entities()) EXPECT_NE(entity.id(), "force");
-  ASSERT_EQ(scene.deletions_size(), 2) << "the device, which is not known, and the arrow of the contact before";
+  ASSERT_EQ(scene.deletions_size(), 3)
+      << "device and phase, whose place is not known, and the arrow of the contact before";
   EXPECT_EQ(scene.deletions(1).id(), "force");
+}
+
+/// The entity `id` of the scene; an empty one, if it has none.
+foxglove::SceneEntity entity_of(const foxglove::SceneUpdate& scene, const std::string& id) {
+  for (const foxglove::SceneEntity& entity : scene.entities())
+    if (entity.id() == id) return entity;
+  return {};
+}
+
+TEST(SceneView, TheDevicesBallHasItsTrueSize) {
+  msg::StationState state = touching();
+  state.mutable_device_camera()->set_z(0.72);
+  const foxglove::SceneEntity device = entity_of(views::scene_view(state), "device");
+  ASSERT_EQ(device.spheres_size(), 1);
+  EXPECT_NEAR(device.spheres(0).size().x(), 0.06, 1e-9);
+}
+
+TEST(SceneView, NamesThePhaseInADoctorsWords) {
+  msg::StationState state = touching();
+  state.mutable_device_camera()->set_z(0.72);
+  state.set_phase(msg::PHASE_CYLINDER_LATERAL);
+  const foxglove::SceneEntity phase = entity_of(views::scene_view(state), "phase");
+  ASSERT_EQ(phase.texts_size(), 1);
+  EXPECT_EQ(phase.texts(0).text(), "Side of an inner object");
 }
 
 TEST(SceneView, RemovesWhatTheStationDoesNotReport) {
   const foxglove::SceneUpdate scene = views::scene_view(msg::StationState());
   EXPECT_EQ(scene.entities_size(), 0);
-  EXPECT_EQ(scene.deletions_size(), 4);
+  EXPECT_EQ(scene.deletions_size(), 5);
 }
 
 TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {

@@ -11,7 +11,7 @@ namespace telepalp::ar {
 struct PhaseWords {
   msg::Phase phase;
   std::string_view key;    ///< name in report.json
-  std::string_view words;  ///< name in report.html
+  std::string_view words;  ///< name for people, from proto/words/phase_names.h
   std::string_view mark;   ///< S1's state number s_f; R (released) and F (faulted) are not in S1
   double level;            ///< vertical position in the timeline
   std::string_view color;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "clients/ar/messages/phases.h"
 #include "clients/report/compare/cause.h"
 #include "clients/report/figures/view.h"
 #include "proto/wire/mcap/first_difference.h"
@@ -87,7 +88,8 @@ std::string account(const Comparison& comparison) {
             " s after the start";
   return text + ", and the states differ at " + readable(share) +
          " % of the ticks. Out of contact the force moves the device; the hand feels only the lift in the state "
-         "“body to plane”.";
+         "“" +
+         std::string(ar::words_for(msg::PHASE_BODY_TO_PLANE).words) + "”.";
 }
 
 double pictured_s(const Comparison& comparison) {

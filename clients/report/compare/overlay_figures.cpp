@@ -70,7 +70,10 @@ Chart states(const Session& a, const Session& b, const Window& window) {
   for (Series& series : chart.series) visited.insert(series.y.begin(), series.y.end());
   for (double& level : chart.series[1].y) level += 0.12;  // beside the line of A, not on it
   for (const ar::PhaseWords& words : ar::kPhases)
-    if (visited.contains(words.level)) chart.y.ticks.push_back({words.level, std::string(words.mark)});
+    if (visited.contains(words.level)) {
+      chart.y.ticks.push_back({words.level, std::string(words.mark)});
+      chart.rules.push_back({words.level, std::string(words.words), std::string(plot::kGrey)});
+    }
   return chart;
 }
 

@@ -168,7 +168,7 @@ std::vector<Chart> around_the_cylinder(const Session& session) {
   const std::vector<double> seconds = seconds_of(session);
   const auto here = [&](std::size_t i) { return in_cylinder(ticks.phase[i]); };
   Chart force{
-      .title = "Force in the states of the cylinder", .x = {"time [s]"}, .y = {"force |F| [N]", plot::Range{0.0, 0.0}}};
+      .title = "Force at objects under the skin", .x = {"time [s]"}, .y = {"force |F| [N]", plot::Range{0.0, 0.0}}};
   for (Band& band : bands_of(ticks, seconds))
     if (band.mark.starts_with('-')) force.bands.push_back(std::move(band));
   force.series.push_back({"|F|", seconds, only(force_norm_N(ticks), here), std::string(plot::kBlack)});

@@ -9,6 +9,7 @@
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/timing_figures.h"
 #include "proto/words/counted.h"
+#include "proto/words/phase_names.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
 
@@ -112,16 +113,16 @@ std::string motion_sections(const Session& session, const Summary& summary) {
       in_pairs(force_against_indentation(session)));
   const auto cylinder = around_the_cylinder(session);
   out += cylinder.empty()
-             ? section("The cylinder under the skin",
+             ? section("Objects under the skin",
                        "The hand did not reach a simulated object under the skin (states -3 to -1) in this run.", "")
-             : section("The cylinder under the skin",
+             : section("Objects under the skin",
                        "Path of the end-effector and force while the hand is at a simulated object under "
                        "the skin (states -3 to -1).",
                        in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
                        "State, height and force on one time axis. Only the force of contact comes from the patient. "
                        "Outside the body, the drive moves the end-effector, and the hand feels only its lift in state "
-                       "1 (body to plane). The drive gave at most " +
+                       "1. The drive gave at most " +
                            readable(summary.force_of_drive_max_N) + " N.",
                        stacked(timeline(session)));
 }
@@ -204,8 +205,8 @@ std::string events_section(const Session& session) {
     const double at =
         static_cast<double>(static_cast<std::int64_t>(event.stamp_ns()) - session.first_ns.value_or(0)) * 1e-9;
     const std::string text =
-        event.kind() == msg::EVENT_KIND_PHASE && event.text().empty()
-            ? std::string(ar::words_for(event.from()).words) + " → " + std::string(ar::words_for(event.to()).words)
+        event.kind() == msg::EVENT_KIND_PHASE  // a station of an older version has other words in its text
+            ? change_in_words(static_cast<int>(event.from()), static_cast<int>(event.to()))
             : event.text();
     rows.push_back({number(at, 3) + " s", text});
   }

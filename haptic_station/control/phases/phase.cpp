@@ -1,5 +1,7 @@
 #include "haptic_station/control/phases/phase.h"
 
+#include "proto/words/phase_names.h"
+
 namespace telepalp::control {
 namespace {
 
@@ -65,29 +67,7 @@ const Row* transition(Phase phase, Event event) noexcept {
   return nullptr;
 }
 
-const char* name(Phase phase) noexcept {
-  switch (phase) {
-    case P::InBody:
-      return "In body";
-    case P::BodyToPlane:
-      return "Body to plane";
-    case P::OutBody:
-      return "Out body";
-    case P::PlaneToBody:
-      return "Plane to body";
-    case P::ObjectLateral:
-      return "Cylinder lateral";
-    case P::AroundObject:
-      return "Around cylinder";
-    case P::ObjectUpper:
-      return "Cylinder upper";
-    case P::Released:
-      return "Released";
-    case P::Faulted:
-      return "Faulted";
-  }
-  return "?";
-}
+const char* name(Phase phase) noexcept { return phase_name(static_cast<int>(phase)).in_S1.data(); }
 
 const char* name(Event event) noexcept {
   switch (event) {

@@ -7,6 +7,7 @@
 #include "proto/wire/station/contact_force.h"
 #include "proto/wire/vector_message.h"
 #include "proto/words/demand.h"
+#include "proto/words/phase_names.h"
 
 namespace telepalp::station {
 namespace {
@@ -96,14 +97,13 @@ msg::StationCompensation compensation_message(const loop::Compensation& compensa
 }
 
 msg::StationEvent phase_event(const loop::TickSample& sample, std::uint8_t from) {
-  const char* before = from == 0 ? "start" : control::name(static_cast<control::Phase>(from));
   msg::StationEvent event;
   event.set_stamp_ns(static_cast<std::uint64_t>(sample.stamp_ns));
   event.set_surface_captured_ns(static_cast<std::uint64_t>(sample.surface_captured_ns));
   event.set_kind(msg::EVENT_KIND_PHASE);
   event.set_from(static_cast<msg::Phase>(from));
   event.set_to(phase_of(sample));
-  event.set_text(std::string(before) + " → " + control::name(static_cast<control::Phase>(sample.phase)));
+  event.set_text(change_in_words(from, sample.phase));
   return event;
 }
 

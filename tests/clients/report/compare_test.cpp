@@ -144,7 +144,7 @@ TEST_F(Compare, AStationThatLetGoIsTheCauseAndItsLastEventIsQuoted) {
   const Comparison comparison = compared(other);
   ASSERT_TRUE(comparison.ticks.first_phase);
   EXPECT_EQ(cause_in_words(comparison.a, comparison.b, *comparison.ticks.first_phase),
-            "B gives the hand no force (state: released); its last event: the server is away");
+            "B gives the hand no force (state: Force paused); its last event: the server is away");
 }
 
 TEST_F(Compare, SessionsOfDifferentDaysAreAlignedAtTheirFirstTicks) {

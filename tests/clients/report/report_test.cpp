@@ -101,6 +101,20 @@ TEST(ReportHtml, IsSelfContained) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
+TEST(ReportHtml, CallsTheStatesWhatADoctorWouldAlsoInASessionOfAnOlderStation) {
+  Session session = session_of({.seconds = 4.0});
+  msg::StationEvent event;
+  event.set_kind(msg::EVENT_KIND_PHASE);
+  event.set_from(msg::PHASE_PLANE_TO_BODY);
+  event.set_to(msg::PHASE_CYLINDER_LATERAL);
+  event.set_text("Plane to body → Cylinder lateral");
+  session.events.push_back(event);
+  const std::string html = html_of(session);
+  for (const char* words : {"ylinder", "ut body", "lane to body", "ody to plane", ">in body", "eleased"})
+    EXPECT_EQ(html.find(words), std::string::npos) << words;
+  EXPECT_NE(html.find("Approaching the skin → Side of an inner object"), std::string::npos);
+}
+
 TEST(ReportHtml, WordsFromTheSessionCannotBreakThePage) {
   Session session = session_of({.seconds = 1.0});
   session.name = "<script>alert(1)</script>.mcap";

@@ -1,21 +1,21 @@
 import {Phase} from '../link/messages';
 
 export interface PhaseLook {
-  name: string;  // S1 Fig. 4's
+  name: string;  // as in proto/words/phase_names.h
   tone: 'quiet' | 'free' | 'between' | 'contact' | 'inner' | 'alarm';
   says: string;
 }
 
 const LOOKS: Record<Phase, PhaseLook> = {
   [Phase.Unspecified]: {name: 'No station', tone: 'quiet', says: 'no message from a haptic station'},
-  [Phase.InBody]: {name: 'In body', tone: 'contact', says: 'the hand presses the skin: force control'},
-  [Phase.BodyToPlane]: {name: 'Body to plane', tone: 'between', says: 'the device lifts the hand away from the body'},
-  [Phase.OutBody]: {name: 'Out body', tone: 'free', says: 'the device follows the hand above the body'},
-  [Phase.PlaneToBody]: {name: 'Plane to body', tone: 'between', says: 'no force: push the device down to the skin'},
-  [Phase.ObjectLateral]: {name: 'Cylinder lateral', tone: 'inner', says: 'the hand presses the inner object’s side'},
-  [Phase.AroundObject]: {name: 'Around cylinder', tone: 'inner', says: 'the hand is near the inner object'},
-  [Phase.ObjectUpper]: {name: 'Cylinder upper', tone: 'inner', says: 'the hand is on top of the inner object'},
-  [Phase.Released]: {name: 'Released', tone: 'quiet', says: 'no force until tracker and images are fresh'},
+  [Phase.InBody]: {name: 'Pressing the skin', tone: 'contact', says: 'the hand feels the skin'},
+  [Phase.BodyToPlane]: {name: 'Lifting off', tone: 'between', says: 'the device lifts the hand away from the body'},
+  [Phase.OutBody]: {name: 'Above the skin', tone: 'free', says: 'the device follows the hand above the body'},
+  [Phase.PlaneToBody]: {name: 'Approaching the skin', tone: 'between', says: 'no force: push the device down to the skin'},
+  [Phase.ObjectLateral]: {name: 'Side of an inner object', tone: 'inner', says: 'the hand presses it from its side'},
+  [Phase.AroundObject]: {name: 'Near an inner object', tone: 'inner', says: 'the hand is in the body, close to it'},
+  [Phase.ObjectUpper]: {name: 'On an inner object', tone: 'inner', says: 'the hand presses its upper side'},
+  [Phase.Released]: {name: 'Force paused', tone: 'quiet', says: 'no force until tracker and images are fresh'},
   [Phase.Faulted]: {name: 'Faulted', tone: 'alarm', says: 'no force until an operator re-arms the station'},
 };
 
@@ -29,3 +29,7 @@ export function lookOf(phase: Phase | undefined): PhaseLook {
   if (phase === undefined) return NOT_KNOWN;
   return LOOKS[phase] ?? {name: `State ${Number(phase)}`, tone: 'quiet', says: 'the station is newer than this page: update the server'};
 }
+
+/** A change of phase in words. A session recorded by an older station has other words in its text. */
+export const changeInWords = (from: Phase, to: Phase): string =>
+    `${from === Phase.Unspecified ? 'Start' : lookOf(from).name} → ${lookOf(to).name}`;

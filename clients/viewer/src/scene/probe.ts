@@ -13,9 +13,8 @@ import {
 } from 'three';
 
 import {Arrow} from './arrow';
+import {ARROW_M_PER_N, BALL_RADIUS_M} from './drawn_sizes';
 
-const BALL_RADIUS_M = 0.03;  // of the device's end-effector
-const ARROW_M_PER_N = 0.012;
 const NORMAL_M = 0.045;
 
 export interface ProbePlace {
