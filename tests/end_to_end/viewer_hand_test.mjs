@@ -33,7 +33,7 @@ function levelPatient(folder) {
 }
 
 /** A hand that presses in the middle meets the scene's cylinder below the skin. */
-const touches = ({phase}) => phase === 'In body' || /cylinder/i.test(phase);
+const touches = ({phase}) => phase === 'Pressing the skin' || /object/.test(phase);
 
 const start = async (workplace, tracker) => {
   const source = `pcd:${levelPatient(workplace.folder)}`;
@@ -52,17 +52,17 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
     const {page, problems} = browser;
     await page.goto(`http://127.0.0.1:${http_port}/`);
     await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
-    await untilStatus(page, 'without a hand it has let go', (now) => now.phase === 'Released');
+    await untilStatus(page, 'without a hand it has let go', (now) => now.phase === 'Force paused');
     await page.click('#hold-hand');
     await page.mouse.move(350, 270);
-    await untilStatus(page, 'the hand is followed', (now) => now.holdsHand && now.phase === 'Out body');
+    await untilStatus(page, 'the hand is followed', (now) => now.holdsHand && now.phase === 'Above the skin');
     await page.mouse.down();
     const pressed = await untilStatus(page, 'the skin is pressed', (now) => touches(now) && now.force_N > 0.2);
     assert.ok(pressed.force_N <= 10.001, 'the limiter holds');
     await page.mouse.up();
     await untilStatus(page, 'the hand has risen', (now) => now.force_N === 0 || !touches(now));
     await page.click('#hold-hand');
-    await untilStatus(page, 'the station lets go', (now) => now.phase === 'Released' && now.force_N === 0);
+    await untilStatus(page, 'the station lets go', (now) => now.phase === 'Force paused' && now.force_N === 0);
     assert.match(child.heard, /the station follows the hand of this viewer/);
     assert.deepEqual(problems, []);
   } finally {
@@ -85,7 +85,7 @@ test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes 
       navigator.getGamepads = () => [window.pad, null, null, null];
     });
     await page.goto(`http://127.0.0.1:${http_port}/`);
-    await untilStatus(page, 'without a hand it has let go', (now) => now.connected && now.meshVertices > 200 && now.phase === 'Released');
+    await untilStatus(page, 'without a hand it has let go', (now) => now.connected && now.meshVertices > 200 && now.phase === 'Force paused');
 
     await page.keyboard.press('t');
     await page.keyboard.down('Shift');
@@ -93,15 +93,15 @@ test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes 
       // To and fro: a key that is held until something happens carries the hand off the patient on a slow machine.
       for (const key of ['ArrowRight', 'ArrowLeft']) await page.keyboard.press(key, {delay: 100});
       const now = await status(page);
-      return now.holdsHand && now.phase === 'Out body';
+      return now.holdsHand && now.phase === 'Above the skin';
     });
     await page.keyboard.down('Enter');
     await untilStatus(page, 'the keys press the skin', (now) => touches(now) && now.force_N > 0.2);
     await page.keyboard.up('Enter');
     await page.keyboard.up('Shift');
-    await untilStatus(page, 'the hand rises', (now) => now.phase === 'Out body');
+    await untilStatus(page, 'the hand rises', (now) => now.phase === 'Above the skin');
     await page.keyboard.press('t');
-    await untilStatus(page, 'the station lets go', (now) => !now.holdsHand && now.phase === 'Released');
+    await untilStatus(page, 'the station lets go', (now) => !now.holdsHand && now.phase === 'Force paused');
 
     const press = (button, value) => page.evaluate(([at, how]) => (window.pad.buttons[at] = {pressed: how > 0, value: how}), [button, value]);
     await page.evaluate(() => (window.shaken.length = 0));
@@ -109,7 +109,7 @@ test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes 
     await untilStatus(page, 'A begins the touch', (now) => now.holdsHand);
     await press(0, 0);
     await page.evaluate(() => (window.pad.axes[0] = -0.2));  // slowly, so that it stays over the patient while we wait
-    await untilStatus(page, 'the stick\'s hand is followed', (now) => now.phase === 'Out body');
+    await untilStatus(page, 'the stick\'s hand is followed', (now) => now.phase === 'Above the skin');
     await page.evaluate(() => (window.pad.axes[0] = 0));
     await page.evaluate(() => (window.shaken.length = 0));
     await press(7, 1);
@@ -121,9 +121,9 @@ test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes 
     });
     assert.ok(strongest <= 1, `${strongest}`);
     await press(7, 0);
-    await untilStatus(page, 'and the hand rises', (now) => now.phase === 'Out body');
+    await untilStatus(page, 'and the hand rises', (now) => now.phase === 'Above the skin');
     await press(0, 1);
-    await untilStatus(page, 'A ends it', (now) => !now.holdsHand && now.phase === 'Released');
+    await untilStatus(page, 'A ends it', (now) => !now.holdsHand && now.phase === 'Force paused');
     assert.deepEqual(problems, []);
   } finally {
     await browser?.context.close();
@@ -143,19 +143,19 @@ test('a controller in a headset is the hand: over the skin it is followed, below
         'headsetDevice.installRuntime({forceInstall: true}); ' +
         'window.controllerAt = (x, y, z) => headsetDevice.controllers.right.position.set(x, y, z);');
     await page.goto(`http://127.0.0.1:${http_port}/`);
-    await untilStatus(page, 'without a hand it has let go', (now) => now.connected && now.meshVertices > 200 && now.phase === 'Released');
+    await untilStatus(page, 'without a hand it has let go', (now) => now.connected && now.meshVertices > 200 && now.phase === 'Force paused');
     await page.waitForSelector('#headset', {state: 'visible'});
     // The patient's middle lies 0.95 m above the floor and 0.55 m before the viewer.
     await page.evaluate(() => window.controllerAt(0, 1.02, -0.55));
     await page.evaluate(() => document.getElementById('headset').click());
     await page.waitForSelector('#headset[aria-pressed="true"]', {state: 'attached'});
     await page.evaluate(() => document.getElementById('hold-hand').click());
-    await untilStatus(page, 'the controller is followed', (now) => now.holdsHand && now.phase === 'Out body');
+    await untilStatus(page, 'the controller is followed', (now) => now.holdsHand && now.phase === 'Above the skin');
     await page.evaluate(() => window.controllerAt(0, 0.925, -0.55));
     await untilStatus(page, 'it presses the skin', (now) => touches(now) && now.force_N > 0.5);
     await page.evaluate(() => document.getElementById('headset').click());
     await page.waitForSelector('#headset[aria-pressed="false"]', {state: 'attached'});
-    await untilStatus(page, 'without the headset there is no hand', (now) => now.phase === 'Released');
+    await untilStatus(page, 'without the headset there is no hand', (now) => now.phase === 'Force paused');
   } finally {
     await browser?.context.close();
     await workplace.end();
@@ -173,12 +173,12 @@ test('deploy/demo --hand browser: the page says that there is no hand, and a mou
     browser = await openBrowser(workplace.folder, {width: 700, height: 640});
     const {page, problems} = browser;
     await page.goto(address);
-    await untilStatus(page, 'the patient is let go of', (now) => now.meshVertices > 200 && now.phase === 'Released');
+    await untilStatus(page, 'the patient is let go of', (now) => now.meshVertices > 200 && now.phase === 'Force paused');
     assert.equal((await untilStatus(page, 'a status', () => true)).handPosition_m, undefined, 'no hand is drawn');
     await page.waitForSelector('#banner-title:text-is("No hand")');
     await page.keyboard.press('t');
     await page.mouse.move(350, 320);
-    await untilStatus(page, 'the hand is followed and drawn', (now) => now.phase === 'Out body' && now.handPosition_m);
+    await untilStatus(page, 'the hand is followed and drawn', (now) => now.phase === 'Above the skin' && now.handPosition_m);
     await page.mouse.down();
     // The demo's scene has a cylinder under this place: the hand soon goes on from In body to the cylinder's phases.
     await untilStatus(page, 'the patient is touched', (now) => touches(now) && now.force_N > 0.2);

@@ -26,10 +26,10 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     const {context, page, problems} = browser;
     await page.goto(running.address);
     await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
-    const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 2 && now.phase === 'In body' && now.handPosition_m !== undefined);
+    const pressed = await untilStatus(page, 'the hand presses', (now) => now.force_N > 2 && now.phase === 'Pressing the skin' && now.handPosition_m !== undefined);
     assert.ok(pressed.indentation_m > 0.02 && pressed.indentation_m < 0.04, `${pressed.indentation_m} m`);
     assert.equal(pressed.handPosition_m.length, 3);
-    await untilStatus(page, 'the hand leaves', (now) => now.force_N === 0 && now.phase === 'Out body');
+    await untilStatus(page, 'the hand leaves', (now) => now.force_N === 0 && now.phase === 'Above the skin');
     const seen = await lookAtMiddle(context, await page.screenshot({timeout: 120_000}));
     assert.ok(seen.drawn > 0.5 && seen.colors > 200, `the patient fills the middle, shaded: ${JSON.stringify(seen)}`);
     assert.deepEqual(problems, [], 'nothing breaks the page\'s own content policy');
@@ -62,7 +62,7 @@ test('the viewer draws the patient, follows the hand, and says when what it show
     await untilStatus(page, 'the hand is drawn again', (now) => now.handPosition_m !== undefined);
 
     running.child.stdin.write('phase PHASE_CYLINDER_UPPER\n');
-    await page.waitForSelector('#phase-name:text-is("Cylinder upper")');
+    await page.waitForSelector('#phase-name:text-is("On an inner object")');
     running.child.stdin.write('phase PHASE_FAULTED\n');
     await until('the banner names the fault', async () => (await banner(page)).includes('Station faulted'));
     running.child.stdin.write('phase PHASE_OUT_BODY\nstale on\n');

@@ -2,11 +2,12 @@ import type {InsideView} from './inside/inside_view';
 import type {ViewerHandInput} from './viewer_hand';
 import type {SceneView} from './scene/scene_view';
 import type {ThemeSwitch} from './theme';
+import type {Details} from './views/details';
+import type {FoldingCards} from './views/folding_cards';
 import type {ViewSwitch} from './views/view_switch';
 
 const TURN_RAD = 0.09;
 const ZOOM = 1.12;
-const ROOM_FOR_DETAILS = '(min-width: 1021px) and (min-height: 601px)';  // in a smaller window they are closed until asked for
 
 interface Toggle {
   button: string;
@@ -28,18 +29,21 @@ function takesKey(focus: EventTarget | null, key: string): boolean {
 
 /** Wires buttons and keys to the view. */
 export function wireControls(
-    view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView): void {
+    view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView,
+    {details, cards}: {details: Details; cards: FoldingCards}): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.setHandShown(shown)},
     {button: 'show-ball', key: 'b', apply: (shown) => view.probe.setBallVisible(shown)},
     {button: 'show-forces', key: 'f', apply: (shown) => view.probe.setForcesVisible(shown)},
     {button: 'show-halo', key: 'u', apply: (shown) => view.halo.setShown(shown)},
-    {button: 'show-side', key: 'd', apply: (shown) => (document.body.dataset['side'] = shown ? 'open' : 'closed')},
     {button: 'show-color', key: 'c', apply: (shown) => view.surface.setColored(shown)},
     {button: 'show-inside', key: 'i', apply: (shown) => inside.setTransparent(shown)},
     {button: 'show-ultrasound', key: 'e', apply: (shown) => inside.setPanelShown(shown)},
-    {button: 'show-stereo', key: 's', apply: (shown) => view.setStereo(shown)},
+    {button: 'show-stereo', key: 's', apply: (shown) => {
+      document.body.toggleAttribute('data-stereo', shown);
+      view.setStereo(shown);
+    }},
     {button: 'hold-hand', key: 't', apply: (held) => viewerHand.setHeld(held)},
   ];
   const flip = ({button: id, apply}: Toggle) => {
@@ -50,13 +54,6 @@ export function wireControls(
     view.invalidate();
   };
   for (const toggle of toggles) button(toggle.button).addEventListener('click', () => flip(toggle));
-  const room = window.matchMedia(ROOM_FOR_DETAILS);
-  const details = toggles.find(({key}) => key === 'd')!;
-  const fitDetails = () => {
-    if (room.matches !== (button(details.button).getAttribute('aria-pressed') === 'true')) flip(details);
-  };
-  room.addEventListener('change', fitDetails);
-  fitDetails();
   button('reset').addEventListener('click', () => view.resetView());
   button('help-open').addEventListener('click', () => help.showModal());
 
@@ -70,6 +67,8 @@ export function wireControls(
     '-': () => view.orbit(0, 0, ZOOM),
     r: () => view.resetView(),
     l: () => theme.flip(),
+    d: () => details.flip(),
+    z: () => cards.foldAll(),
     '?': () => help.showModal(),
   };
   for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);

@@ -2,6 +2,7 @@ import {wireControls} from './controls';
 import {ViewerHandInput} from './viewer_hand';
 import {offerHeadset} from './headset_button';
 import {measureHeight} from './layout';
+import {browserStore} from './page';
 import {askServer} from './link/ask_server';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './link/site_link';
@@ -23,6 +24,9 @@ import {publishStatus} from './status';
 import {ThemeSwitch} from './theme';
 import {type Reading, ViewerState} from './viewer_state';
 import {HandSteering} from './touch/hand_steering';
+import {Details} from './views/details';
+import {FoldingCards} from './views/folding_cards';
+import {KeptLayout} from './views/kept_layout';
 import type {View} from './views/view';
 import {ViewSwitch} from './views/view_switch';
 
@@ -136,13 +140,20 @@ const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   technician: [technician],
   qa: [new QaPanel(playback, new OverviewBand(playback, notes), notes, view)],
 };
-const views = new ViewSwitch((chosen) => link.setExtra(EXTRA[chosen]));
-wireControls(view, viewerHand, views, new ThemeSwitch(view), inside);
+const layout = new KeptLayout(browserStore());
+const [cards, details] = [new FoldingCards(layout), new Details(layout)];
+const views = new ViewSwitch((chosen) => {
+  link.setExtra(EXTRA[chosen]);
+  cards.show(chosen);
+  details.show(chosen);
+});
+wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards});
 new TimelineBar(read, playback);
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');
 measureHeight('banner', '--banner-height');
+measureHeight('head', '--head');
 link.ask('instant');
 link.ask('probe');
 

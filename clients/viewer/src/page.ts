@@ -21,3 +21,21 @@ export function made<Name extends keyof HTMLElementTagNameMap>(
 
 /** What a user wrote, as the server takes it: without control characters, which a pasted text may contain. */
 export const oneLine = (text: string) => text.replace(/\p{Cc}+/gu, ' ').trim();
+
+/** This browser's storage; undefined if it forbids one. */
+export function browserStore(): Storage | undefined {
+  try {
+    return localStorage;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Keeps `value` under `name` for the next visit. In a browser without room, it holds until the page is closed. */
+export function keep(store: Pick<Storage, 'setItem'> | undefined, name: string, value: string): void {
+  try {
+    store?.setItem(name, value);
+  } catch {
+    // nothing is kept
+  }
+}

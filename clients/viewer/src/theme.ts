@@ -1,4 +1,4 @@
-import {element} from './page';
+import {browserStore, element, keep} from './page';
 import type {SceneView} from './scene/scene_view';
 
 type Theme = 'dark' | 'light';
@@ -6,13 +6,7 @@ type Theme = 'dark' | 'light';
 const KEPT_AS = 'telepalp-theme';
 const BACKGROUND: Record<Theme, string> = {dark: '#070b10', light: '#dfe6ec'};
 
-function keptTheme(): Theme {
-  try {
-    return localStorage.getItem(KEPT_AS) === 'light' ? 'light' : 'dark';
-  } catch {
-    return 'dark';  // the browser keeps nothing for this page
-  }
-}
+const keptTheme = (): Theme => (browserStore()?.getItem(KEPT_AS) === 'light' ? 'light' : 'dark');
 
 /** Dark for dim rooms, light for bright ones; the choice is kept in this browser. */
 export class ThemeSwitch {
@@ -26,11 +20,7 @@ export class ThemeSwitch {
 
   flip(): void {
     this.theme = this.theme === 'dark' ? 'light' : 'dark';
-    try {
-      localStorage.setItem(KEPT_AS, this.theme);
-    } catch {
-      // the choice holds until the page is closed
-    }
+    keep(browserStore(), KEPT_AS, this.theme);
     this.apply();
   }
 

@@ -7,4 +7,8 @@ namespace telepalp::bench {
 /// What a page says of a server that is silent, and of a played session that is moved image by image, in Chromium.
 [[nodiscard]] Result<std::vector<Row>> run_page_section(const UsersPlace& place);
 
+/// The share of a page of 1400 x 900 px that no card covers, in each view of a played session. A card that does not
+/// fold to one line, or a view without a fold, makes a row miss its budget.
+[[nodiscard]] Result<std::vector<Row>> run_layout_section(const UsersPlace& place);
+
 }  // namespace telepalp::bench

@@ -10,6 +10,7 @@ namespace {
 /// All sections. A new one needs a file <name>_section.cpp, a declaration in sections.h and a row here.
 const std::vector<UsersSection> kSections{
     {"page", "a server that is silent, and a played session that is moved image by image", run_page_section},
+    {"layout", "the patient's share of the page", run_layout_section},
 };
 
 Result<std::vector<UsersSection>> sections_of(const program::Arguments& arguments) {

@@ -51,10 +51,10 @@ test('nothing is claimed before the first state and behind the last', () => {
 test('bins lie at their middle, and the words are those of the bin at the moment', () => {
   const {runs} = readComparison(reply('i.i', 'o.o'));
   assert.deepEqual(runs.at_s.map((at_s) => Number(at_s.toFixed(4))), [2.0025, 2.0075, 2.0125]);
-  assert.equal(momentSays(runs, 2.0125), '0:02.0: A 3.00 N, 30 mm, In body; B 3.00 N, 30 mm, Out body; the force vectors differ by 0.30 N');
+  assert.equal(momentSays(runs, 2.0125), '0:02.0: A 3.00 N, 30 mm, Pressing the skin; B 3.00 N, 30 mm, Above the skin; the force vectors differ by 0.30 N');
   assert.equal(momentSays(runs, 2.1), '', 'behind the end');
   assert.equal(momentSays(readComparison(reply('...', 'o.o')).runs, 2.0025),
-      '0:02.0: A has no state; B 1.00 N, 10 mm, Out body', 'no state is not a force of 0 N');
+      '0:02.0: A has no state; B 1.00 N, 10 mm, Above the skin', 'no state is not a force of 0 N');
 });
 
 test('the state of a comparison is a sentence', () => {

@@ -1,5 +1,7 @@
 // node doctor_cards_test.mjs VIEWER_SOURCES VIEWER_WORK: who is here, the way of a frame to the hand, what is compensated.
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
 import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
@@ -56,4 +58,23 @@ test('hand and skin are told with two standard deviations, and damping that acts
   assert.equal(damped.find(({name}) => name === 'Damping').level, 'warn');
   assert.equal(valueOf(damped, 'Contact displayed'), '50 %');
   assert.equal(valueOf(damped, 'Skin, gradual change'), '+2.0 mm');
+});
+
+test('an uncertainty that is wider than the value is said, not a value of 0.0', () => {
+  const lost = {
+    stampNs: 0n, handAgeS: 2, handCarriedM: 0, handSigmaM: 0.0555, surfaceAgeS: 0.05, surfaceCarriedM: 0.00001,
+    surfaceSigmaM: 0.0555, slewedM: 0, support: 1, shownOffsetM: 0, dampingN: 0, handExcessJ: 0, driveJ: 0,
+  };
+  for (const name of ['Hand predicted', 'Skin predicted']) {
+    const row = compensationRows(lost, undefined).find((one) => one.name === name);
+    assert.deepEqual([row.value, row.level], ['unknown, ± 111 mm', 'warn']);
+  }
+});
+
+test('no two rows of the page have one name', () => {
+  const names = delayRows({capturedNs: 0n, encodedNs: 1n, receivedNs: 2n, decodedNs: 3n, touchableNs: 4n}).map(({name}) => name);
+  const page = readFileSync(join(process.argv[2], 'index.html'), 'utf8');
+  names.push(...[...page.matchAll(/<dt>([^<]+)</g)].map(([, name]) => name));
+  assert.deepEqual(names.filter((name, at) => names.indexOf(name) !== at), []);
+  assert.ok(names.includes('Network to station') && names.includes('Network to here'));
 });

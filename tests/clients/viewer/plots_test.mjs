@@ -6,6 +6,7 @@ import {bundled} from './bundled.mjs';
 
 const {TouchHistory} = await bundled('panel/plots/touch_history.ts');
 const {PlotWindow} = await bundled('panel/plots/window.ts');
+const {sinceNow, timeMarks} = await bundled('panel/plots/time_axis.ts');
 const {StationPast} = await bundled('present/station_past.ts');
 
 const IN_BODY = 1, OUT_BODY = 3;
@@ -87,4 +88,11 @@ test('phase and compensation are those of the presented instant', () => {
   for (const stampNs of [1_000_000_000n, 1_010_000_000n, 1_020_000_000n]) past.compensationCame({stampNs});
   assert.equal(past.compensationAt(1_012_000_000n).stampNs, 1_010_000_000n);
   assert.equal(past.compensationAt(1_100_000_000n), undefined, 'that of another instant is not shown');
+});
+
+test('the axis of time has round distances from the newest value', () => {
+  const marks = (from_s, to_s, end_s) => timeMarks(from_s, to_s, end_s).map((at_s) => sinceNow(at_s, end_s));
+  assert.deepEqual(marks(100.3, 115.3, 115.3), ['−15 s', '−10 s', '−5 s', '0 s']);
+  assert.deepEqual(marks(90.5, 91.5, 100), ['−9.5 s', '−9 s', '−8.5 s']);
+  assert.deepEqual(marks(40, 100, 100), ['−60 s', '−40 s', '−20 s', '0 s']);
 });

@@ -9,7 +9,7 @@ const {EventLog, toneOf} = await bundled('panel/qa/event_log.ts');
 
 const PHASE = 1, FAULT = 3, DEADLINE = 4;
 const second = (s) => BigInt(Math.round(1000 * s)) * 1_000_000n;
-const event = (at_s, text, kind = PHASE) => ({stampNs: second(at_s), kind, text, from: 0, to: 0});
+const event = (at_s, text, kind = DEADLINE) => ({stampNs: second(at_s), kind, text, from: 0, to: 0});
 
 test('a shared address shows QA the same moment', () => {
   const address = new URL(addressOfMoment('https://site.example:8765/?view=doctor#x', 12.345));

@@ -8,6 +8,7 @@ import type {Reading} from '../viewer_state';
 import {type Banner, bannerFor} from './banner';
 import {lookOf} from './phases';
 import {TouchPlots} from './plots/touch_plots';
+import {Voice} from './voice';
 
 const milliseconds = (ms: number | undefined) =>
     ms === undefined ? '–' : ms < 999.5 ? `${Math.max(0, Math.round(ms))} ms` : `${(ms / 1000).toFixed(ms < 9950 ? 1 : 0)} s`;
@@ -20,6 +21,8 @@ const PLOTS_EVERY = 2;  // the plots are drawn at each 2nd call of show(), 5 tim
 /** Writes the readings that every view has. */
 export class Readouts {
   private readonly plots = new TouchPlots();
+  private readonly voice = new Voice();
+  private readonly eyes = document.querySelectorAll<HTMLElement>('.eye');
   private shows = 0;
   private notice: Banner | undefined;  // set for NOTICE_MS by showNotice()
 
@@ -40,6 +43,7 @@ export class Readouts {
     this.showNumbers(reading);
     this.showFreshness(reading);
     this.updateBanner(reading);
+    this.showToEyes();
     if (++this.shows % PLOTS_EVERY === 0) this.plots.draw();
   }
 
@@ -73,6 +77,18 @@ export class Readouts {
     element('badge').dataset['tone'] = look.tone;
     setText('phase-name', look.name);
     setText('phase-says', look.says);
+    if (phase !== undefined) this.speak(this.voice.ofPhase(look, performance.now()), look.tone === 'alarm');
+  }
+
+  private speak(words: string | undefined, urgent: boolean): void {
+    if (words !== undefined) setText(urgent ? 'spoken-alarm' : 'spoken', words);
+  }
+
+  /** In stereo, each eye gets the same line: a card would lie over one eye alone. */
+  private showToEyes(): void {
+    const alarm = element('banner').hidden ? '' : ` · ${element('banner-title').textContent}`;
+    const line = `${element('phase-name').textContent} · ${element('force').textContent} N${alarm}`;
+    for (const eye of this.eyes) write(eye, line);
   }
 
   private showTouch({force_N, drive_N, indentation_mm, limited}: Reading): void {
@@ -85,11 +101,13 @@ export class Readouts {
   }
 
   private showFreshness(reading: Reading): void {
-    const {account, clockError_ms} = reading;
+    const {clockError_ms, paused} = reading;
+    const account = paused ? undefined : reading.account;  // a session that stands still grows no older
     showAge('surface-age', reading.surface_ms);
-    showAge('picture-age', account === undefined ? reading.picture_ms : total_ms(account), clockError_ms);
+    showAge('picture-age', paused ? undefined : account === undefined ? reading.picture_ms : total_ms(account), clockError_ms);
+    if (paused) setText('picture-age', 'paused');
     showAge('site-age', account?.site);
-    showAge('link-age', account?.network ?? reading.link_ms, clockError_ms);
+    showAge('link-age', account?.network ?? (paused ? undefined : reading.link_ms), clockError_ms);
     showAge('computer-age', account?.computer);
     setText('fps', reading.picture_ms === undefined ? '–' : `${reading.fps.toFixed(0)} /s`);
     setText('dropped', String(reading.dropped));
@@ -114,6 +132,7 @@ export class Readouts {
 
   showBanner(banner: Banner | undefined): void {
     element('banner').hidden = banner === undefined;
+    this.speak(this.voice.ofBanner(banner, performance.now()), banner?.level === 'alarm');
     if (banner === undefined) return;
     element('banner').dataset['level'] = banner.level;
     setText('banner-title', banner.title);

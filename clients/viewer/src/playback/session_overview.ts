@@ -1,4 +1,5 @@
 import {EventKind, Phase} from '../link/messages';
+import {changeInWords} from '../panel/phases';
 
 /** An event of the whole session, at seconds from its beginning. */
 export interface SessionEvent {
@@ -38,9 +39,11 @@ export function readOverview(text: string): SessionOverview | undefined {
     if (!Array.isArray(events)) return undefined;
     return {
       complete: complete === true,
-      events: events.map(({at_s, kind, text: says, to}) => ({
-        at_s: Number(at_s), kind: numberOf(KINDS, 'EVENT_KIND_', kind), text: String(says), to: phaseNamed(to),
-      })),
+      events: events.map(({at_s, kind: name, text: says, from, to}) => {
+        const kind = numberOf(KINDS, 'EVENT_KIND_', name);
+        const text = kind === EventKind.Phase ? changeInWords(phaseNamed(from), phaseNamed(to)) : String(says);
+        return {at_s: Number(at_s), kind, text, to: phaseNamed(to)};
+      }),
     };
   } catch {
     return undefined;

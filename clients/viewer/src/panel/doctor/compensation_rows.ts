@@ -10,6 +10,16 @@ const mJ = (joule: number) => `${fixed(1000 * joule, 1)} mJ`;
 const SLEWED_M = 0.0005;
 const DAMPED_N = 0.05;
 
+/** A value that is less certain than this tells the hand nothing. */
+const UNKNOWN_M = 0.01;
+
+/** `value_m` with its bound; the bound alone, as a warning, where it is wide and larger than the value. */
+function withBound(value_m: number, bound_m: number, text = mm): Pick<Row, 'value' | 'level'> {
+  if (bound_m >= UNKNOWN_M && bound_m > Math.abs(value_m))
+    return {value: `unknown, ± ${fixed(1000 * bound_m, 0)} mm`, level: 'warn'};
+  return {value: `${text(value_m).replace(' mm', '')} ± ${mm(bound_m)}`};
+}
+
 /**
  * What the station compensates at the presented instant, by how much, and how sure it is: the whole list, no other
  * delay is compensated. `state`: of the same instant.
@@ -21,13 +31,13 @@ export function compensationRows(
   const rows: Row[] = [
     {
       name: 'Hand predicted',
-      value: `${fixed(1000 * handCarriedM, 1)} ± ${mm(2 * handSigmaM)}`,
+      ...withBound(handCarriedM, 2 * handSigmaM),
       says: `Distance from the tracker's newest sample, ${ms(compensation.handAgeS)} old, to the predicted hand. ± is two ` +
           'standard deviations.',
     },
     {
       name: 'Skin predicted',
-      value: `${signed(surfaceCarriedM).replace(' mm', '')} ± ${mm(2 * surfaceSigmaM)}`,
+      ...withBound(surfaceCarriedM, 2 * surfaceSigmaM, signed),
       says: `Predicted movement of the skin captured ${ms(compensation.surfaceAgeS)} ago. +: away from the body. ± is two standard ` +
           'deviations of noise, fit and prediction.',
     },

@@ -4,7 +4,7 @@ import type {Row} from '../rows';
 /** The stages of a frame on its way to the hand: from one instant of the report to the next. */
 const STAGES: readonly {name: string; from: keyof SurfaceReport; to: keyof SurfaceReport; says: string}[] = [
   {name: 'Camera and encoder', from: 'capturedNs', to: 'encodedNs', says: 'From the exposure until the frame is ready to send'},
-  {name: 'Network', from: 'encodedNs', to: 'receivedNs', says: 'From the server to the station'},
+  {name: 'Network to station', from: 'encodedNs', to: 'receivedNs', says: 'From the server to the station'},
   {name: 'Decoder', from: 'receivedNs', to: 'decodedNs', says: 'At the station: waiting for the decoder, then decoding'},
   {name: 'Surface', from: 'decodedNs', to: 'touchableNs', says: 'At the station: building the surface, until the 2 kHz loop can use it'},
 ];

@@ -3,12 +3,14 @@ import uPlot from 'uplot';
 import {element, setText} from '../../page';
 import type {Touch} from '../../present/instant';
 import {lookOf} from '../phases';
+import {sinceNow, timeMarks} from './time_axis';
 import {TouchHistory} from './touch_history';
 import {PlotWindow} from './window';
 
 const BAND_PX = 5;  // height of the phases under a curve
 const ZOOM = 0.6;
 const STEP = 0.25;
+const FONT = '10px system-ui, sans-serif';
 const REST_TEXT = 'Drag in a plot to zoom';
 
 interface Curve {
@@ -37,6 +39,9 @@ function fit({plot, box}: BoxedPlot): boolean {
   if (plot.width !== width || plot.height !== height) plot.setSize({width, height});
   return true;
 }
+
+/** True for the plots of a small window, which have no room for an axis of time. */
+const isLow = ({height}: uPlot) => height < 50;
 
 const css = (variable: string) => getComputedStyle(document.body).getPropertyValue(variable).trim();
 
@@ -94,16 +99,19 @@ export class TouchPlots {
     return {
       width: Math.max(box.clientWidth, 10),
       height: Math.max(box.clientHeight, 10),
-      padding: [6, 2, BAND_PX + 1, 0],
+      padding: [6, 12, 0, 0],
       legend: {show: false},
       scales: {
         x: {time: false, auto: false},
         y: {range: (_plot, _least, most) => [0, Math.ceil(Math.max(most ?? 0, curve.least) / curve.step) * curve.step]},
       },
       axes: [
-        {show: false},
-        {stroke: muted, grid, ticks: {show: false}, size: 26, gap: 3, font: '10px system-ui, sans-serif',
-         splits: (_plot, _axis, least, most) => [least, (least + most) / 2, most]},
+        {stroke: muted, grid: {show: false}, ticks: {show: false}, gap: BAND_PX + 3, font: FONT,
+         size: (plot) => BAND_PX + (isLow(plot) ? 1 : 15),
+         splits: (plot, _axis, least, most) => (isLow(plot) ? [] : timeMarks(least, most, this.history.end_s ?? most)),
+         values: (_plot, marks) => marks.map((at_s) => sinceNow(at_s, this.history.end_s ?? at_s))},
+        {stroke: muted, grid, ticks: {show: false}, size: 26, gap: 3, font: FONT,
+         splits: (plot, _axis, least, most) => (isLow(plot) ? [least, most] : [least, (least + most) / 2, most])},
       ],
       series: [{}, ...curve.lines.map(({color, dash}) => ({stroke: () => css(color), width: 1.75, points: {show: false}, ...(dash && {dash})}))],
       cursor: {

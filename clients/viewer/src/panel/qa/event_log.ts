@@ -1,4 +1,5 @@
 import {EventKind, type StationEvent} from '../../link/messages';
+import {changeInWords} from '../phases';
 import type {SessionEvent} from '../../playback/session_overview';
 
 const MOST_KEPT = 500;
@@ -26,7 +27,8 @@ export class EventLog {
 
   /** `heard`: the latest events of the link, oldest first. `played`: undefined for a live patient. */
   add(heard: readonly StationEvent[], played: PlayedNow | undefined): void {
-    for (const {stampNs, kind, text} of heard) {
+    for (const {stampNs, kind, text: says, from, to} of heard) {
+      const text = kind === EventKind.Phase ? changeInWords(from, to) : says;
       if (this.whole !== undefined || stampNs <= this.newest_ns) continue;
       this.newest_ns = stampNs;
       const position_s = played && positionOf(stampNs, played);

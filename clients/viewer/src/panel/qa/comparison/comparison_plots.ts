@@ -2,26 +2,30 @@ import uPlot from 'uplot';
 
 import {element, made, setText} from '../../../page';
 import type {ComparedRuns} from '../../../playback/comparison_state';
+import {clock} from '../../../playback/timeline_words';
 import {lookOf} from '../../phases';
 import {momentSays} from './comparison_words';
 
 const BAND_PX = 5;   // height of a run's phases under the forces
 const AXIS_PX = 30;
 const DASH = [5, 3];
+const FONT = '10px system-ui, sans-serif';
 
 interface Curve {
   box: string;
   colors: readonly string[];  // CSS variables: of A and B, or of the difference
   step: number;               // the scale's top is a multiple of it
-  phases: boolean;
+  phases: boolean;            // the bands of both runs lie under the curves
+  times: boolean;             // the axis of time that all plots share lies under this one
   columns: (runs: ComparedRuns) => (readonly (number | null)[])[];
 }
 const CURVES: readonly Curve[] = [
-  {box: 'comparison-force', colors: ['--curve-force', '--curve-other'], step: 1, phases: true,
+  {box: 'comparison-force', colors: ['--curve-force', '--curve-other'], step: 1, phases: true, times: false,
    columns: ({a, b}) => [a.force_N, b.force_N]},
-  {box: 'comparison-indentation', colors: ['--curve-indentation', '--curve-other'], step: 10, phases: false,
+  {box: 'comparison-indentation', colors: ['--curve-indentation', '--curve-other'], step: 10, phases: false, times: false,
    columns: ({a, b}) => [a.indentation_mm, b.indentation_mm]},
-  {box: 'comparison-apart', colors: ['--curve-apart'], step: 0.1, phases: false, columns: ({apart_N}) => [apart_N]},
+  {box: 'comparison-apart', colors: ['--curve-apart'], step: 0.1, phases: false, times: true,
+   columns: ({apart_N}) => [apart_N]},
 ];
 
 const css = (variable: string) => getComputedStyle(document.body).getPropertyValue(variable).trim();
@@ -58,18 +62,19 @@ export class ComparisonPlots {
     return {plot, box, curve, now};
   }
 
-  private options({colors, step, phases}: Curve): uPlot.Options {
+  private options({colors, step, phases, times}: Curve): uPlot.Options {
     const muted = () => css('--muted');
     const grid = {stroke: () => css('--grid'), width: 1};
     return {
-      width: 100, height: 50, padding: [6, 2, phases ? 2 * BAND_PX + 3 : 2, 0], legend: {show: false},
+      width: 100, height: 50, padding: [6, 16, phases ? 2 * BAND_PX + 3 : 2, 0], legend: {show: false},
       scales: {
         x: {time: false},
         y: {range: (_plot, _least, most) => [0, Math.ceil(Math.max(most ?? 0, step) / step) * step]},
       },
       axes: [
-        {show: false},
-        {stroke: muted, grid, ticks: {show: false}, size: AXIS_PX, gap: 3, font: '10px system-ui, sans-serif',
+        {show: times, stroke: muted, grid, ticks: {show: false}, size: 14, gap: 2, font: FONT, space: 70,
+         values: (_plot, marks) => marks.map(clock)},
+        {stroke: muted, grid, ticks: {show: false}, size: AXIS_PX, gap: 3, font: FONT,
          splits: (_plot, _axis, least, most) => [least, most]},
       ],
       series: [{}, ...colors.map((color, at) =>
