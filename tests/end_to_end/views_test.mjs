@@ -70,7 +70,7 @@ async function keepPictureOfContact(name) {
 
 test('the doctor sees the recorded station, and what it compensated', async () => {
   await until('the station is named', async () => /Recorded station/.test(await text('presence')));
-  await until('the way of a frame has its stages', async () => /Network\d/.test(await text('delay')));
+  await until('the way of a frame has its stages', async () => /Network to station\d/.test(await text('delay')));
   await until('hand and skin are compensated', async () => /Hand predicted[\d.]+ ± [\d.]+ mm/.test(await text('compensated')));
   await keepPictureOfContact('doctor');
 });
