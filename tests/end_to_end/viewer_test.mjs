@@ -84,6 +84,53 @@ test('the viewer draws the patient, follows the hand, and says when what it show
   }
 });
 
+/** Notes the distance from the camera [m] of each hand that the page sends. */
+const noteHands = (page) => page.addInitScript(() => {
+  window.handDistances_m = [];
+  const send = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function(message, ...rest) {
+    const at = message?.hand?.handCamera;
+    if (at !== undefined) window.handDistances_m.push(Math.hypot(at.x, at.y, at.z));
+    return send.call(this, message, ...rest);
+  };
+});
+
+test('a device that swings is told, and the press is let go until the button is up', async () => {
+  const workplace = new Workplace('viewer_swing');
+  let browser;
+  try {
+    const {child, address} = await startStage(workplace);
+    browser = await openBrowser(workplace.folder, {width: 640, height: 480});
+    const {page, problems} = browser;
+    await noteHands(page);
+    await page.goto(address);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.meshVertices > 200);
+    const height_m = (from) => page.evaluate(() => window.handDistances_m.at(-1)).then((now) => from - now);
+    await page.keyboard.press('t');
+    await page.mouse.move(320, 260);
+    await until('the hand hovers', () => page.evaluate(() => window.handDistances_m.length > 50));
+    const hover_m = await page.evaluate(() => window.handDistances_m.at(-1));
+    await page.mouse.down();
+    await until('the hand presses', async () => await height_m(hover_m) < -0.07);
+    assert.equal((await status(page)).unsteady, undefined);
+    child.stdin.write('swing on\n');
+    await until('the banner says so', async () =>
+      /The device swings.*by 6 mm, 4 times a second, and the hand rests\. Your press is let go/.test(await banner(page)));
+    await until('the hand has risen, with the button down', async () => Math.abs(await height_m(hover_m)) < 0.02);
+    child.stdin.write('swing off\n');
+    await untilStatus(page, 'the device is steady', (now) => now.unsteady === undefined);
+    await sleep(500);
+    assert.ok(Math.abs(await height_m(hover_m)) < 0.02, 'the same press does not begin again');
+    await page.mouse.up();
+    await page.mouse.down();
+    await until('a new press goes in', async () => await height_m(hover_m) < -0.07);
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
 const SAFETY = ['force', 'indentation', 'phase-name', 'surface-age', 'picture-age', 'link-age', 'computer-age', 'late'];
 
 /** Those of `ids` that cannot be read: not shown, not completely in the window, or covered. */

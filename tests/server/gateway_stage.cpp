@@ -1,6 +1,6 @@
 // telepalp-gateway-stage: a real hub and gateway with a scripted patient and hand, to test a browser or a Foxglove
 // client with states that a live station reaches rarely. Commands, one a line on stdin: pause, resume, phase NAME,
-// stale on, stale off, bounded on, bounded off, hand on, hand off. End of stdin ends it.
+// stale on, stale off, bounded on, bounded off, hand on, hand off, swing on, swing off. End of stdin ends it.
 
 #include <unistd.h>
 
@@ -178,6 +178,9 @@ class Stage {
     wire::set_vector(*state.mutable_device_camera(), Eigen::Vector3d(x, y, device_z));
     wire::set_vector(*state.mutable_force_camera_n(), Eigen::Vector3d(0.0, 0.0, -force_N));
     wire::set_vector(*state.mutable_normal_camera(), Eigen::Vector3d(0.0, 0.0, -1.0));
+    const double swing_m = swings_ ? 0.003 * std::sin(2.0 * 3.14159265 * 4.3 * seconds(now)) : 0.0;
+    wire::set_vector(*state.mutable_hand(), Eigen::Vector3d(0.0, 0.05, 0.0));
+    wire::set_vector(*state.mutable_device(), Eigen::Vector3d(0.0, 0.05 + swing_m, 0.0));
     state.set_distance_m(above_m);
     state.set_indentation_m(indentation_m);
     state.set_in_body(indentation_m > 0.0);
@@ -200,6 +203,7 @@ class Stage {
     if (line == "pause" || line == "resume") paused_ = line == "pause";
     if (line == "stale on" || line == "stale off") stale_ = line == "stale on";
     if (line == "bounded on" || line == "bounded off") bounded_ = line == "bounded on";
+    if (line == "swing on" || line == "swing off") swings_ = line == "swing on";
     if (line == "hand on" || line == "hand off") hand_ = line == "hand on";
     msg::Phase phase{};
     if (line.starts_with("phase ") && msg::Phase_Parse(line.substr(6), &phase)) phase_ = phase;
@@ -226,6 +230,7 @@ class Stage {
   bool stale_ = false;
   bool bounded_ = false;
   bool hand_ = true;
+  bool swings_ = false;
   std::uint64_t hand_sampled_ns_ = 0;  // 0 until there is a hand
 };
 

@@ -92,6 +92,7 @@ const inside = new InsideView(view, () => link.ask('probe'), (canvas) => link.dr
 
 const read = () => {
   state.holdsHand = viewerHand.held;
+  state.pointerRests = viewerHand.pointerRests;
   state.paused = playback.state?.playing === false;
   return state.read(now_ms());
 };
@@ -164,6 +165,7 @@ function showReadings(): Reading {
     coming = WITHOUT_STATION;
     showInstant(view, coming);
   }
+  if (reading.unsteady !== undefined) viewerHand.endPress();
   readouts.show(reading);
   return reading;
 }

@@ -36,6 +36,7 @@ export interface ViewerStatus {
   readonly handInstant_ms: number | undefined;
   readonly stale: boolean;
   readonly paused: boolean;
+  readonly unsteady: Reading['unsteady'];
   readonly silenceLimit_ms: number | undefined;
   readonly imageGap_ms: number | undefined;
   readonly account: TimeAccount | undefined;
@@ -77,6 +78,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       handInstant_ms: now.handInstant_ms,
       stale: now.stale,
       paused: now.paused,
+      unsteady: now.unsteady,
       silenceLimit_ms: now.silenceLimit_ms,
       imageGap_ms: now.imageGap_ms,
       account: now.account,

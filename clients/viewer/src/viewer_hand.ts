@@ -12,6 +12,8 @@ const PRESSED_M = -0.04;  // height of a pressing hand: below the skin
 const SINKS_M_PER_S = 0.1;
 const RISES_M_PER_S = 0.25;
 const FASTEST_M_PER_S = 0.5;
+const REST_PX = 3;
+const REST_MS = 1200;
 const LONGEST_STEP_S = 0.05;  // after a longer pause of the browser the hand does not jump
 
 /** The text that tells the user who holds the hand; empty if only this page does. */
@@ -54,6 +56,8 @@ export class ViewerHandInput {
   private stepped_ms = 0;
   private holder: HandHolder = {viewer: 0n, asking: []};
   private mine = false;  // true: this viewer holds the hand
+  private rested: Pointer & {since_ms: number} | undefined;
+  private pressEnded = false;  // until the button or finger is up
   /** The hand that a headset tracks, in the scene's frame [m]; undefined: none. It overrides the pointer. */
   tracked: Vector3 | undefined;
   /** Keys and gamepad that steer the hand; set once, after construction. */
@@ -93,6 +97,22 @@ export class ViewerHandInput {
     this.canvas.classList.toggle('holds-hand', wanted);
   }
 
+  /** True if the pointer has not moved, and not changed its press, for a second. */
+  get pointerRests(): boolean {
+    return this.held && this.rested !== undefined && performance.now() - this.rested.since_ms > REST_MS;
+  }
+
+  /** Lets the hand rise from the skin, until the button or finger is up and down again. */
+  endPress(): void {
+    this.pressEnded = true;
+  }
+
+  private noteRest(pointer: Pointer, now_ms: number): void {
+    const {rested} = this;
+    if (rested !== undefined && rested.press === pointer.press && Math.hypot(rested.x - pointer.x, rested.y - pointer.y) < REST_PX) return;
+    this.rested = {...pointer, since_ms: now_ms};
+  }
+
   private step(): void {
     const now_ms = performance.now();
     const step_s = Math.min(LONGEST_STEP_S, (now_ms - this.stepped_ms) / 1000);
@@ -100,9 +120,11 @@ export class ViewerHandInput {
     if (this.tracked !== undefined) return this.send(this.movedTowards(this.tracked.clone(), step_s), now_ms);
     this.pointer = this.steering?.move(step_s) ?? this.pointer;
     if (this.pointer === undefined) return this.rest();
+    this.noteRest(this.pointer, now_ms);
     this.skin = this.view.surfaceUnder(this.pointer.x, this.pointer.y) ?? this.skin;
     if (this.skin === undefined) return;
-    const {press} = this.pointer;
+    if (this.pointer.press === 0) this.pressEnded = false;
+    const press = this.pressEnded ? 0 : this.pointer.press;
     const way_m = (press > 0 ? -SINKS_M_PER_S * press : RISES_M_PER_S) * step_s;
     this.height_m = Math.min(HOVER_M, Math.max(PRESSED_M, this.height_m + way_m));
     const towardsCamera = this.skin.clone().multiplyScalar(-1).normalize();
@@ -141,7 +163,7 @@ export class ViewerHandInput {
   }
 
   private rest(): void {
-    this.at = undefined;
+    this.at = this.rested = undefined;
     this.height_m = HOVER_M;
   }
 

@@ -6,9 +6,10 @@ import {
 } from './link/messages';
 import {milliseconds} from './link/session_clock';
 import type {News} from './link/worker_messages';
-import type {Health} from './panel/banner';
+import type {Health, Unsteady} from './panel/banner';
 import {type Presence, stationIsLive} from './panel/presence_rows';
 import {shownHand} from './panel/touch_advice';
+import {isOwnSwing} from './present/device_watch';
 import {forcesOf, type Instant, type Light} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, total_ms, WorstOfSecond} from './present/time_account';
 
@@ -16,6 +17,7 @@ const UNTAKEN_MS = 2500;
 const STALE_MS = 1000;   // an older picture is stale, also on a path with longer gaps
 const SILENT_MS = 850;   // a station that sent nothing for this long counts as gone; the page shows it within 1 s
 const OLD_NUMBERS_MS = 250;
+const UNSTEADY_MS = 2000;
 const AWAY_MS = 2500;     // a server sends a message each second
 
 /** All texts and numbers that the page shows at one time. */
@@ -68,6 +70,7 @@ export class ViewerState {
   news: News | undefined;
   holdsHand = false;
   graphicsLost = false;
+  pointerRests = false;  // true: the pointer that moves this page's hand rests
   paused = false;  // true: the played session is paused
   frames = 0;
 
@@ -78,6 +81,7 @@ export class ViewerState {
   private hand_ms: number | undefined;
   private late_ms: number | undefined;
   private drawnAt_ms: number[] = [];
+  private unsteady: {what: Unsteady; at_ms: number} | undefined;
   private readonly worst = new WorstOfSecond();
 
   /** The page has taken `instant` to draw it next. */
@@ -130,6 +134,7 @@ export class ViewerState {
       depth: news?.depth,
       holdsHand: this.holdsHand,
       graphicsLost: this.graphicsLost,
+      unsteady: station && this.unsteadyAt(now_ms),
       paused: this.isPaused,
       stale,
       silence_ms,
@@ -166,6 +171,18 @@ export class ViewerState {
       taking: stationIsLive(presence) ? news?.taking : undefined,
       cameraFrames_per_s: connected ? news?.capture?.framesPerS ?? 0 : 0,
     };
+  }
+
+  /** An unsteady device is told for some time, because a swing comes and goes; of a swing, its widest part. */
+  private unsteadyAt(now_ms: number): Unsteady | undefined {
+    const {swing, driveIsFull} = this.news?.motion ?? {};
+    const told = this.unsteady !== undefined && now_ms - this.unsteady.at_ms < UNSTEADY_MS ? this.unsteady.what : undefined;
+    let now: Unsteady | undefined = driveIsFull === true ? 'full drive' : undefined;
+    if (swing !== undefined && isOwnSwing(swing, this.pointerRests)) now = {swing_mm: 1000 * swing.width_m, hertz: swing.hertz};
+    if (now === undefined) return told;
+    const wider = typeof told === 'object' && (typeof now === 'string' || told.swing_mm >= now.swing_mm) ? told : now;
+    this.unsteady = {what: wider, at_ms: now_ms};
+    return wider;
   }
 
   private get isPaused(): boolean {

@@ -10,7 +10,7 @@ const WELL = {
   connected: true, everConnected: true, retryIn_ms: undefined, capture: undefined, phase: 3, picture_ms: 60,
   account: {site: 10, network: 30, computer: 20}, late_ms: undefined, station_ms: 10, surfaceStale: false, surface_ms: 40,
   handShown: true, holdsHand: false, role: 'doctor', untaken: false, yields_s: undefined, graphicsLost: false, paused: false,
-  stale: false, silence_ms: undefined, heardAny_ms: 10,
+  stale: false, silence_ms: undefined, heardAny_ms: 10, unsteady: undefined,
 };
 const banner = (changes) => bannerFor({...WELL, ...changes});
 
@@ -74,4 +74,12 @@ test('a silence says whether anything else still comes, and its text changes onc
 
 test('a stopped server comes before warm motors', () => {
   assert.equal(banner({yields_s: 2.34, stale: true, silence_ms: 300}).title, 'Stale picture');
+});
+
+test('a device that swings, and a drive at its limit, are told to whom they concern', () => {
+  const swing = {swing_mm: 5.6, hertz: 4.3};
+  assert.equal(banner({unsteady: swing}).text, 'It swings by 6 mm, 4 times a second, and the hand rests. Take the hand off the device.');
+  assert.match(banner({unsteady: swing, holdsHand: true}).text, /Your press is let go: release the button/);
+  assert.equal(banner({unsteady: 'full drive'}).title, 'Drive at its limit');
+  assert.equal(banner({unsteady: swing, stale: true, silence_ms: 300}).title, 'Stale picture');
 });

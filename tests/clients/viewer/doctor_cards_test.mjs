@@ -54,6 +54,9 @@ test('hand and skin are told with two standard deviations, and damping that acts
   assert.equal(valueOf(rows, 'Skin predicted'), '0.0 ± 0.6 mm');
   assert.equal(valueOf(rows, 'Display: energy balance'), '0.0 mJ');
   assert.equal(rows.find(({name}) => name === 'Damping').level, undefined);
+  const drive = (driveJ) => compensationRows({...still, driveJ}, undefined).find(({name}) => name === 'Drive: work');
+  assert.deepEqual([drive(0.11).level, drive(2.145).level, drive(-0.3).level], [undefined, 'warn', 'warn']);
+  assert.equal(drive(2.145).value, '2145.0 mJ');
   const damped = compensationRows({...still, dampingN: 0.4, support: 0.5, slewedM: 0.002}, undefined);
   assert.equal(damped.find(({name}) => name === 'Damping').level, 'warn');
   assert.equal(valueOf(damped, 'Contact displayed'), '50 %');

@@ -6,6 +6,7 @@ import {DepthDecoder} from '../depth/depth_decoder';
 import {ProbeImages} from '../inside/probe_images';
 import {WorkerCanvas} from '../inside/worker_canvas';
 import type {FrameTimes} from '../present/time_account';
+import {DeviceWatch} from '../present/device_watch';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
 import {LONGEST_WAIT_MS} from '../present/presented_instant';
@@ -22,6 +23,7 @@ const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
 const clock = new SessionClock();
 const facts = new SiteFacts();
 const past = new StationPast();
+const device = new DeviceWatch();
 const taker = new TouchTaker((touches) => post({touches}));
 let cameraMatrix: readonly number[] | undefined;
 let keyFrameRequested_ms = 0;
@@ -98,6 +100,7 @@ const silence = new SilenceWatch({
 function stationCame(state: StationState): void {
   facts.stationCame(state, now_ms());
   past.stateCame(state);
+  device.stateCame(state);
   taker.stateCame(state);
   instants.stationCame(state);
 }
@@ -150,6 +153,7 @@ const stream = new Stream(
         clock.restart();
         facts.connected();
         past.forget();
+        device.forget();
         taker.inUse = undefined;
         instants.restart();
         silence.restart();
@@ -175,6 +179,7 @@ function news(): News {
     silentSince_ms: silence.since_ms,
     silenceLimit_ms: silence.limit_ms,
     imageGap_ms: silence.usual_ms,
+    motion: device.motion,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,
     undecodable: stream.undecodable + decoder.undecodable,

@@ -6,6 +6,7 @@ import type {Taking} from '../calibration/touch_taker';
 import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {FrameTimes} from '../present/time_account';
+import type {DeviceMotion} from '../present/device_watch';
 import type {Instant, Light} from '../present/instant';
 import type {
   CaptureStatus, HandHolder, HandOver, LetGo, Phase, ServerStats, StationEvent, SurfaceReport, Topics, ViewerHand,
@@ -30,6 +31,7 @@ export interface News {
   stationHeard_ms: number | undefined;
   phase: Phase;  // the newest phase, not that of the presented instant
   surfaceStale: boolean;
+  motion: DeviceMotion;
   lateTicks: number | undefined;
   untaken_ms: number | undefined;  // when the server last reported that no station uses this viewer's hand
   holder: HandHolder;

@@ -19,9 +19,13 @@ export interface Health extends TouchHealth {
   silence_ms: number | undefined;   // since the last image, if that is longer than this path explains
   heardAny_ms: number | undefined;  // since the newest message of any topic
   graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
+  unsteady: Unsteady | undefined;  // undefined: the device is steady
   phase: Phase | undefined;  // undefined: there is a station, but its phase at this instant is not known
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
 }
+
+/** What is wrong with the device's motion. */
+export type Unsteady = {swing_mm: number; hertz: number} | 'full drive';
 
 export interface Banner {
   level: 'wait' | 'warn' | 'alarm';
@@ -62,6 +66,7 @@ export function bannerFor(health: Health): Banner | undefined {
     return {level: 'wait', title: 'The played recording has ended', text: 'The last picture stays.'};
   if (health.paused) return {level: 'wait', title: 'Paused', text: 'The played session is stopped at this moment.'};
   if (health.silence_ms !== undefined) return {level: 'warn', title: 'Stale picture', text: silenceSays(health)};
+  if (health.unsteady !== undefined && isRecent(health.station_ms)) return unsteadyBanner(health.unsteady, health.holdsHand);
   if (health.yields_s !== undefined && health.yields_s < WARM_S && isRecent(health.station_ms))
     return {
       level: 'warn',
@@ -96,6 +101,18 @@ const BLAME: Record<Place, (part: string) => string> = {
   network: (part) => `Network: images need ${part} from the server to this computer.`,
   computer: (part) => `This computer: it needs ${part} to decode and draw. Close other programs, or make the window smaller.`,
 };
+
+function unsteadyBanner(unsteady: Unsteady, holdsHand: boolean): Banner {
+  const then = holdsHand ? 'Your press is let go: release the button before you press again.' : 'Take the hand off the device.';
+  if (unsteady === 'full drive')
+    return {level: 'warn', title: 'Drive at its limit', text: `The drive pushes the free device with its largest force. ${then}`};
+  const {swing_mm, hertz} = unsteady;
+  return {
+    level: 'warn',
+    title: 'The device swings',
+    text: `It swings by ${swing_mm.toFixed(0)} mm, ${hertz.toFixed(0)} times a second, and the hand rests. ${then}`,
+  };
+}
 
 /** The text while no image comes. It changes once a second, because a screen reader reads out each change. */
 function silenceSays({silence_ms, heardAny_ms, station_ms}: Health): string {

@@ -9,6 +9,8 @@ const mJ = (joule: number) => `${fixed(1000 * joule, 1)} mJ`;
 /** A surface that is shifted by more than this hides a step between two snapshots. */
 const SLEWED_M = 0.0005;
 const DAMPED_N = 0.05;
+/** The drive's largest force, 3 N, over 7 cm: more than any lift and position control of one contact needs. */
+const MOST_DRIVE_J = 0.2;
 
 /** A value that is less certain than this tells the hand nothing. */
 const UNKNOWN_M = 0.01;
@@ -72,7 +74,12 @@ export function compensationRows(
         says: 'Energy taken from the hand less energy stored, relative to the displayed surface. Below 0: the display ' +
             'created energy.',
       },
-      {name: 'Drive: work', value: mJ(driveJ), says: 'Work of lift and position control on the hand.'},
+      {
+        name: 'Drive: work',
+        value: mJ(driveJ),
+        says: `Work of lift and position control on the hand since this contact began. Beyond ± ${1000 * MOST_DRIVE_J} mJ, the device swings or is held back.`,
+        level: Math.abs(driveJ) > MOST_DRIVE_J ? 'warn' : undefined,
+      },
       {
         name: 'Damping',
         value: `${fixed(dampingN, 2)} N`,
