@@ -139,7 +139,7 @@ const technician = new TechnicianPanel(view, canvas, (place) => link.takePlace(p
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
   technician: [technician],
-  qa: [new QaPanel(playback, new OverviewBand(playback, notes), notes, view)],
+  qa: [new QaPanel(playback, new OverviewBand(playback, notes), notes, view, () => coming ?? drawing ?? last)],
 };
 const layout = new KeptLayout(browserStore());
 const [cards, details] = [new FoldingCards(layout), new Details(layout)];

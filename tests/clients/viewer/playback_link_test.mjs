@@ -6,7 +6,7 @@ import {bundled} from './bundled.mjs';
 
 const {PlaybackLink} = await bundled('playback/playback_link.ts');
 
-const STATE = {position_s: 1, duration_s: 20, speed: 1, loop: true, playing: true, shown: undefined, session: 'a.mcap 17'};
+const STATE = {position_s: 1, duration_s: 20, speed: 1, loop: true, playing: true, shown: undefined, begin_ms: 0.000017, session: 'a.mcap 17'};
 const ok = (state = {}) => ({status: 200, text: JSON.stringify({...STATE, file: 'a.mcap', begin_ns: '17', ...state})});
 const SESSION = {connected: true, playsSession: true};
 const LIVE = {connected: true, playsSession: false};

@@ -5,6 +5,7 @@ import test from 'node:test';
 import {bundled} from './bundled.mjs';
 
 const {addressOfMoment, momentInAddress} = await bundled('playback/moment.ts');
+const {snapshotLines} = await bundled('panel/qa/snapshot_words.ts');
 const {EventLog, toneOf} = await bundled('panel/qa/event_log.ts');
 
 const PHASE = 1, FAULT = 3, DEADLINE = 4;
@@ -58,4 +59,25 @@ test('after a new connection events of an earlier clock count again, and the lis
 
 test('faults matter most, then what went wrong, then phases', () => {
   assert.deepEqual([FAULT, DEADLINE, PHASE].map(toneOf), ['alarm', 'warn', 'plain']);
+});
+
+const SNAPSHOT = {
+  forces: {force_N: 1.24, drive_N: 0}, indentation_m: 0.0091, phase: 1, exposed_ms: Date.UTC(2026, 2, 1, 12, 0, 0, 250),
+  source: 'session:/data/2026/anna.mcap', moment_s: 75.254, stale: false,
+};
+
+test('a snapshot says force, time and session of its picture', () => {
+  const [values, where, what] = snapshotLines(SNAPSHOT);
+  assert.match(values, /^Force 1\.2 N, indentation 9 mm, ./);
+  assert.equal(where, '2026-03-01 12:00:00.250 UTC, session anna.mcap at 1:15.25');
+  assert.equal(what, 'telepalp is not a medical device');
+});
+
+test('a snapshot of a live or silent site says so', () => {
+  const [values, where, what] = snapshotLines(
+      {...SNAPSHOT, forces: {force_N: 0, drive_N: 2.5}, source: 'synthetic', moment_s: undefined, stale: true});
+  assert.match(values, /^Force 0\.0 N, drive 2\.5 N, /);
+  assert.equal(where, '2026-03-01 12:00:00.250 UTC, synthetic');
+  assert.equal(what, 'Stale picture. telepalp is not a medical device');
+  assert.equal(snapshotLines({...SNAPSHOT, forces: undefined})[0], 'Force and indentation are not known');
 });

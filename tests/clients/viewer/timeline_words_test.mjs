@@ -7,7 +7,7 @@ import {bundled} from './bundled.mjs';
 const {timelineLook, clock, refusal} = await bundled('playback/timeline_words.ts');
 const {readState, afterCommand} = await bundled('playback/playback_state.ts');
 
-const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true, shown: undefined, session: 'a.mcap 17'};
+const STATE = {position_s: 12.34, duration_s: 75.259, speed: 0.5, loop: false, playing: true, shown: undefined, begin_ms: 0.000017, session: 'a.mcap 17'};
 const look = (changes) => timelineLook({...STATE, ...changes});
 
 test('the first button offers the other of play and pause', () => {

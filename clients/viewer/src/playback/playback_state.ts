@@ -9,6 +9,7 @@ export interface PlaybackState {
   loop: boolean;
   playing: boolean;
   shown: PublishedInstant | undefined;  // undefined: none, or not known since the last command
+  begin_ms: number;  // session time of the recording's beginning
   session: string;  // names the played session; another session has another name
 }
 
@@ -34,7 +35,7 @@ export function readState(text: string): PlaybackState | undefined {
   if (!isNumber(position_s) || !isNumber(duration_s) || !isNumber(speed)) return undefined;
   if (typeof loop !== 'boolean' || typeof playing !== 'boolean') return undefined;
   const shown = readShown(json as ShownJson);
-  return {position_s, duration_s, speed, loop, playing, shown, session: `${String(file)} ${String(begin_ns)}`};
+  return {position_s, duration_s, speed, loop, playing, shown, begin_ms: Number(begin_ns) / 1e6, session: `${String(file)} ${String(begin_ns)}`};
 }
 
 interface ShownJson {

@@ -185,10 +185,16 @@ export class SceneView {
     this.invalidate();
   }
 
-  /** The picture as it is drawn now, as PNG; undefined if the browser cannot. */
-  snapshot(): Promise<Blob | undefined> {
-    this.render();  // a browser keeps the drawn pixels only until the end of this turn
-    return new Promise((resolve) => this.canvas.toBlob((png) => resolve(png ?? undefined), 'image/png'));
+  /**
+   * The picture at its own size, a pixel for each pixel of the screen, in the finest detail of this computer. Valid until
+   * the end of this turn of the page: a browser keeps the drawn pixels no longer.
+   */
+  pictureNow(): HTMLCanvasElement {
+    this.surface.setStride(this.details[0]!.stride);
+    this.fitCanvas({...this.sight, ratio: window.devicePixelRatio});
+    this.render();
+    this.invalidate();  // the next drawing has the usual detail again
+    return this.canvas;
   }
 
   /** Requests a drawing with the next screen refresh. */

@@ -8,10 +8,14 @@ import {clock} from '../../playback/timeline_words';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../viewer_state';
 import {saveFile} from '../save_file';
+import {milliseconds} from '../../link/session_clock';
+import {forcesOf, type Instant} from '../../present/instant';
 import {ComparisonCard} from './comparison/comparison_card';
 import {EventLog, type LoggedEvent, toneOf} from './event_log';
 import {NetworkCard} from './network_card';
 import {type Notes, NotesCard} from './notes_card';
+import {withText} from './snapshot';
+import {type SnapshotFacts, snapshotLines} from './snapshot_words';
 
 const MOST_LINES = 400;
 
@@ -27,12 +31,13 @@ export class QaPanel {
   private readonly notesCard: NotesCard;
   private readonly comparison: ComparisonCard;
   private shown: LoggedEvent | undefined;  // the newest event in the list
+  private reading: Reading | undefined;
   private moment: ShownMoment | undefined;  // undefined: no session can be moved
   private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
   constructor(
       private readonly playback: PlaybackLink, private readonly whole: OverviewBand, notes: Notes,
-      private readonly view: SceneView) {
+      private readonly view: SceneView, private readonly inScene: () => Instant | undefined) {
     this.notesCard = new NotesCard(playback, notes, () => whole.draw());
     this.comparison = new ComparisonCard(playback);
     element('share').addEventListener('click', () => void this.share());
@@ -41,6 +46,7 @@ export class QaPanel {
 
   show(reading: Reading): void {
     const {connected, events, sessionNow_ns, presence} = reading;
+    this.reading = reading;
     const {state} = this.playback;
     this.showAskedMoment();
     this.moment = state && shownMoment(state, reading);
@@ -104,11 +110,31 @@ export class QaPanel {
     }
   }
 
-  private async snapshot(): Promise<void> {
-    const picture = await this.view.snapshot();
-    if (picture === undefined) return setText(this.said, 'The browser could not make the picture: try again, or use another browser.');
+  /** Of the instant that is in the scene now, and that pictureNow() draws. */
+  private snapshotFacts(): SnapshotFacts {
+    const {station, picture} = this.inScene() ?? {};
+    const {reading} = this;
     const {state} = this.playback;
-    const name = `telepalp_${state === undefined ? new Date().toISOString().replace(/[:.]/g, '-') : `${state.position_s.toFixed(2)}s`}.png`;
+    const captured_ms = picture === undefined ? reading?.pictureInstant_ms : milliseconds(picture.captured_ns);
+    const published_ms = picture === undefined ? reading?.picturePublished_ms : milliseconds(picture.published_ns);
+    const moment_s = state && shownMoment(
+        state, {pictureInstant_ms: captured_ms, picturePublished_ms: published_ms, numbersInstant_ms: reading?.numbersInstant_ms}).values_s;
+    return {
+      forces: station && forcesOf(station),
+      indentation_m: station?.indentationM,
+      phase: station?.phase,
+      exposed_ms: state === undefined || moment_s === undefined ? captured_ms : state.begin_ms + 1000 * moment_s,
+      source: reading?.capture?.source ?? 'unknown source',
+      moment_s,
+      stale: reading?.stale === true || reading?.connected === false,
+    };
+  }
+
+  private async snapshot(): Promise<void> {
+    const facts = this.snapshotFacts();
+    const picture = await withText(this.view.pictureNow(), snapshotLines(facts));
+    if (picture === undefined) return setText(this.said, 'The browser could not make the picture: try again, or use another browser.');
+    const name = `telepalp_${facts.moment_s === undefined ? new Date().toISOString().replace(/[:.]/g, '-') : `${facts.moment_s.toFixed(2)}s`}.png`;
     saveFile(name, 'image/png', picture);
     setText(this.said, `Saved as ${name}.`);
   }
