@@ -79,10 +79,9 @@ const link = new SiteLink({
     showInstant(view, withHand ? instant : {...instant, hand: 'none'});
   },
   news: (news) => {
-    const wasSilent = state.news?.silentSince_ms !== undefined;
-    state.news = news;
+    const changed = state.newsCame(news);
     viewerHand.showHolder(news.holder, news.viewer);
-    if (wasSilent !== (news.silentSince_ms !== undefined)) showReadings();
+    if (changed) showReadings();
   },
   probe: (probe) => inside.showProbe(probe, performance.now()),
   inside: (structures) => inside.showStructures(structures),

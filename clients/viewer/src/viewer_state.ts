@@ -84,6 +84,13 @@ export class ViewerState {
   private unsteady: {what: Unsteady; at_ms: number} | undefined;
   private readonly worst = new WorstOfSecond();
 
+  /** Returns true if a silence of the images or of the station has begun or ended. */
+  newsCame(news: News): boolean {
+    const before = this.silences;
+    this.news = news;
+    return this.silences !== before;
+  }
+
   /** The page has taken `instant` to draw it next. */
   taken(instant: Instant): void {
     this.coming = instant;
@@ -115,7 +122,7 @@ export class ViewerState {
     const {news, picture} = this;
     const connected = news?.connected ?? false;
     const rests = this.rests;
-    const station = connected && news?.stationHeard_ms !== undefined && (rests || !this.stationIsSilent(now_ms)) ? this.station : undefined;
+    const station = connected && news?.stationHeard_ms !== undefined && (rests || !this.stationIsSilent) ? this.station : undefined;
     const exact = this.account(now_ms);
     const account = exact && this.worst.note(exact, now_ms);
     const silence_ms = !connected || rests || news?.silentSince_ms === undefined ? undefined : now_ms - news.silentSince_ms;
@@ -130,7 +137,7 @@ export class ViewerState {
       everConnected: news?.everConnected ?? false,
       retryIn_ms: news?.retryAt_ms === undefined ? undefined : Math.max(0, news.retryAt_ms - now_ms),
       capture: news?.capture,
-      phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? this.unknownPhase(now_ms),
+      phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? this.unknownPhase,
       depth: news?.depth,
       holdsHand: this.holdsHand,
       graphicsLost: this.graphicsLost,
@@ -163,7 +170,7 @@ export class ViewerState {
       presence,
       station,
       compensation: station && this.compensation,
-      surfaceReport: this.stationIsSilent(now_ms) ? undefined : news?.surfaceReport,
+      surfaceReport: this.stationIsSilent ? undefined : news?.surfaceReport,
       summary: picture?.summary,
       light: news?.light,
       events: connected ? news?.events ?? [] : [],
@@ -196,13 +203,18 @@ export class ViewerState {
     return this.isPaused || (capture !== undefined && isAtRest(capture));
   }
 
-  private unknownPhase(now_ms: number): Phase | undefined {
-    return this.stationIsSilent(now_ms) ? Phase.Unspecified : undefined;
+  private get unknownPhase(): Phase | undefined {
+    return this.stationIsSilent ? Phase.Unspecified : undefined;
   }
 
-  private stationIsSilent(now_ms: number): boolean {
-    const heard_ms = this.news?.stationHeard_ms;
-    return this.news?.connected !== true || heard_ms === undefined || now_ms - heard_ms >= SILENT_MS;
+  /** By the clock of the news: a page that is busy reads old news. */
+  private get stationIsSilent(): boolean {
+    const {news} = this;
+    return news?.connected !== true || news.stationHeard_ms === undefined || news.at_ms - news.stationHeard_ms >= SILENT_MS;
+  }
+
+  private get silences(): string {
+    return `images ${this.news?.silentSince_ms !== undefined}, station ${this.stationIsSilent}`;
   }
 
   /** Age since the exposure if the session clock is known, else since the picture was drawn. */

@@ -32,7 +32,7 @@ test('the picture that waits while another is drawn still counts as arrived', ()
 });
 
 const stationAt = (stamp_ms) => ({stampNs: BigInt(stamp_ms) * 1_000_000n, handSampledNs: 0n, surfaceCapturedNs: 0n, phase: 3, indentationM: 0});
-const heard = {connected: true, stationHeard_ms: 1000};
+const heard = {connected: true, stationHeard_ms: 1000, at_ms: 1500};
 
 test('picture, hand and numbers change together, when the instant comes to the screen', () => {
   const state = new ViewerState();
@@ -48,7 +48,7 @@ test('picture, hand and numbers change together, when the instant comes to the s
   assert.equal(state.frames, 1);
   state.shown({...instantAt(1300), picture: undefined, station: stationAt(1300), hand: 'kept'}, 1310);
   assert.deepEqual(instants(state.read(1310)), [1000, 1002, 1300], 'the hand stays with its picture');
-  state.news = {...heard, stationHeard_ms: 2105};
+  state.news = {...heard, stationHeard_ms: 2105, at_ms: 2110};
   state.shown({...instantAt(2100), picture: undefined, station: stationAt(2100), hand: 'none'}, 2110);
   assert.deepEqual(instants(state.read(2110)), [1000, undefined, 2100]);
 });
@@ -59,6 +59,7 @@ test('values that are not known are shown as not known, and not as a station tha
   state.shown({...instantAt(1000), late_ms: 600}, 1020);
   const {force_N, indentation_mm, phase, late_ms} = state.read(1500);
   assert.deepEqual([force_N, indentation_mm, phase, late_ms], [undefined, undefined, undefined, 600]);
+  state.news = {...heard, at_ms: 2500};
   assert.equal(state.read(2500).phase, 0, 'a station that is silent for more than a second is away');
 });
 
@@ -66,8 +67,9 @@ test('the way of a frame to the hand is not shown of a station that is silent', 
   const state = new ViewerState();
   state.news = {...heard, surfaceReport: {touchableNs: 1n}};
   assert.deepEqual(state.read(1500).surfaceReport, {touchableNs: 1n});
+  state.news = {...state.news, at_ms: 2500};
   assert.equal(state.read(2500).surfaceReport, undefined);
-  state.news = {...state.news, connected: false};
+  state.news = {...state.news, at_ms: 1500, connected: false};
   assert.equal(state.read(1500).surfaceReport, undefined);
 });
 
@@ -96,7 +98,7 @@ const PAUSED = {state: 2, source: 'session:a.mcap'};
 /** A page that shows a picture and numbers of 1000 ms, drawn at 1020 ms. The last message came at 1010 ms. */
 function page(news = {}) {
   const state = new ViewerState();
-  state.news = {connected: true, everConnected: true, offset_ms: 0, stationHeard_ms: 1010, heardAny_ms: 1010, capture: LIVE,
+  state.news = {connected: true, everConnected: true, offset_ms: 0, stationHeard_ms: 1010, heardAny_ms: 1010, at_ms: 1020, capture: LIVE,
                 heard: {published_ms: 1000, received_ms: 1010}, silentSince_ms: undefined, ...news};
   const shown = {...instantAt(1000), station: {...stationAt(1002), phase: 1, forceN: {x: 0, y: 2, z: 0}, indentationM: 0.01}, hand: 'new'};
   state.taken(shown);
@@ -108,10 +110,12 @@ function page(news = {}) {
 test('a silence that the path does not explain makes the picture stale, marks the numbers, and ends them within 1 s', () => {
   const state = page();
   assert.equal(state.read(1200).stale, false);
-  state.news = {...state.news, silentSince_ms: 1010};
+  assert.equal(state.newsCame({...state.news, silentSince_ms: 1010, at_ms: 1290}), true);
+  assert.equal(state.newsCame({...state.news, at_ms: 1299}), false);
   const marked = state.read(1300);
   assert.deepEqual([marked.stale, marked.numbersOld, marked.force_N], [true, true, 2]);
   assert.equal(marked.silence_ms, 290);
+  assert.equal(state.newsCame({...state.news, at_ms: 1900}), true, 'the page shows it at once');
   const gone = state.read(1910);
   assert.deepEqual([gone.stale, gone.force_N, gone.indentation_mm, gone.numbersInstant_ms], [true, undefined, undefined, undefined]);
 });

@@ -168,6 +168,7 @@ const stream = new Stream(
 function news(): News {
   return {
     ...facts.news,
+    at_ms: now_ms(),
     connected: stream.connected,
     retryAt_ms: stream.retryAt_ms,
     viewer: stream.viewer,

@@ -14,6 +14,7 @@ import type {
 
 /** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
 export interface News {
+  at_ms: number;                  // when the worker wrote it
   connected: boolean;
   everConnected: boolean;
   retryAt_ms: number | undefined;
