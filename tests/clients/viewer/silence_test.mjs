@@ -67,20 +67,20 @@ test('a path that is not known yet gets a second', () => {
 
 test('the silence ends with the next image', () => {
   const {seen, watch, image, passTo} = watchOn();
-  regular(image, 0, 10_000);
-  passTo(11_000);
+  regular(image, 0, 20_000);
+  passTo(21_000);
   assert.notEqual(watch.since_ms, undefined);
-  image(11_001);
+  image(21_001);
   assert.equal(watch.since_ms, undefined);
   assert.equal(seen.changes, 2);
 });
 
 test('a paused session is not silent, and a step in it begins no silence', () => {
   const {seen, watch, image, passTo} = watchOn();
-  regular(image, 0, 10_000);
+  regular(image, 0, 20_000);
   watch.rest(true);
-  passTo(20_000);
-  image(20_001);
+  passTo(30_000);
+  image(30_001);
   passTo(40_000);
   assert.deepEqual(seen.marks, []);
   watch.rest(false);
@@ -90,12 +90,12 @@ test('a paused session is not silent, and a step in it begins no silence', () =>
 
 test('a page that was held up looks again once the waiting images have been read', () => {
   const {seen, image} = watchOn();
-  regular(image, 0, 10_000);
-  seen.now_ms = 11_000;  // the computer slept; the timer was due at about 10.2 s
+  regular(image, 0, 20_000);
+  seen.now_ms = 21_000;  // the computer slept; the timer was due at about 20.3 s
   seen.due_ms = Infinity;
   seen.call();
   assert.deepEqual(seen.marks, []);
-  assert.equal(seen.due_ms, 11_010, 'behind the messages that have arrived');
-  image(11_005);
+  assert.equal(seen.due_ms, 21_010, 'behind the messages that have arrived');
+  image(21_005);
   assert.deepEqual(seen.marks, []);
 });
