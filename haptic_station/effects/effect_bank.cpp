@@ -83,6 +83,11 @@ std::optional<Point<HapticBase>> EffectBank::object_at(std::size_t effect) const
   });
 }
 
+void EffectBank::find_proxies_with(const solids::ProxySettings& settings) noexcept {
+  for (std::size_t i = 0; i < count_; ++i)
+    if (Solid* solid = std::get_if<Solid>(&effects_[i])) solid->find_proxy_with(settings);
+}
+
 const char* EffectBank::name(const Effect& effect) noexcept {
   return with(effect, [](const auto& e) noexcept -> const char* {
     if constexpr (HasLabel<std::remove_cvref_t<decltype(e)>>)

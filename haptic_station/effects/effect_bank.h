@@ -50,6 +50,9 @@ class EffectBank {
 
   /// Displaces the objects inside the body, from the next begin() or step() on.
   void place(const Placements& placements) noexcept { std::copy_n(placements.begin(), count_, placements_.begin()); }
+  /// Finds the proxies of all solids with `settings`, from the next begin() on: to compare the usual settings with finer
+  /// ones.
+  void find_proxies_with(const solids::ProxySettings& settings) noexcept;
   /// Where the scene puts the effect's object; nullopt: the effect is not an object inside the body.
   [[nodiscard]] std::optional<Point<HapticBase>> object_at(std::size_t effect) const noexcept;
 

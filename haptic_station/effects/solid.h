@@ -51,6 +51,8 @@ class Solid {
 
   explicit Solid(Settings settings = {}) noexcept : settings_(std::move(settings)) {}
   void begin(const EffectInput& in) noexcept;
+  /// Finds the proxy with `settings` from the next contact on.
+  void find_proxy_with(const solids::ProxySettings& settings) noexcept { proxy_ = solids::SolidProxy(settings); }
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   [[nodiscard]] Pull pull(double relaxed_m) const noexcept { return spring_.pull(relaxed_m); }
   [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept { return spring_.force(relaxed_m); }

@@ -32,12 +32,6 @@ constexpr auto kSayStillWaiting = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
 
-loop::HapticLoop make_loop(const scenes::Scene& scene) {
-  control::EncounteredController controller(scene.control, scene.effects);
-  controller.book_costs_with(&cycles_now);
-  return loop::HapticLoop({}, controller);
-}
-
 wire::ClientLink::Options link_options(const StationOptions& options, bool takes_viewer_hand) {
   wire::ClientLink::Options link{
       .host = options.host,
@@ -74,7 +68,7 @@ Station::Station(boost::asio::io_context& io, StationSignals& signals, const Sta
              .on_hand_over = [this](bool done, const std::string& outcome) { hand_over_.on_answer(done, outcome); }}),
       hand_over_(link_),
       in_tick_(options.model || surface::runs_in_tick(surface)),
-      loop_(make_loop(scene)),
+      loop_(loop_of(scene)),
       rig_(std::move(rig.rig)),
       viewer_hand_tracker_(rig.browser),
       telemetry_(

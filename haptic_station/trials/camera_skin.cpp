@@ -9,7 +9,7 @@ namespace telepalp::trials {
 namespace {
 
 constexpr double kFrame_hz = 30.0;
-constexpr double kReach_m = 0.16;  // the same as in the station's surface thread
+
 constexpr Intrinsics kCamera{320, 240, 525.0, 525.0, 159.5, 119.5};
 
 /// A barrel-shaped skin under a simulated depth camera.
@@ -24,7 +24,7 @@ class CameraSkin final : public TrialSkin {
     const SessionTime now{from_seconds(time_s)};
     const Transform<HapticBase, DepthCamera> placed = trial_camera();
     auto snapshot =
-        builder_.add(seen_at(time_s, now), kCamera, now, surface::Reach{placed.inverse() * device, kReach_m});
+        builder_.add(seen_at(time_s, now), kCamera, now, surface::Reach{placed.inverse() * device, surface::kReach_m});
     if (!snapshot) return nullptr;
     before_ = std::move(shown_.snapshot);
     shown_ = {std::move(snapshot), placed};

@@ -24,7 +24,6 @@ using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kStiffness_N_per_m = 500.0;
-constexpr double kReach_m = 0.16;  // as in the station: two frames of a hand at 2 m/s, plus the support
 
 double since_us(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
@@ -43,7 +42,7 @@ Distribution build_times_ms(const std::vector<RgbdFrame>& frames, const testing:
   for (int n = 0; n < 90; ++n) {
     const RgbdFrame& frame = frames[static_cast<std::size_t>(n) % frames.size()];
     const double along = 0.05 * std::sin(n * kFrame_s * hand_m_per_s / 0.05);
-    const Reach reach{{spot.at + Vector3d(along, 0.0, 0.0)}, kReach_m};
+    const Reach reach{{spot.at + Vector3d(along, 0.0, 0.0)}, surface::kReach_m};
     const auto start = Clock::now();
     const auto snapshot = builder.add(frame.depth, frame.camera.depth, scene_time(n * kFrame_s), reach);
     const double took_ms = since_us(start) / 1000.0;
@@ -88,7 +87,7 @@ void add_costs(Report& report, const capture::SyntheticPatient& patient, const t
   report.rows.push_back(at_most("depth image to touchable surface, p50: hand at 1 m/s, divided by hand still",
                                 moving.p50() / still.p50(), "x", 1.10));
 
-  const Reach reach{{spot.at}, kReach_m};
+  const Reach reach{{spot.at}, surface::kReach_m};
   const std::vector<Captured> fast = testing::watch(patient, SurfaceSettings{}, reach, 1.0, 0.5);
   const std::vector<Captured> paper = testing::watch(patient, *surface::surface_settings("paper"), reach, 0.1, 0.0);
   const Distribution swapping = step_times_us(fast, spot, 40000, true);
@@ -139,7 +138,7 @@ double worst_jump_um(const SurfaceSnapshot& snapshot, const testing::Spot& spot)
 }
 
 void add_still(Report& report, const capture::SyntheticPatient& patient, const testing::Spot& spot) {
-  const Reach reach{{spot.at}, kReach_m};
+  const Reach reach{{spot.at}, surface::kReach_m};
   const std::vector<Captured> second = testing::watch(patient, SurfaceSettings{}, reach, 4.0, 0.95);
   const testing::ShapeError error = testing::torso_error(patient, *second.front().snapshot, spot);
   report.rows.push_back(

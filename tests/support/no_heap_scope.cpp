@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +16,8 @@
 namespace {
 
 thread_local int forbidden = 0;
+std::atomic<std::uint64_t> calls{0};
+std::atomic<std::uint64_t> bytes{0};
 
 }  // namespace
 
@@ -22,6 +25,7 @@ namespace telepalp::test {
 
 NoHeapScope::NoHeapScope() noexcept { ++forbidden; }
 NoHeapScope::~NoHeapScope() { --forbidden; }
+HeapUse heap_use() noexcept { return {calls.load(), bytes.load()}; }
 bool NoHeapScope::works() noexcept { return TELEPALP_INTERPOSES_MALLOC != 0; }
 
 }  // namespace telepalp::test
@@ -45,28 +49,39 @@ static void refuse_where_forbidden(const char* what) noexcept {
   std::abort();
 }
 
+static void count(std::size_t size) noexcept {
+  calls.fetch_add(1, std::memory_order_relaxed);
+  bytes.fetch_add(size, std::memory_order_relaxed);
+}
+
 void* malloc(std::size_t size) noexcept {
   refuse_where_forbidden("malloc");
+  count(size);
   return __libc_malloc(size);
 }
-void* calloc(std::size_t count, std::size_t size) noexcept {
+void* calloc(std::size_t number, std::size_t size) noexcept {
   refuse_where_forbidden("calloc");
-  return __libc_calloc(count, size);
+  count(number * size);
+  return __libc_calloc(number, size);
 }
 void* realloc(void* old, std::size_t size) noexcept {
   refuse_where_forbidden("realloc");
+  count(size);
   return __libc_realloc(old, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
   refuse_where_forbidden("memalign");
+  count(size);
   return __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   refuse_where_forbidden("aligned_alloc");
+  count(size);
   return __libc_memalign(alignment, size);
 }
 int posix_memalign(void** out, std::size_t alignment, std::size_t size) noexcept {
   refuse_where_forbidden("posix_memalign");
+  count(size);
   *out = __libc_memalign(alignment, size);
   return *out == nullptr ? ENOMEM : 0;
 }

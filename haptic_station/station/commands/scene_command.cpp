@@ -10,13 +10,14 @@
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/solids/solid_mesh.h"
-#include "haptic_station/station/commands/scene_bill.h"
+#include "haptic_station/station/bill/scene_bill.h"
 #include "haptic_station/station/picture/scene_picture.h"
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/ultrasound/b_mode.h"
 #include "support/images/image_file.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/options.h"
+#include "support/program/terminal.h"
 
 namespace telepalp::station {
 namespace {
@@ -38,10 +39,11 @@ program::Usage usage() {
                    "0, the patient's left, at 90, the head",
                    "0"},
                   {"layer", "NAME", "for 'mesh': name of the layer; default: the scene's first layer"},
+                  {"seconds", "S", "for 'bill': session time that is measured, in seconds", "12"},
                   {"cell-mm", "MM", "for 'mesh': side of a cell of the marching-cubes grid, in millimetres", "2"}},
       .example = "telepalp-station scene show ribs-ultrasound --out ribs.png",
       .commands = {{"check", "SCENE", "check the scene and list its effects"},
-                   {"bill", "SCENE", "print computing time and memory of each effect"},
+                   {"bill", "SCENE", "measure what the station costs with and without each effect"},
                    {"show", "SCENE", "write a picture of what lies under the skin"},
                    {"image", "SCENE", "write the ultrasound image under a probe on the skin"},
                    {"mesh", "SCENE", "write a layer's surface as a watertight mesh"}},
@@ -90,23 +92,24 @@ Result<void> check(const ReadScene& read, const program::Arguments&) {
   return {};
 }
 
+Result<void> check_bill(const program::Arguments& arguments) {
+  if (const Result<double> seconds = arguments.number("seconds", 1.0, 120.0); !seconds) return seconds.error();
+  return {};
+}
+
 Result<void> bill(const ReadScene& read, const program::Arguments& arguments) {
-  const auto before = std::chrono::steady_clock::now();
-  const Result<ReadScene> again = read_scene_named(arguments.positional().back());
-  const double start_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
-  if (!again) return again.error();
+  const double seconds = *arguments.number("seconds", 1.0, 120.0);
+  const bool shows = program::takes_progress(stderr);
+  const Result<SceneBill> bill =
+      bill_of(read.scene, read.file, seconds, Detail::EachEffect, [shows](int done, int all) {
+        if (shows) std::fprintf(stderr, "\rsecond %d of %d of the session", done + 1, all);
+      });
+  if (shows) std::fputs("\r\033[K", stderr);
+  if (!bill) return bill.error();
   std::printf(
-      "computing time of each effect in a tick (a step of the 2 kHz control loop); for layers: number of shapes, and "
-      "memory of the tree that joins them; error of the depth that the hand feels\n%-12s %10s %10s %8s %10s  %s\n",
-      "effect", "mean, us", "max, us", "shapes", "memory, B", "error of the depth");
-  double total_us = 0.0;
-  for (const EffectPrice& price : price_of(read.scene)) {
-    std::printf("%-12s %10.3f %10.1f %8zu %10zu  %s\n", price.name.c_str(), price.mean_us, price.largest_us,
-                price.shapes, price.bytes, price.depth_error.c_str());
-    total_us += price.mean_us;
-  }
-  std::printf("%-12s %10.3f us in the mean, of the 500 us that a tick lasts; reading the scene took %.1f ms\n", "total",
-              total_us, start_ms);
+      "processor time of the station on this computer with the scene %s, without sockets and encryption: %.0f s of the "
+      "scene's simulated hand, on a breathing body before a camera of 640x480 pixels at 30 Hz\n\n%s",
+      read.scene.name.c_str(), seconds, in_words(*bill).c_str());
   return {};
 }
 
@@ -205,7 +208,7 @@ struct Task {
   Result<void> (*check_options)(const program::Arguments&);
   Result<void> (*run)(const ReadScene&, const program::Arguments&);
 };
-constexpr std::array kTasks{Task{"check", check_nothing, check}, Task{"bill", check_nothing, bill},
+constexpr std::array kTasks{Task{"check", check_nothing, check}, Task{"bill", check_bill, bill},
                             Task{"show", check_show, show}, Task{"image", check_image, image},
                             Task{"mesh", check_mesh, mesh}};
 

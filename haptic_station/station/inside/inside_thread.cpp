@@ -37,12 +37,13 @@ InsideThread::~InsideThread() {
 void InsideThread::offer(const View& view) {
   if (!has_probe() || busy_.exchange(true)) return;
   boost::asio::post(io_, [this, view] {
-    compute(view);
+    msg::UltrasoundImage image = image_of(view);
     busy_ = false;
+    handlers_.on_image(std::move(image));
   });
 }
 
-void InsideThread::compute(const View& view) {
+msg::UltrasoundImage InsideThread::image_of(const View& view) const {
   const auto began = std::chrono::steady_clock::now();
   const HeldProbe probe = held_probe(view.tick, view.haptic_from_camera);
   msg::UltrasoundImage message = probe_message(probe, *settings_, view.haptic_from_camera);
@@ -54,7 +55,7 @@ void InsideThread::compute(const View& view) {
     set_image(message, ultrasound::b_mode(placed, probe.pose, *settings_));
     message.set_compute_ms(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
   }
-  handlers_.on_image(std::move(message));
+  return message;
 }
 
 }  // namespace telepalp::station

@@ -42,7 +42,7 @@ class InsideThread {
   void offer(const View& view);
 
  private:
-  void compute(const View& view);
+  [[nodiscard]] msg::UltrasoundImage image_of(const View& view) const;
 
   std::vector<scenes::SceneLayer> layers_;
   std::optional<ultrasound::BModeSettings> settings_;  // nullopt: the scene has no probe

@@ -1,6 +1,7 @@
 #include "haptic_station/station/rigs/scene_rig.h"
 
 #include "haptic_station/loop/simulated_rig.h"
+#include "haptic_station/station/threads/bill.h"
 
 namespace telepalp::station {
 namespace {
@@ -14,6 +15,12 @@ loop::SimulatedRig::Person person_of(const scenes::Scene& scene, const std::opti
 }
 
 }  // namespace
+
+loop::HapticLoop loop_of(const scenes::Scene& scene) {
+  control::EncounteredController controller(scene.control, scene.effects);
+  controller.book_costs_with(&cycles_now);
+  return loop::HapticLoop({}, controller);
+}
 
 std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
   const auto wrist = scene.probe ? std::optional(device::SimulatedWristSettings{}) : std::nullopt;

@@ -42,21 +42,22 @@ void CollisionThread::run() {
   TickTimer timer(TickTimer::Clock::now() + kPeriod, kPeriod);
   while (running_) {
     (void)timer.wait();
-    detect();
+    detection_.detect(from_surface_, device_, to_haptic_, now_());
   }
 }
 
-void CollisionThread::detect() {
-  const SessionTime now = now_();
+void CollisionDetection::detect(LatestValue<loop::TouchableSurface>& from_surface,
+                                LatestValue<Point<HapticBase>>& device, LatestValue<loop::TouchableSurface>& to_haptic,
+                                SessionTime now) {
   if (loop::begins_new_time_line(now, latest_)) touch_.release();
   latest_ = now;
-  if (from_surface_.take()) touch_.adopt(*from_surface_.current().snapshot, now);
-  (void)device_.take();
-  const loop::TouchableSurface& seen = from_surface_.current();
+  if (from_surface.take()) touch_.adopt(*from_surface.current().snapshot, now);
+  (void)device.take();
+  const loop::TouchableSurface& seen = from_surface.current();
   if (!seen.snapshot) return;
-  const Point<DepthCamera> device = seen.haptic_from_camera.inverse() * device_.current();
-  const surface::TouchSample touch = touch_.step(device, now, std::chrono::duration<double>(kPeriod).count());
-  to_haptic_.put({plane_of(touch, *seen.snapshot), seen.haptic_from_camera});
+  const Point<DepthCamera> at = seen.haptic_from_camera.inverse() * device.current();
+  const surface::TouchSample touch = touch_.step(at, now, std::chrono::duration<double>(kPeriod).count());
+  to_haptic.put({plane_of(touch, *seen.snapshot), seen.haptic_from_camera});
 }
 
 }  // namespace telepalp::station

@@ -40,6 +40,9 @@ class HapticThread {
   /// Starts the thread and returns what the operating system granted it. Error: as for enter_realtime().
   [[nodiscard]] Result<RealtimeGrant> start(Realtime realtime);
   void stop();
+  /// Runs one tick on the calling thread, in virtual time: its session time is `due.deadline` plus the clock offset.
+  /// Call it only while the thread does not run.
+  void tick(const TickTimer::Tick& due) noexcept;
   [[nodiscard]] const HapticCounts& counts() const noexcept { return counts_; }
   /// Passes an operator's request to re-arm to the next tick.
   void rearm() noexcept { rearm_.store(true, std::memory_order_relaxed); }
@@ -59,7 +62,6 @@ class HapticThread {
   void run() noexcept;
   void greet_device(TickTimer& timer) noexcept;
   [[nodiscard]] bool asked_to_rearm() noexcept;
-  void tick(const TickTimer::Tick& due) noexcept;
 
   loop::HapticLoop& loop_;                             // owner: haptic thread
   ports::Rig& rig_;                                    // owner: haptic thread

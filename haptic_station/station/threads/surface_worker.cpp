@@ -6,9 +6,6 @@
 namespace telepalp::station {
 namespace {
 
-// A hand at 2 m/s moves 0.13 m in two frame times; the rest is the support of the implicit function.
-constexpr double kReach_m = 0.16;
-
 // Ten seconds of a 30 Hz stream with 100 kB a frame. A message that is dropped before it is decoded breaks the chain of
 // predicted frames until the next key frame, so all messages wait, as far as memory allows.
 constexpr int kMostWaiting = 300;
@@ -94,7 +91,7 @@ Result<codec::DecodedDepth> SurfaceWorker::read(const msg::DepthImage& message) 
 std::optional<surface::Reach> SurfaceWorker::reach() {
   device_known_ |= device_.take();
   if (!device_known_) return std::nullopt;
-  return surface::Reach{.centre = haptic_from_camera_->inverse() * device_.current(), .radius_m = kReach_m};
+  return surface::Reach{.centre = haptic_from_camera_->inverse() * device_.current(), .radius_m = surface::kReach_m};
 }
 
 Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::DepthImage& message,

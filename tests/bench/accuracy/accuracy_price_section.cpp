@@ -1,13 +1,19 @@
+#include <algorithm>
 #include <chrono>
 #include <string>
 
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/station/commands/scene_bill.h"
+#include "haptic_station/station/bill/scene_bill.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 #include "where.h"
 
 namespace telepalp::bench {
 namespace {
+
+namespace fs = std::filesystem;
+using station::Part;
+
+constexpr double kSeconds = 12.0;
 
 /// An effect of a shipped scene, and its name in the table.
 struct Priced {
@@ -21,40 +27,87 @@ constexpr Priced kPriced[] = {
     {"sphere", "sphere", "`sphere`"},
     {"friction", "friction", "`friction`"},
     {"regions", "regions", "`regions`"},
-    {"organ", "organ", "`organ`"},
+    {"organ", "organ", "`organ`, a mesh"},
     {"appendix-rebound", "caecum", "`solid`, one ellipsoid"},
     {"liver-enlarged", "spleen", "`solid`, a blend of two shapes"},
     {"liver-enlarged", "aorta", "`solid`, a capsule that pulses"},
     {"long-reach", "aorta", "`solid`, a capsule that pulses, and a fingertip of 6 mm"},
     {"ribs-ultrasound", "ribs", "`solid`, 24 ribs and a fingertip of 6 mm"},
     {"liver-enlarged", "liver", "`solid`, a mesh"},
+    {"ribs-ultrasound", "ultrasound probe", "`probe`, its image of 256 x 256 pixels at 25 Hz"},
 };
 
 double ms_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+std::string quantiles(const station::StationCost& cost, Part part, double unit_ns) {
+  const station::DurationHistogram& steps = cost.steps[static_cast<std::size_t>(part)];
+  if (steps.total() == 0) return "–";
+  return cell(steps.quantile_ns(0.5) / unit_ns) + " / " + cell(steps.quantile_ns(0.999) / unit_ns);
+}
+
+/// "p50 / p99" of the force error [mN] and of the depth error [µm].
+std::string errors_of(const station::Price& price, bool as_depth) {
+  if (!price.error) return "–";
+  if (price.error->ticks == 0) return "not touched";
+  const double per = as_depth ? 1e6 / price.error->stiffness_N_per_m : 1e3;
+  return cell(per * price.error->p50_N) + " / " + cell(per * price.error->p99_N);
+}
+
+void add_scene(const std::string& name, const station::SceneBill& bill, PageTable& scenes, std::vector<Row>& rows) {
+  const double share = bill.share();
+  const station::Price& all = bill.prices.back();
+  rows.push_back(measured("scene " + name + ": the station", share, "% of a core"));
+  rows.push_back(measured("scene " + name + ": what its effects add", all.total_share, "% of a core"));
+  scenes.rows.push_back({"`" + name + "`", cell(share), cell(all.total_share), quantiles(bill.paced, Part::Loop, 1e3),
+                         quantiles(bill.whole, Part::Surface, 1e6), quantiles(bill.whole, Part::Inside, 1e6),
+                         cell(bill.start_ms)});
+}
+
+void add_effects(const std::string& scene, const station::SceneBill& bill, double read_ms, PageTable& prices,
+                 std::vector<Row>& rows) {
+  for (const Priced& priced : kPriced) {
+    const auto price = std::ranges::find(bill.prices, priced.effect, &station::Price::name);
+    if (scene != priced.scene || price == bill.prices.end()) continue;
+    rows.push_back(measured(std::string("time in a tick: ") + priced.name, price->tick_us, "us"));
+    rows.push_back(measured(std::string("whole station: ") + priced.name, price->total_share, "% of a core"));
+    prices.rows.push_back({priced.name, cell(price->total_share),
+                           cell(price->share[static_cast<std::size_t>(Part::Surface)]), cell(price->tick_us),
+                           cell(1e-3 * static_cast<double>(price->bytes)), cell(read_ms), errors_of(*price, false),
+                           errors_of(*price, true)});
+  }
+}
+
 }  // namespace
 
 Result<Section> price_section() {
   Section section;
-  PageTable table{
-      .head = {"effect", "cost a tick, µs", "memory of the tree, kB", "reading its scene, ms", "error of the depth"},
+  PageTable scenes{
+      .head = {"scene", "station, % of a core", "of it its effects", "a tick, µs, p50 / p99.9",
+               "an image, ms, p50 / p99.9", "an ultrasound image, ms, p50 / p99.9", "surfaces for viewers, once, ms"},
       .rows = {}};
-  for (const Priced& priced : kPriced) {
+  PageTable prices{
+      .head = {"effect", "station, % of a core", "of it at the surface", "in a tick, µs", "memory of the tree, kB",
+               "reading its scene, ms", "force error mN, p50 / p99", "as depth µm, p50 / p99"},
+      .rows = {}};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(TELEPALP_SOURCE_DIR "/haptic_station/scenes"))
+    if (entry.path().extension() == ".textproto") files.push_back(entry.path());
+  std::ranges::sort(files);
+  for (const fs::path& file : files) {
     const auto start = std::chrono::steady_clock::now();
-    const auto scene = scenes::read_scene(std::string(TELEPALP_SOURCE_DIR "/haptic_station/scenes/") + priced.scene +
-                                          ".scene.textproto");
+    const auto scene = scenes::read_scene(file);
     if (!scene) return scene.error();
     const double read_ms = ms_since(start);
-    for (const station::EffectPrice& price : station::price_of(*scene)) {
-      if (price.name != priced.effect) continue;
-      section.rows.push_back(measured(std::string("time in a tick: ") + priced.name, price.mean_us, "us"));
-      table.rows.push_back({priced.name, cell(price.mean_us), cell(1e-3 * static_cast<double>(price.bytes)),
-                            cell(read_ms), price.depth_error});
-    }
+    const bool each = std::ranges::any_of(kPriced, [&](const Priced& one) { return scene->name == one.scene; });
+    const Result<station::SceneBill> bill =
+        station::bill_of(*scene, file, kSeconds, each ? station::Detail::EachEffect : station::Detail::Together);
+    if (!bill) return bill.error();
+    add_scene(scene->name, *bill, scenes, section.rows);
+    add_effects(scene->name, *bill, read_ms, prices, section.rows);
   }
-  section.parts = {{"price", to_markdown(table)}};
+  section.parts = {{"scenes", to_markdown(scenes)}, {"price", to_markdown(prices)}};
   return section;
 }
 

@@ -52,9 +52,9 @@ std::vector<Row> measure(const Options&) {
       const DepthImage depth = patient->depth_of(pose(t), at_time(t));
       const double start = now_us();
       before = std::move(shown);
-      shown = {
-          builder.add(depth, patient->settings().camera, at_time(t), surface::Reach{placed.inverse() * device, 0.16}),
-          placed};
+      shown = {builder.add(depth, patient->settings().camera, at_time(t),
+                           surface::Reach{placed.inverse() * device, surface::kReach_m}),
+               placed};
       snapshot_us.add(now_us() - start);
       in.surface = &shown;
     }

@@ -29,7 +29,6 @@ void Feed::capture(double time_s) {
 }
 
 std::shared_ptr<const surface::SurfaceSnapshot> Feed::step(double time_s, const Point<DepthCamera>& device) {
-  constexpr double kReach_m = 0.16;  // the same as in the station's surface thread
   for (; static_cast<double>(frames_) / settings_.frame_hz <= time_s + 1e-9; ++frames_)
     capture(static_cast<double>(frames_) / settings_.frame_hz);
   std::shared_ptr<const surface::SurfaceSnapshot> newest;

@@ -52,10 +52,10 @@ TEST_F(SceneCommand, CheckNamesTheEffects) {
 }
 
 TEST_F(SceneCommand, BillPricesTheEffectsThatTheSceneNames) {
-  const Outcome done = run({"bill", kMass});
+  const Outcome done = run({"bill", kMass, "--seconds", "3"});
   EXPECT_EQ(done.code, 0) << done.err;
-  for (const char* line : {"effect ", "error of the depth\nskin ", "none: computed by a formula\nmass ",
-                           "1 um while the hand rests\ntotal "})
+  for (const char* line : {"control loop, a tick* ", "surface, an image ", "\nskin ", "\nmass ",
+                           "\nall of these "})
     EXPECT_NE(done.out.find(line), std::string::npos) << line << " in\n" << done.out;
   EXPECT_EQ(done.out.find("liver"), std::string::npos) << "an effect that the scene does not name is not priced";
 }

@@ -9,8 +9,6 @@
 namespace telepalp::replay {
 namespace {
 
-constexpr double kReach_m = 0.16;  // the same as in the station's surface thread
-
 bool equals(const std::vector<std::byte>& bytes, const std::string& text) noexcept {
   return bytes.size() == text.size() && std::memcmp(bytes.data(), text.data(), bytes.size()) == 0;
 }
@@ -64,7 +62,7 @@ void SurfaceStage::begin_newest(SessionTime now, const Point<HapticBase>& device
   const TapeFrame& taped = *frame.taped;
   auto snapshot = watch.time(Part::Build, [&] {
     return builder_.add(*depth, taped.frame.camera.depth, taped.frame.captured,
-                        surface::Reach{.centre = haptic_from_camera_.inverse() * device, .radius_m = kReach_m});
+                        surface::Reach{.centre = haptic_from_camera_.inverse() * device, .radius_m = surface::kReach_m});
   });
   if (!snapshot) return;
   busy_until_ = decoded + stages_.build;

@@ -41,7 +41,7 @@ class SurfaceStage {
   void arrived(ArrivedDepth frame) { waiting_.push_back(std::move(frame)); }
   /// Call it once a tick. Returns the surface that is finished at `now`. Otherwise, if the stage is idle, begins to
   /// decode the newest frame and to build its surface.
-  /// `device`: centre of the ball of 0.16 m radius in which a surface is built.
+  /// `device`: centre of the ball of radius surface::kReach_m in which a surface is built.
   [[nodiscard]] std::optional<BuiltSurface> step(SessionTime now, const Point<HapticBase>& device, Stopwatch& watch);
   /// Frames that could not be decoded, or whose ArrivedDepth::taped is nullptr.
   [[nodiscard]] std::uint64_t undecodable() const noexcept { return undecodable_; }

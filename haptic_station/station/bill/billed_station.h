@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <semaphore>
+#include <string>
+
+#include "haptic_station/station/bill/body_stream.h"
+#include "haptic_station/station/inside/inside_thread.h"
+#include "haptic_station/station/rigs/scene_parts.h"
+#include "haptic_station/station/telemetry/telemetry_publisher.h"
+#include "haptic_station/station/threads/collision_thread.h"
+#include "haptic_station/station/threads/haptic_thread.h"
+#include "haptic_station/station/threads/histogram.h"
+#include "haptic_station/station/threads/surface_worker.h"
+
+namespace telepalp::station {
+
+/// The parts of a station whose processor time the bill states, and the step of each.
+enum class Part : std::uint8_t {
+  Loop,       ///< the haptic thread: a tick, with its waking if it was paced
+  Surface,    ///< the surface thread: a depth image, from its message to the snapshot with the marks of the objects
+  Collision,  ///< the collision thread of settings that are too slow for a tick: a plane
+  Inside,     ///< the ultrasound image under the probe: an image
+  Messages,   ///< the network thread without its sockets: what it does every 10 ms
+};
+inline constexpr std::size_t kPartCount = 5;
+
+/// Processor time of each part [us], and the messages published, over some session time.
+struct StationCost {
+  std::array<double, kPartCount> spent_us{};
+  std::array<DurationHistogram, kPartCount> steps{};
+  double seconds = 0.0;
+
+  void add(Part part, double us) noexcept;
+  /// Share of one core [%].
+  [[nodiscard]] double share(Part part) const noexcept;
+  [[nodiscard]] double share() const noexcept;  ///< of all parts together
+};
+
+/// Messages of one topic.
+struct Published {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;  ///< of the payloads
+  friend bool operator==(const Published&, const Published&) = default;
+};
+
+/// A station in virtual time: its own haptic thread's tick, surface worker, inside thread, collision detection and
+/// telemetry, over the stream of a SeenBody and with the scene's simulated hand. Each part's processor time is that of
+/// the thread on which it runs. Sockets and encryption are left out. The parts run one
+/// after the other, so that a run's forces, surfaces and messages do not depend on the computer's speed.
+class BilledStation {
+ public:
+  /// Blocks until the inside thread has made the surfaces of the scene's layers. `stream` must outlive this object.
+  BilledStation(const scenes::Scene& scene, const SceneParts& parts, const BodyStream& stream);
+  ~BilledStation();
+  BilledStation(const BilledStation&) = delete;
+  BilledStation& operator=(const BilledStation&) = delete;
+
+  /// Runs `seconds` more of session time, and adds their cost to `cost`. `pace`: waited for before each tick, as the
+  /// haptic thread does; nullptr: the ticks follow each other at once.
+  void run(double seconds, StationCost& cost, TickTimer* pace = nullptr);
+
+  /// Mean time of each effect in a tick with contact [us], in the scene's order.
+  [[nodiscard]] std::vector<double> effects_us() const;
+  /// Processor time of the layers' surfaces for viewers, once at the start [ms].
+  [[nodiscard]] double start_ms() const noexcept { return start_ms_; }
+  /// Messages since the start, by topic.
+  [[nodiscard]] const std::map<std::string, Published>& published() const noexcept { return published_; }
+
+ private:
+  void start_surface_thread(const SceneParts& parts);
+  void start_inside_thread();
+  void see(StationCost& cost);
+  void look_inside(StationCost& cost);
+  void serve(StationCost& cost);
+  void tick(StationCost& cost, TickTimer* pace);
+  void publish(const wire::Message& message);
+
+  scenes::Scene scene_;
+  const BodyStream& stream_;
+  LatestValue<loop::TouchableSurface> slow_surfaces_;
+  LatestValue<loop::TouchableSurface> surfaces_;
+  LatestValue<Point<HapticBase>> device_to_surface_;
+  std::unique_ptr<TickRing> ticks_ = std::make_unique<TickRing>();
+  loop::HapticLoop loop_;
+  std::unique_ptr<ports::Rig> rig_;
+  HapticThread haptic_;  // never started: its ticks run on the caller's thread
+  TelemetryPublisher telemetry_;
+  std::optional<CollisionDetection> collision_;  // nullopt: the surface is evaluated in the tick
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;
+  std::map<std::string, Published> published_;
+  loop::ObjectPlacements objects_{};
+  SessionTime now_ = BodyStream::kBegin;
+  std::uint64_t ticked_ = 0;
+  std::size_t next_image_ = 0;
+  SessionTime next_ultrasound_{};
+  double start_ms_ = 0.0;
+
+  // Written by the worker's and the inside thread, and read after `answered_` was acquired.
+  std::binary_semaphore answered_{0};
+  std::int64_t surface_spent_ns_ = 0;
+  std::int64_t inside_spent_ns_ = 0;
+  std::optional<wire::Message> answer_;
+  std::optional<InsideThread> inside_;
+  std::optional<SurfaceWorker> worker_;
+};
+
+}  // namespace telepalp::station

@@ -1,0 +1,230 @@
+#include "haptic_station/station/bill/error_in_motion.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/organs/organ_shape.h"
+#include "haptic_station/station/rigs/placement.h"
+#include "haptic_station/station/rigs/scene_rig.h"
+#include "haptic_station/surface/build/surface_builder.h"
+
+namespace telepalp::station {
+namespace {
+
+using namespace std::chrono_literals;
+using Eigen::Vector3d;
+
+constexpr double kTick_s = 0.0005;
+constexpr auto kLate = 40ms;  // from an image's exposure to the first tick that feels its surface
+constexpr SessionTime kBegin{100s};
+constexpr solids::ProxySettings kFinest{.rounds = 60, .tolerance_m = 1e-10, .remembers = false};
+constexpr double kLeastCell_m = 0.001;
+
+/// The smallest value that is at least as large as a share `q` of all; 0 without values.
+double quantile(std::vector<float>& values, double q) {
+  if (values.empty()) return 0.0;
+  const auto place = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return double{values[static_cast<std::size_t>(place)]};
+}
+
+/// Polish text with the cell of each mesh halved: `mesh FILE UNIT CELL`.
+std::string finer(const std::string& polish) {
+  std::istringstream words(polish);
+  std::string text;
+  int until_cell = -1;  // words up to a mesh's cell
+  for (std::string word; words >> word; text += word + ' ') {
+    if (until_cell-- == 0) word = std::to_string(std::max(kLeastCell_m, 0.5 * std::atof(word.c_str())));
+    if (word == "mesh") until_cell = 2;
+  }
+  return text;
+}
+
+/// The scene with effect `i` alone, and its meshes sampled twice as densely.
+msg::Scene finest_of(const scenes::Scene& scene, int i) {
+  msg::Scene one = scene.message;
+  one.clear_effects();
+  msg::Effect& effect = *one.add_effects() = scene.message.effects(i);
+  if (effect.has_organ())
+    effect.mutable_organ()->set_cell_m(
+        std::max(kLeastCell_m,
+                 0.5 * (effect.organ().has_cell_m() ? effect.organ().cell_m() : organs::OrganShapeSettings{}.cell_m)));
+  if (effect.solid().has_polish()) effect.mutable_solid()->set_polish(finer(effect.solid().polish()));
+  return one;
+}
+
+/// One effect twice: as the station computes it, and as it should be.
+struct Twins {
+  effects::EffectBank shown;
+  effects::EffectBank truth;
+  std::vector<float> errors_N{};
+
+  void begin(const effects::EffectInput& seen, const effects::EffectInput& real) noexcept {
+    shown.begin(seen);
+    truth.begin(real);
+  }
+  void step(const effects::EffectInput& seen, const effects::EffectInput& real) {
+    const Vector3d is = shown.step(seen, kTick_s).N;
+    const Vector3d should = truth.step(real, kTick_s).N;
+    if (is.norm() > 0.0 || should.norm() > 0.0) errors_N.push_back(static_cast<float>((is - should).norm()));
+  }
+};
+
+Result<std::vector<Twins>> twins_of(const scenes::Scene& scene, const std::filesystem::path& file) {
+  std::vector<Twins> all;
+  for (int i = 0; i < scene.message.effects_size(); ++i) {
+    msg::Scene alone = scene.message;
+    alone.clear_effects();
+    *alone.add_effects() = scene.message.effects(i);
+    const Result<scenes::Scene> shown = scenes::make_scene(alone, file);
+    if (!shown) return shown.error();
+    const Result<scenes::Scene> truth = scenes::make_scene(finest_of(scene, i), file);
+    if (!truth) return truth.error();
+    all.push_back({shown->effects, truth->effects});
+    all.back().truth.find_proxies_with(kFinest);
+  }
+  return all;
+}
+
+/// Two stations that hold the same device: one sees the body through its camera, the other one knows it.
+class Pair {
+ public:
+  Pair(const scenes::Scene& scene, const SceneParts& parts, const SeenBody& body, std::vector<Twins> twins)
+      : scene_(scene),
+        body_(body),
+        builder_(parts.surface),
+        shown_(loop_of(scene)),
+        truth_(loop_of(scene)),
+        rig_(rig_of(scene, parts.trace)),
+        twins_(std::move(twins)) {
+    if (!parts.model) return;
+    haptic_from_camera_ = parts.model->haptic_from_model;
+    model_ = parts.model->snapshot;
+  }
+
+  void run(double seconds) {
+    const auto ticks = static_cast<int>(seconds / kTick_s);
+    for (int i = 0; i < ticks; ++i, now_ += from_seconds(kTick_s)) {
+      see();
+      if (haptic_from_camera_) tick();
+    }
+  }
+  [[nodiscard]] std::vector<Twins>& twins() noexcept { return twins_; }
+
+ private:
+  [[nodiscard]] double time_s() const noexcept { return to_seconds(now_ - kBegin); }
+
+  void see() {
+    if (model_) {
+      if (seen_++ == 0) adopt(model_, model_);
+      return;
+    }
+    const double exposed_s = static_cast<double>(seen_) / SeenBody::kFrames_per_s;
+    const SessionTime captured = kBegin + from_seconds(exposed_s);
+    if (captured + kLate > now_) return;
+    ++seen_;
+    const DepthImage depth = body_.depth_at(exposed_s);
+    if (!haptic_from_camera_ && (haptic_from_camera_ = placed(scene_, depth, body_.camera())))
+      builder_.watch(loop::mark_lines(scene_.effects, haptic_from_camera_->inverse()));
+    if (!haptic_from_camera_) return;
+    const surface::Reach reach{haptic_from_camera_->inverse() * device_, surface::kReach_m};
+    if (const auto built = builder_.add(depth, body_.camera(), captured, reach))
+      adopt(built, std::make_shared<TrueBody>(body_, time_s(), now_));
+  }
+
+  void adopt(std::shared_ptr<const surface::SurfaceSnapshot> shown,
+             std::shared_ptr<const surface::SurfaceSnapshot> truth) {
+    before_ = std::move(surfaces_);  // the loops refer to these until they get the new ones
+    surfaces_ = {loop::TouchableSurface{std::move(shown), *haptic_from_camera_},
+                 loop::TouchableSurface{std::move(truth), *haptic_from_camera_}};
+    fresh_ = true;
+  }
+
+  /// Where the body really carries the objects now.
+  [[nodiscard]] effects::Placements true_places() const noexcept {
+    effects::Placements places{};
+    for (std::size_t i = 0; i < scene_.effects.size(); ++i)
+      if (const auto at = scene_.effects.object_at(i); at && !model_) {
+        const double y_m = (haptic_from_camera_->inverse() * *at).m.y();
+        places[i].moved.v = haptic_from_camera_->iso.linear() * Vector3d(0.0, 0.0, -body_.risen_m(y_m, time_s()));
+      }
+    return places;
+  }
+
+  void tick() {
+    const bool fresh = std::exchange(fresh_, false);
+    loop::TickIn in{.now = now_,
+                    .dt_s = kTick_s,
+                    .hand = rig_->hand(now_),
+                    .reading = rig_->read(),
+                    .surface = fresh ? &surfaces_[0] : nullptr};
+    const ports::DeviceReading& reading = in.reading;
+    const loop::TickOut shown = shown_.tick(in);
+    if (fresh) in.surface = &surfaces_[1];
+    const loop::TickOut truth = truth_.tick(in);
+    const Point<HapticBase> at = shown_.in_patient_frame(reading.at);
+    const Vector<HapticBase> moved{at.m - device_.m};
+    device_ = at;
+    feel({.device = at, .device_velocity = {moved.v / kTick_s}, .contact = shown.contact, .moved = moved},
+         {.device = at, .device_velocity = {moved.v / kTick_s}, .contact = truth.contact, .moved = moved});
+    rig_->apply(shown.force, shown_.in_device_frame(shown.contact), kTick_s);
+  }
+
+  void feel(const effects::EffectInput& seen, const effects::EffectInput& real) {
+    const bool in_body = seen.contact.in_body || real.contact.in_body;
+    const bool enters = in_body && !std::exchange(in_body_, in_body);
+    if (!in_body) return;
+    const effects::Placements true_places = this->true_places();
+    const loop::ObjectPlacements objects = shown_.objects();
+    for (std::size_t i = 0; i < twins_.size(); ++i) {
+      const std::array<float, 3>& moved = objects[i].moved;
+      effects::Placements shown_at{};
+      effects::Placements truth_at{};
+      shown_at[0].moved.v = Vector3d(moved[0], moved[1], moved[2]);
+      truth_at[0] = true_places[i];
+      twins_[i].shown.place(shown_at);
+      twins_[i].truth.place(truth_at);
+      if (enters) twins_[i].begin(seen, real);
+      twins_[i].step(seen, real);
+    }
+  }
+
+  const scenes::Scene& scene_;
+  const SeenBody& body_;
+  surface::SurfaceBuilder builder_;
+  loop::HapticLoop shown_;
+  loop::HapticLoop truth_;
+  std::unique_ptr<ports::Rig> rig_;
+  std::vector<Twins> twins_;
+  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;
+  std::shared_ptr<const surface::SurfaceSnapshot> model_;  // nullptr: the body is seen
+  std::array<loop::TouchableSurface, 2> surfaces_;         // as shown, and the truth
+  std::array<loop::TouchableSurface, 2> before_;
+  bool fresh_ = false;
+  Point<HapticBase> device_;
+  SessionTime now_ = kBegin;
+  int seen_ = 0;
+  bool in_body_ = false;
+};
+
+}  // namespace
+
+Result<std::vector<MovingError>> errors_in_motion(const scenes::Scene& scene, const SceneParts& parts,
+                                                  const std::filesystem::path& file, const SeenBody& body,
+                                                  double seconds) {
+  Result<std::vector<Twins>> twins = twins_of(scene, file);
+  if (!twins) return twins.error();
+  Pair pair(scene, parts, body, std::move(twins).value());
+  pair.run(seconds);
+  std::vector<MovingError> errors;
+  for (Twins& one : pair.twins())
+    errors.push_back({.ticks = one.errors_N.size(),
+                      .p50_N = quantile(one.errors_N, 0.5),
+                      .p99_N = quantile(one.errors_N, 0.99),
+                      .stiffness_N_per_m = one.shown.stiffest_N_per_m(scene.control.limits.peak_N)});
+  return errors;
+}
+
+}  // namespace telepalp::station

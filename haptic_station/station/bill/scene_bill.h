@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "haptic_station/station/bill/billed_station.h"
+#include "haptic_station/station/bill/error_in_motion.h"
+
+namespace telepalp::station {
+
+/// What one part of a scene adds to a station: the station as it is, less the station without that part.
+struct Price {
+  std::string name;                        ///< the effect's; "ultrasound probe"; "all of these"
+  std::array<double, kPartCount> share{};  ///< of each part of the station, of one core [%]
+  double total_share = 0.0;                ///< of the whole station [%]
+  double tick_us = 0.0;                    ///< an effect: its mean time in a tick with contact, measured by itself [us]
+  std::size_t shapes = 0;                  ///< a layer: number of shapes; 0: not a layer
+  std::size_t bytes = 0;                   ///< a layer: memory of its SolidTree [B]
+  std::optional<MovingError> error{};      ///< an effect: of its force
+};
+
+struct SceneBill {
+  StationCost whole;  ///< the station with the scene as it is
+  StationCost paced;  ///< as `whole`, over two seconds in which the haptic thread waits for each tick, as it does live
+  double start_ms = 0.0;      ///< processor time of the layers' surfaces for viewers, once at the start
+  std::vector<Price> prices;  ///< of each effect in the scene's order; of the probe, if any; of all of them together
+
+  /// Share of one core that the station takes live [%]: `whole`, with the control loop of `paced`.
+  [[nodiscard]] double share() const noexcept;
+};
+
+/// What bill_of() prices: each effect, with its error, and all of them together; or only these.
+enum class Detail { EachEffect, Together };
+
+/// One session in virtual time for each line of the bill, second by second in turn, so that other programs disturb all
+/// of them alike. The first second is not measured. `seconds`: measured time; a trial lasts 11 to 15 s. `file`: the
+/// scene's file. `begun`: called with the number of seconds done and of all seconds. Error: as for read_parts() and
+/// errors_in_motion().
+[[nodiscard]] Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::path& file, double seconds,
+                                        Detail detail = Detail::EachEffect,
+                                        const std::function<void(int done, int all)>& begun = {});
+
+/// The bill as two tables.
+[[nodiscard]] std::string in_words(const SceneBill& bill);
+
+}  // namespace telepalp::station
