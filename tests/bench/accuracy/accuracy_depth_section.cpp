@@ -105,7 +105,7 @@ Result<std::vector<Priced>> bounds_of(const DepthSequence& sequence, std::vector
 Result<std::vector<Priced>> modes_of(const DepthSequence& sequence, std::vector<Row>& rows) {
   std::vector<Priced> all;
   for (const DepthMode mode : {DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal, DepthMode::Bounded}) {
-    const Result<DepthPrice> price = price_of(sequence, mode, {});
+    const Result<DepthPrice> price = price_of(sequence, mode, codec::kOneDisparityStep);  // the bound of `bounded`
     if (!price) return price.error();
     const std::string name(codec::name(mode));
     add_rows(sequence.name + ", " + name, *price, mode != DepthMode::Bounded, rows);

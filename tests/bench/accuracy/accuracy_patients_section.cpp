@@ -7,6 +7,8 @@
 #include "tests/bench/accuracy/accuracy_rms.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 #include "tests/bench/accuracy/accuracy_surface.h"
+#include "tests/bench/distribution.h"
+#include "tests/bench/effects/thread_time.h"
 #include "tests/bench/hand/feed.h"
 #include "tests/bench/hand/patient.h"
 
@@ -56,7 +58,13 @@ void add_error(const surface::SurfaceSnapshot& snapshot, const capture::TrueSurf
     }
 }
 
-double error_on(const SurfaceVariant& variant, const Column& column) {
+/// RMS error, and the median processor time of a snapshot.
+struct Watched {
+  double error_mm = 0.0;
+  double build_ms = 0.0;
+};
+
+Watched watch_on(const SurfaceVariant& variant, const Column& column) {
   const auto patient =
       hand::torso(hand::Sensor::Kinect, column.motion.value_or(capture::Motion::Regular), 1, column.camera_above_m);
   const auto pose = [&](double t) { return column.motion ? patient->pose(hand::at_time(t)) : capture::PatientPose{}; };
@@ -68,15 +76,18 @@ double error_on(const SurfaceVariant& variant, const Column& column) {
   const Point<DepthCamera> belly = hand::haptic_from_camera(*patient, spot).inverse() * Point<HapticBase>{};
   VariantStream stream(variant);
   RootMeanSquare error_m;
+  Distribution build_ms;
   for (int n = 0; n / 30.0 < kLasts_s; ++n) {
     const double t = 100.0 + n / 30.0;
     const bool judged = n / 30.0 >= kFrom_s && n % kEvery_frames == 0;
     if (!judged && !variant.settings.temporal) continue;
-    const auto snapshot =
-        stream.add(patient->depth_of(pose(t), hand::at_time(t)), camera, t, surface::Reach{belly, 0.16});
+    const DepthImage depth = patient->depth_of(pose(t), hand::at_time(t));
+    const double start_us = thread_us();
+    const auto snapshot = stream.add(depth, camera, t, surface::Reach{belly, surface::kReach_m});
+    build_ms.add(1e-3 * (thread_us() - start_us));
     if (judged) add_error(*snapshot, patient->surface_of(pose(t + kAge_s)), camera, spot, per_px, error_m);
   }
-  return error_m.value();
+  return {1e3 * error_m.value(), build_ms.p50()};
 }
 
 }  // namespace
@@ -84,21 +95,25 @@ double error_on(const SurfaceVariant& variant, const Column& column) {
 Result<Section> patients_section() {
   const std::vector<SurfaceVariant> variants = few_variants();
   const std::vector<Column> all = columns();
-  std::vector<double> error_mm(variants.size() * all.size());
-  program::for_each_parallel(static_cast<int>(error_mm.size()), program::processors(), [&](int i) {
+  std::vector<Watched> watched(variants.size() * all.size());
+  program::for_each_parallel(static_cast<int>(watched.size()), program::processors(), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    error_mm[at] = 1e3 * error_on(variants[at / all.size()], all[at % all.size()]);
+    watched[at] = watch_on(variants[at / all.size()], all[at % all.size()]);
   });
   Section section;
   PageTable table{.head = {"setting"}, .rows = {}};
   for (const Column& column : all) table.head.push_back(column.head);
+  table.head.push_back("build ms");
   for (std::size_t v = 0; v < variants.size(); ++v) {
     table.rows.push_back({"`" + variants[v].name + "`"});
+    double build_ms = 0.0;
     for (std::size_t c = 0; c < all.size(); ++c) {
-      const double off_mm = error_mm[v * all.size() + c];
+      const auto& [off_mm, column_ms] = watched[v * all.size() + c];
+      build_ms += column_ms / static_cast<double>(all.size());
       table.rows.back().push_back(cell(off_mm));
       section.rows.push_back(measured(variants[v].name + ": RMS position error, patient " + all[c].head, off_mm, "mm"));
     }
+    table.rows.back().push_back(cell(build_ms));
   }
   section.parts = {{"patients", to_markdown(table)}};
   return section;

@@ -7,6 +7,7 @@
 #include "haptic_station/tracking/hand_trace.h"
 #include "tests/bench/accuracy/accuracy_rms.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/effects/thread_time.h"
 #include "tests/bench/fixed_kalman.h"
 #include "tests/haptic_station/surface/touch_scenario.h"
 #include "where.h"
@@ -129,12 +130,13 @@ Result<void> watch_still(const std::vector<TimeVariant>& variants, std::vector<S
   const auto patient = testing::torso({.sigma_m = 0.001});
   if (!patient) return patient.error();
   const testing::Spot spot = testing::belly(*patient);
-  const surface::Reach reach{{spot.at}, 0.06};
+  const surface::Reach reach{{spot.at}, surface::kReach_m};
   constexpr int kStill = 90;
   constexpr int kAfter = 90;
   constexpr double kStep_m = 0.003;
   const auto step_samples = static_cast<int>(std::lround(kStep_m / patient->settings().depth_unit_m));
   Stream stream = builders(variants);
+  std::vector<Distribution> build_ms(variants.size());
   for (SurfacePredictionError& error : errors) error.step_frames = kAfter;
   for (int n = 0; n < kStill + kAfter; ++n) {
     RgbdFrame frame = patient->frame_at(scene_time(n * kFrame_s), static_cast<std::uint64_t>(n));
@@ -142,7 +144,9 @@ Result<void> watch_still(const std::vector<TimeVariant>& variants, std::vector<S
       for (std::uint16_t& sample : frame.depth.samples)
         if (sample > step_samples) sample = static_cast<std::uint16_t>(sample - step_samples);
     for (std::size_t k = 0; k < variants.size(); ++k) {
+      const double start_us = thread_us();
       const auto snapshot = stream[k].add(frame.depth, frame.camera.depth, frame.captured, reach);
+      build_ms[k].add(1e-3 * (thread_us() - start_us));
       if (n == 29 || n == kStill - 1) {
         RootMeanSquare error_m;
         add_error(*snapshot, patient->true_surface(frame.captured), spot, 0.0, error_m);
@@ -154,6 +158,7 @@ Result<void> watch_still(const std::vector<TimeVariant>& variants, std::vector<S
       if (std::abs(f_m) < 0.0005) errors[k].step_frames = n - kStill + 1;
     }
   }
+  for (std::size_t k = 0; k < variants.size(); ++k) errors[k].build_ms = build_ms[k].p50();
   return {};
 }
 
@@ -163,7 +168,7 @@ Result<void> watch_breathing(const std::vector<TimeVariant>& variants, std::vect
   const auto patient = testing::torso({.sigma_m = 0.001, .amplitude_m = 0.005});
   if (!patient) return patient.error();
   const testing::Spot spot = testing::belly(*patient);
-  const surface::Reach reach{{spot.at}, 0.06};
+  const surface::Reach reach{{spot.at}, surface::kReach_m};
   Stream stream = builders(variants);
   std::vector<std::array<RootMeanSquare, kSurfaceAges_s.size()>> error_m(variants.size());
   for (int n = 0; n < 360; ++n) {
@@ -192,6 +197,35 @@ Result<std::vector<HandPredictionError>> hand_predictions() {
     for (const std::size_t ahead : {1U, 2U, 4U}) errors.push_back(predict(*trace, name, ahead));
   }
   return errors;
+}
+
+Result<std::array<double, 5>> hand_model_us() {
+  const auto trace = tracking::read_hand_trace(TELEPALP_SOURCE_DIR "/tests/data/hand_tracking/grab.csv");
+  if (!trace) return trace.error();
+  FixedKalman velocity{kFixedVelocity};
+  FixedKalman damped{kFixedDamped};
+  tracking::HandEstimate adaptive;
+  double moved = 0.0;  // used below, so that no prediction is left out by the compiler
+  const auto each_us = [&](const auto& work) {
+    const double start_us = thread_us();
+    for (const tracking::TraceSample& sample : trace->samples) moved += work(sample);
+    return (thread_us() - start_us) / static_cast<double>(trace->samples.size());
+  };
+  const double velocity_us = each_us([&](const tracking::TraceSample& sample) {
+    velocity.update(sample.at, sample.palm.m);
+    return velocity.predict(sample.at).x();
+  });
+  const double damped_us = each_us([&](const tracking::TraceSample& sample) {
+    damped.update(sample.at, sample.palm.m);
+    return damped.predict(sample.at).x();
+  });
+  const double adaptive_us = each_us([&](const tracking::TraceSample& sample) {
+    (void)adaptive.update(sample.at, {sample.palm.m});
+    return adaptive.predict(sample.at).at.m.x();
+  });
+  if (!std::isfinite(moved))
+    return Error{.what = "a prediction is not finite", .where = "grab.csv", .fix = "check the recorded hand"};
+  return std::array{0.0, 0.0, velocity_us, damped_us, adaptive_us};
 }
 
 Result<std::vector<SurfacePredictionError>> surface_predictions() {

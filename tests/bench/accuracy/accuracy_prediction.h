@@ -27,12 +27,16 @@ inline constexpr std::size_t kDefaultHandModel = 4;
 /// before it.
 [[nodiscard]] Result<std::vector<HandPredictionError>> hand_predictions();
 
+/// Processor time of one sample and one prediction of each model [us]; the first two models only copy.
+[[nodiscard]] Result<std::array<double, 5>> hand_model_us();
+
 /// The error of the predicted surface of a breathing torso, for one way of prediction.
 struct SurfacePredictionError {
   std::string model;
   std::string what;
   double still_1s_m = 0.0;              ///< still patient: RMS after one second
   double still_3s_m = 0.0;              ///< still patient: RMS after three seconds
+  double build_ms = 0.0;                ///< processor time of one snapshot, median
   double step_frames = 0.0;             ///< frames until the surface follows a step of 3 mm to 0.5 mm
   std::array<double, 4> breathing_m{};  ///< RMS along the normal at the ages below
 };

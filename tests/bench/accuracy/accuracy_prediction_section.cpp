@@ -41,15 +41,23 @@ std::string hand_text(const std::vector<HandPredictionError>& errors) {
   return text;
 }
 
+std::string hand_time_text(const std::array<double, kHandModels.size()>& us) {
+  std::string text = "\nA sample and a prediction take, in µs of processor time: ";
+  for (std::size_t model = 2; model < us.size(); ++model)
+    text += (model > 2 ? "; " : "") + std::string(kHandModels[model]) + " " + cell(us[model]);
+  return text + ".\n";
+}
+
 PageTable time_table(const std::vector<SurfacePredictionError>& errors) {
-  PageTable table{.head = {"carried by", "", "still, 1 s, mm", "still, 3 s, mm", "frames to follow 3 mm"}, .rows = {}};
+  PageTable table{.head = {"carried by", "", "still, 1 s, mm", "still, 3 s, mm", "frames to follow 3 mm", "build ms"},
+                  .rows = {}};
   for (const double age_s : kSurfaceAges_s) {
     const std::string age = cell(1e3 * age_s) + " ms old";
     table.head.push_back("breathing, " + age + ", mm");
   }
   for (const SurfacePredictionError& error : errors) {
-    table.rows.push_back(
-        {error.model, error.what, cell(1e3 * error.still_1s_m), cell(1e3 * error.still_3s_m), cell(error.step_frames)});
+    table.rows.push_back({error.model, error.what, cell(1e3 * error.still_1s_m), cell(1e3 * error.still_3s_m),
+                          cell(error.step_frames), cell(error.build_ms)});
     for (const double breathing_m : error.breathing_m) table.rows.back().push_back(cell(1e3 * breathing_m));
   }
   return table;
@@ -82,6 +90,8 @@ std::string time_text(const std::vector<SurfacePredictionError>& errors) {
 Result<Section> prediction_section() {
   const auto hands = hand_predictions();
   if (!hands) return hands.error();
+  const auto hand_us = hand_model_us();
+  if (!hand_us) return hand_us.error();
   const auto surfaces = surface_predictions();
   if (!surfaces) return surfaces.error();
   Section section;
@@ -104,7 +114,7 @@ Result<Section> prediction_section() {
                                           cell(1e3 * kSurfaceAges_s[age]) + " ms old",
                                       1e3 * error.breathing_m[age], "mm"));
   }
-  section.parts = {{"hand", to_markdown(hand_table(*hands)) + "\n" + hand_text(*hands)},
+  section.parts = {{"hand", to_markdown(hand_table(*hands)) + "\n" + hand_text(*hands) + hand_time_text(*hand_us)},
                    {"time", to_markdown(time_table(*surfaces)) + "\n" + time_text(*surfaces)}};
   return section;
 }

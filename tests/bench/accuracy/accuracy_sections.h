@@ -24,8 +24,11 @@ struct Section {
 [[nodiscard]] Result<Section> organ_section();
 /// The proxy of a layer of solids: error and cost over rounds, tolerance, size of the tree, skipping and blends.
 [[nodiscard]] Result<Section> solids_section();
-/// What each effect costs: time in a tick, memory, start-up, and the error of the felt depth.
+/// The bill of each library scene, and what each kind of effect costs: processor time, memory, start-up, and the error
+/// of the force in motion.
 [[nodiscard]] Result<Section> price_section();
+/// What further settings cost and gain: JPEG quality, camera, disparity levels, the skin's anchor, ultrasound size.
+[[nodiscard]] Result<Section> settings_section();
 /// The stiffest wall that the simulated device can show, over sampling rate and damping.
 [[nodiscard]] Result<Section> z_width_section();
 /// The depth codec's modes, and the force error that Bounded causes.

@@ -21,6 +21,7 @@ using solids::SolidTree;
 
 constexpr ProxySettings kFinest{.rounds = 60, .tolerance_m = 1e-10, .remembers = false};
 constexpr double kTip_m = 0.006;
+constexpr double kStiffness_N_per_m = 1200.0;
 
 /// Places of a device that slides at up to 0.2 m/s over a solid and presses up to 8 mm into it.
 struct Path {
@@ -38,26 +39,33 @@ struct ProxyPrice {
   double p99_m = 0.0;
   double elsewhere = 0.0;  ///< share of contact further than 1 mm from it: on the other side of a crease
   Distribution step_us;
+  double jump_N = 0.0;  ///< change of the force from one tick to the next, p99.9
 };
 
-ProxyPrice price_of(const SolidTree& tree, const Path& path, const ProxySettings& settings) {
+ProxyPrice price_of(const SolidTree& tree, const Path& path, const ProxySettings& settings, double tip_m = kTip_m) {
   constexpr int kTicks = 20'000;
   solids::SolidProxy proxy(settings);
   solids::SolidProxy truth(kFinest);
   ProxyPrice price;
   Distribution errors;
   double elsewhere = 0.0;
+  Distribution jumps_N;
+  Vector3d last_N = Vector3d::Zero();
   for (int tick = 0; tick < kTicks; ++tick) {
     const Vector3d device = place(path, tick);
     const auto before = std::chrono::steady_clock::now();
-    const solids::ProxyAt at = proxy.step(tree, device, kTip_m);
+    const solids::ProxyAt at = proxy.step(tree, device, tip_m);
     price.step_us.add(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
-    const solids::ProxyAt best = truth.step(tree, device, kTip_m);
+    const solids::ProxyAt best = truth.step(tree, device, tip_m);
+    const Vector3d force_N = kStiffness_N_per_m * at.depth_m * at.outwards;
+    jumps_N.add((force_N - last_N).norm());
+    last_N = force_N;
     if (best.depth_m <= 0.0 && at.depth_m <= 0.0) continue;
     const double error_m = (at.at - best.at).norm();
     errors.add(error_m);
     if (error_m > 1e-3) elsewhere += 1.0;
   }
+  price.jump_N = jumps_N.p999();
   if (errors.count() == 0) return price;
   price.p50_m = errors.p50();
   price.p99_m = errors.p99();
@@ -155,6 +163,21 @@ PageTable trees_table(const SolidTree& ribs, std::vector<Row>& rows) {
   return table;
 }
 
+/// The radius of the fingertip on the shipped ribs.
+PageTable tips_table(const SolidTree& ribs) {
+  PageTable table{.head = {"`tip_radius_m`, mm", "step µs, p50 / p99", "proxy error µm, p50 / p99",
+                           "change of the force in a tick mN, p99.9"},
+                  .rows = {}};
+  for (const double tip_m : {0.0, 0.003, 0.006, 0.01, 0.015}) {
+    // The tip's centre lies a radius higher than the device point, so that each tip presses as deep.
+    const Path path{.middle = {0.05, -0.033 + tip_m, 0.0}, .swing = {0.02, 0.005, 0.1}};
+    const ProxyPrice price = price_of(ribs, path, {}, tip_m);
+    table.rows.push_back({cell(1e3 * tip_m), cell(price.step_us.p50()) + " / " + cell(price.step_us.p99()),
+                          cell(1e6 * price.p50_m) + " / " + cell(1e6 * price.p99_m), cell(1e3 * price.jump_N)});
+  }
+  return table;
+}
+
 }  // namespace
 
 Result<Section> solids_section() {
@@ -170,7 +193,8 @@ Result<Section> solids_section() {
         measured("proxy on 24 ribs, " + one.name + ": time of a step, p50", one.price.step_us.p50(), "us"));
   }
   section.parts = {{"proxy", to_markdown(settings_table(all))},
-                   {"trees", to_markdown(trees_table(ribs, section.rows))}};
+                   {"trees", to_markdown(trees_table(ribs, section.rows))},
+                   {"tips", to_markdown(tips_table(ribs))}};
   section.pictures = {{"accuracy/proxy.svg", plot::to_svg(chart_of(all))}};
   return section;
 }

@@ -10,6 +10,7 @@
 #include "haptic_station/surface/touch/touch.h"
 #include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/effects/thread_time.h"
 #include "tests/haptic_station/surface/shape_error.h"
 
 namespace telepalp::bench {
@@ -25,8 +26,7 @@ using testing::kTick_s;
 using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kReach_m = 0.10;
-constexpr double kSteepestView = 0.77;  // cosine of 40 degrees: on a steeper surface the pixels are too far apart
+constexpr double kSteepestView = 0.77;  // cosine of 40 degrees; slope_touch_error() measures steeper places
 constexpr int kPressSteps = 24;
 constexpr int kSettleSteps = 12;
 constexpr double kMostSeconds = 1.0;  // longest time of a measurement; slow variants are measured at fewer points
@@ -130,6 +130,21 @@ std::vector<Vector3d> places_on(const testing::AnalyticSurface& shape) {
   return places;
 }
 
+/// Places on a shape in front of the camera whose normal is within 2 degrees of `slope_deg` off the ray to them.
+std::vector<Vector3d> places_at_slope(const testing::AnalyticSurface& shape, double slope_deg) {
+  std::vector<Vector3d> places;
+  for (double x = -0.09; x <= 0.09; x += 0.0031)
+    for (double y = -0.09; y <= 0.09; y += 0.0031) {
+      const Vector3d ray(x / 0.8, y / 0.8, 1.0);
+      const double z = shape.depth_along(ray.x(), ray.y());
+      if (!(z > 0.0)) continue;
+      const double facing = -shape.foot(z * ray).normal.dot(ray.normalized());
+      if (std::abs(std::acos(std::clamp(facing, -1.0, 1.0)) * 180.0 / std::numbers::pi - slope_deg) <= 2.0)
+        places.push_back(z * ray);
+    }
+  return places;
+}
+
 TouchError torso_error(const FilmedTorso& torso, const SurfaceSnapshot& snapshot) {
   const capture::TrueSurface truth = torso.patient.true_surface(snapshot.captured);
   std::vector<Vector3d> places;
@@ -159,7 +174,7 @@ Result<FilmedTorso> film(Result<capture::SyntheticPatient> patient) {
 std::shared_ptr<const SurfaceSnapshot> watch(const FilmedTorso& torso, const SurfaceVariant& variant,
                                              Distribution& times_ms) {
   constexpr std::size_t kAlone = 8;
-  const Reach reach{{torso.spot.at}, kReach_m};
+  const Reach reach{{torso.spot.at}, surface::kReach_m};
   VariantStream stream(variant);
   std::shared_ptr<const SurfaceSnapshot> snapshot;
   const std::size_t count = torso.frames.size();
@@ -167,9 +182,9 @@ std::shared_ptr<const SurfaceSnapshot> watch(const FilmedTorso& torso, const Sur
   for (std::size_t n = variant.settings.temporal ? 0 : count - kAlone; n < count; ++n) {
     if (!variant.settings.temporal && n + 1 < count && since_s(begin) > kMostSeconds) continue;
     const RgbdFrame& frame = torso.frames[n];
-    const auto start = Clock::now();
+    const double start_us = thread_us();
     snapshot = stream.add(frame.depth, frame.camera.depth, static_cast<double>(n) * kFrame_s, reach);
-    times_ms.add(1e3 * since_s(start));
+    times_ms.add(1e-3 * (thread_us() - start_us));
   }
   return snapshot;
 }
@@ -202,7 +217,7 @@ std::vector<RenderedShape> rendered_shapes(double spacing_m) {
 
 Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.sigma_m = sigma_m})); }
 
-Result<FilmedTorso> kinect_torso(double above_m) {
+Result<FilmedTorso> kinect_torso(double above_m, const Intrinsics& camera) {
   const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
   if (!file)
     return Error{.what = "the mesh is missing",
@@ -210,22 +225,41 @@ Result<FilmedTorso> kinect_torso(double above_m) {
                  .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
   const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
   if (!mesh) return mesh.error();
-  return film(capture::SyntheticPatient::make(*mesh, {.camera_above_body_m = above_m, .amplitude_m = 0.0}));
+  return film(
+      capture::SyntheticPatient::make(*mesh, {.camera = camera, .camera_above_body_m = above_m, .amplitude_m = 0.0}));
 }
 
-TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant) {
-  const Reach reach{{{0.02, 0.0, 0.82}}, 0.09};
+namespace {
+
+TouchError error_at(const RenderedShape& shape, const SurfaceVariant& variant, const std::vector<Vector3d>& places) {
+  const Reach reach{{{0.02, 0.0, 0.82}}, surface::kReach_m};
   VariantStream stream(variant);
+  const double start_us = thread_us();
   const auto snapshot = stream.add(shape.clean, shape.camera, 0.0, reach);
-  return press_all(*snapshot, places_on(*shape.truth), [&](const Vector3d& foot) -> std::optional<Truth> {
+  const double build_ms = 1e-3 * (thread_us() - start_us);
+  TouchError error = press_all(*snapshot, places, [&](const Vector3d& foot) -> std::optional<Truth> {
     const testing::TrueFoot there = shape.truth->foot(foot);
     return Truth{there.normal, there.distance_m};
   });
+  error.build_ms = build_ms;
+  return error;
+}
+
+}  // namespace
+
+TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant) {
+  return error_at(shape, variant, places_on(*shape.truth));
+}
+
+TouchError slope_touch_error(const RenderedShape& sphere, const SurfaceVariant& variant, double slope_deg) {
+  return error_at(sphere, variant, places_at_slope(*sphere.truth, slope_deg));
 }
 
 TouchError torso_touch_error(const FilmedTorso& torso, const SurfaceVariant& variant) {
-  Distribution unused;
-  return torso_error(torso, *watch(torso, variant, unused));
+  Distribution build_ms;
+  TouchError error = torso_error(torso, *watch(torso, variant, build_ms));
+  error.build_ms = build_ms.p50();
+  return error;
 }
 
 SurfaceFigures measure_surface(const SurfaceVariant& variant, const std::vector<RenderedShape>& shapes,

@@ -45,7 +45,8 @@ struct TouchError {
   double position_m = 0.0;  ///< RMS of the foot from the true surface
   double normal_deg = 0.0;  ///< RMS
   int places = 0;
-  int touched = 0;  ///< number of points in contact at the end of the press
+  int touched = 0;        ///< number of points in contact at the end of the press
+  double build_ms = 0.0;  ///< processor time of one snapshot, median
 };
 
 /// Errors and costs of a variant.
@@ -89,9 +90,13 @@ struct FilmedTorso {
 [[nodiscard]] Result<FilmedTorso> filmed_torso(double sigma_m);
 /// One second of a still patient through a Kinect-like sensor at `above_m`: noise that grows with depth, disparity
 /// steps, holes.
-[[nodiscard]] Result<FilmedTorso> kinect_torso(double above_m);
+[[nodiscard]] Result<FilmedTorso> kinect_torso(double above_m,
+                                               const Intrinsics& camera = capture::SyntheticSettings{}.camera);
 
 [[nodiscard]] TouchError shape_touch_error(const RenderedShape& shape, const SurfaceVariant& variant);
+/// As above, only at places whose normal is within 2 degrees of `slope_deg` off the camera's ray, all around the shape.
+[[nodiscard]] TouchError slope_touch_error(const RenderedShape& sphere, const SurfaceVariant& variant,
+                                           double slope_deg);
 [[nodiscard]] TouchError torso_touch_error(const FilmedTorso& torso, const SurfaceVariant& variant);
 [[nodiscard]] SurfaceFigures measure_surface(const SurfaceVariant& variant, const std::vector<RenderedShape>& shapes,
                                              const FilmedTorso& torso);

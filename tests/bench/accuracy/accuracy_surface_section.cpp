@@ -185,14 +185,18 @@ Result<PageTable> noise_table(std::vector<Row>& rows) {
     if (!sight.torso) return sight.torso.error();
     table.head.push_back(sight.name + ", mm / °");
   }
+  table.head.push_back("build ms");
   for (const SurfaceVariant& variant : few_variants()) {
     table.rows.push_back({"`" + variant.name + "`"});
+    double build_ms = 0.0;
     for (const Sight& sight : sights) {
       const TouchError error = torso_touch_error(*sight.torso, variant);
+      build_ms += error.build_ms / static_cast<double>(sights.size());
       table.rows.back().push_back(both(error, 1e3));
       rows.push_back(
           measured(variant.name + ": RMS position error, torso, " + sight.name, 1e3 * error.position_m, "mm"));
     }
+    table.rows.back().push_back(cell(build_ms));
   }
   return table;
 }
@@ -202,13 +206,34 @@ PageTable density_table(std::vector<Row>& rows) {
   const std::vector<SurfaceVariant> few = few_variants();
   for (const SurfaceVariant& variant : few) table.rows.push_back({"`" + variant.name + "`"});
   for (const double spacing_m : {0.00075, 0.0015, 0.003, 0.006}) {
-    table.head.push_back(cell(1e3 * spacing_m) + " mm, µm / °");
+    table.head.push_back(cell(1e3 * spacing_m) + " mm, µm / °; build ms");
     const std::vector<RenderedShape> shapes = rendered_shapes(spacing_m);
     for (std::size_t k = 0; k < few.size(); ++k) {
       const TouchError error = shape_touch_error(shapes[2], few[k]);
-      table.rows[k].push_back(both(error, 1e6));
+      table.rows[k].push_back(both(error, 1e6) + "; " + cell(error.build_ms));
       rows.push_back(
           measured(few[k].name + ": RMS position error, sphere of 50 mm, points " + cell(1e3 * spacing_m) + " mm apart",
+                   1e6 * error.position_m, "um"));
+    }
+  }
+  return table;
+}
+
+/// The slope of the skin against the camera's ray, on a sphere of 80 mm, for the few settings and narrower windows.
+PageTable slopes_table(const std::vector<RenderedShape>& shapes, std::vector<Row>& rows) {
+  std::vector<SurfaceVariant> variants = few_variants();
+  for (const SurfaceVariant& variant : surface_variants())
+    if (variant.name == "fast, fit 3" || variant.name == "fast, support 1.5") variants.push_back(variant);
+  PageTable table{.head = {"setting"}, .rows = {}};
+  for (const SurfaceVariant& variant : variants)
+    table.rows.push_back({variant.named ? "`" + variant.name + "`" : variant.name});
+  for (const double slope_deg : {10.0, 30.0, 45.0, 55.0, 65.0, 72.0, 78.0}) {
+    table.head.push_back(cell(slope_deg) + "°, µm / °");
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+      const TouchError error = slope_touch_error(shapes[1], variants[k], slope_deg);
+      table.rows[k].push_back(both(error, 1e6));
+      rows.push_back(
+          measured(variants[k].name + ": RMS position error, sphere of 80 mm, slope of " + cell(slope_deg) + " degrees",
                    1e6 * error.position_m, "um"));
     }
   }
@@ -244,6 +269,7 @@ Result<Section> surface_section() {
   section.parts = {{"surface", to_markdown(surface_table(all, front, knee))},
                    {"knee", knee_text(all, knee)},
                    {"noise", to_markdown(*noise)},
+                   {"slopes", to_markdown(slopes_table(shapes, section.rows))},
                    {"density", to_markdown(density_table(section.rows))}};
   section.pictures = {{"accuracy/surface.svg", plot::to_svg(pareto_chart(all, front, knee))}};
   return section;

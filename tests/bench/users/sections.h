@@ -4,6 +4,9 @@
 
 namespace telepalp::bench {
 
+/// In each library scene, the bill against the processor time of a real station beside a real server: five pairs of
+/// stations, with and without the scene's effects and probe, side by side.
+[[nodiscard]] Result<std::vector<Row>> run_bill_section(const UsersPlace& place);
 /// What a page says of a server that is silent, and of a played session that is moved image by image, in Chromium.
 [[nodiscard]] Result<std::vector<Row>> run_page_section(const UsersPlace& place);
 

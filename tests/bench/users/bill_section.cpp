@@ -1,0 +1,192 @@
+#include <google/protobuf/text_format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/station/bill/scene_bill.h"
+#include "tests/bench/users/sections.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::bench {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using support::ChildProcess;
+
+constexpr int kPairs = 5;
+constexpr double kSeconds = 12.0;  // of the measured session; a trial lasts 11 to 15 s
+constexpr double kLeastOff = 0.5;  // % of a core
+constexpr double kOff = 0.2;       // of the measured value
+
+/// Processor time that all threads of a process have used [ns], from the kernel's scheduler.
+double spent_ns(pid_t pid) {
+  double sum = 0.0;
+  std::error_code code;
+  for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(pid) + "/task", code)) {
+    double ns = 0.0;
+    if (std::ifstream(thread.path() / "schedstat") >> ns) sum += ns;
+  }
+  return sum;
+}
+
+/// A server and the station that it serves, as real programs.
+class Site {
+ public:
+  Site(const UsersPlace& place, const fs::path& scene, const std::string& name) : folder_(place.scratch / name) {
+    fs::create_directories(folder_);
+    const fs::path ready = folder_ / "ready";
+    fs::remove(ready);
+    server_.emplace(place.programs / "telepalp-server",
+                    std::vector<std::string>{"--port", "0", "--ready-file", ready.string()}, folder_ / "server.log");
+    const auto port = support::await_ready(ready, "port");
+    if (!port) return;
+    fs::remove(log());
+    station_.emplace(place.programs / "telepalp-station",
+                     std::vector<std::string>{"--connect", "127.0.0.1:" + *port, "--scene", scene.string(), "--control",
+                                              "none", "--state-dir", folder_.string()},
+                     log());
+  }
+
+  /// Waits until the control loop runs.
+  [[nodiscard]] bool runs() const {
+    for (int tenth = 0; station_ && tenth < 600; ++tenth, std::this_thread::sleep_for(100ms)) {
+      if (said().find("control loop runs at 2 kHz") != std::string::npos) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] double spent() const { return spent_ns(station_->pid()); }
+
+  /// Ends the station. Returns the number of images of which it made a surface; 0: it touches a model.
+  [[nodiscard]] double stop() {
+    station_->signal(SIGINT);
+    (void)station_->wait(10s);
+    const std::string text = said();
+    const std::size_t at = text.find(" images: their surfaces");
+    return at == std::string::npos ? 0.0 : std::strtod(text.c_str() + text.rfind(' ', at - 1), nullptr);
+  }
+
+ private:
+  [[nodiscard]] fs::path log() const { return folder_ / "station.log"; }
+  [[nodiscard]] std::string said() const {
+    std::ostringstream text;
+    text << std::ifstream(log()).rdbuf();
+    return text.str();
+  }
+
+  fs::path folder_;
+  std::optional<ChildProcess> server_;
+  std::optional<ChildProcess> station_;
+};
+
+/// Shares of a core [%] of two stations in the same seconds.
+struct Shares {
+  double with = 0.0;
+  double without = 0.0;
+};
+
+/// Share of a core [%] of a station that keeps up with its camera. A station on a busy computer drops images, so its
+/// processor time is taken for each image that it used, at 30 images a second.
+double share_of(Site& site, double before_ns, std::chrono::steady_clock::time_point start) {
+  constexpr double kImages_per_s = 30.0;
+  const double spent = site.spent() - before_ns;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double images = site.stop();
+  return images > 0.0 ? 1e-7 * spent * kImages_per_s / images : 1e-7 * spent / seconds;
+}
+
+std::optional<Shares> measured_pair(const UsersPlace& place, const fs::path& with, const fs::path& without) {
+  Site first(place, with, "with");
+  if (!first.runs()) return std::nullopt;
+  const auto first_start = std::chrono::steady_clock::now();
+  const double first_ns = first.spent();
+  Site second(place, without, "without");
+  if (!second.runs()) return std::nullopt;
+  const auto second_start = std::chrono::steady_clock::now();
+  const double second_ns = second.spent();
+  std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
+  const double with_share = share_of(first, first_ns, first_start);
+  return Shares{with_share, share_of(second, second_ns, second_start)};
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The scene with one effect, a skin without force, and without probe, as a file.
+fs::path bare_file(const UsersPlace& place, const scenes::Scene& scene, const fs::path& file) {
+  msg::Scene bare = scene.message;
+  bare.clear_effects();
+  bare.add_effects()->mutable_skin()->set_alpha_n_per_m2(1.0);
+  bare.clear_probe();
+  if (bare.patient_surface().has_static_model()) {
+    std::string& model = *bare.mutable_patient_surface()->mutable_static_model()->mutable_file();
+    model = (file.parent_path() / model).string();
+  }
+  std::string text;
+  google::protobuf::TextFormat::PrintToString(bare, &text);
+  const fs::path made = place.scratch / ("bare." + file.filename().string());
+  std::ofstream(made) << text;
+  return made;
+}
+
+/// How far the bill is off, as a share of what it may be off: 20 % of the measured value or 0.5 % of a core, the
+/// larger.
+double off(double billed, double truth) {
+  return std::abs(billed - truth) / std::max(kLeastOff, kOff * std::abs(truth));
+}
+
+Result<void> add_rows(const UsersPlace& place, const fs::path& file, std::vector<Row>& rows) {
+  const Result<scenes::Scene> scene = scenes::read_scene(file);
+  if (!scene) return scene.error();
+  const fs::path bare = bare_file(place, *scene, file);
+  std::vector<double> whole;
+  std::vector<double> added;
+  for (int pair = 0; pair < kPairs; ++pair) {
+    const std::optional<Shares> shares = measured_pair(place, file, bare);
+    if (!shares)
+      return Error{.what = "the station does not run its control loop within 60 s",
+                   .where = file.string(),
+                   .fix = "see the logs of the station and of its server"};
+    whole.push_back(shares->with);
+    added.push_back(shares->with - shares->without);
+  }
+  const Result<station::SceneBill> bill = station::bill_of(*scene, file, kSeconds, station::Detail::Together);
+  if (!bill) return bill.error();
+  const double billed = bill->share();
+  const double billed_effects = bill->prices.back().total_share;
+  const std::string name = "bill of " + scene->name;
+  rows.push_back(measured(name + ": the station, measured", median(whole), "% of a core"));
+  rows.push_back(measured(name + ": the station, billed", billed, "% of a core"));
+  rows.push_back(measured(name + ": what its effects add, measured", median(added), "% of a core"));
+  rows.push_back(measured(name + ": what its effects add, billed", billed_effects, "% of a core"));
+  rows.push_back(at_most(name + ": error of the station's cost, over 20 % or 0.5 % of a core",
+                         off(billed, median(whole)), "", 1.0));
+  rows.push_back(at_most(name + ": error of what the effects add, over 20 % or 0.5 % of a core",
+                         off(billed_effects, median(added)), "", 1.0));
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Row>> run_bill_section(const UsersPlace& place) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(place.sources / "haptic_station/scenes"))
+    if (entry.path().extension() == ".textproto") files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<Row> rows;
+  for (const fs::path& file : files)
+    if (const Result<void> done = add_rows(place, file, rows); !done) return done.error();
+  return rows;
+}
+
+}  // namespace telepalp::bench
