@@ -6,7 +6,7 @@
 #include "clients/record/edit/merge.h"
 #include "clients/record/facts/session_facts.h"
 #include "clients/record/live/amounts.h"
-#include "clients/record/repair.h"
+#include "clients/record/repair/repair.h"
 #include "clients/record/unfinished.h"
 #include "proto/words/counted.h"
 #include "support/program/log.h"
@@ -27,18 +27,19 @@ program::Usage info_usage() {
 
 program::Usage verify_usage() {
   return {.program = "telepalp-record verify",
-          .purpose = "reads all of a session and checks each chunk, message and count",
+          .purpose = "reads all of a session and compares each byte with the CRCs in it",
           .positional = "FILE",
           .options = {},
           .example = "telepalp-record verify session.mcap"};
 }
 
 program::Usage repair_usage() {
-  return {.program = "telepalp-record repair",
-          .purpose = "finishes a recording that was cut off, or copies the readable messages of a damaged file",
-          .positional = "FILE",
-          .options = {{"out", "FILE.mcap", "file for the copy; default: NAME.repaired.mcap for NAME.mcap"}},
-          .example = "telepalp-record repair session.mcap"};
+  return {
+      .program = "telepalp-record repair",
+      .purpose = "finishes a recording that was cut off (FILE.partial), or copies what can be read of a damaged file",
+      .positional = "FILE",
+      .options = {{"out", "FILE.mcap", "file for the copy; default: NAME.repaired.mcap for NAME.mcap"}},
+      .example = "telepalp-record repair session.mcap"};
 }
 
 program::Usage cut_usage() {
@@ -108,12 +109,20 @@ std::string mending_of(const SessionFacts& facts, const std::string& file) {
 
 /// The facts of a finished file. Error: also for a recording that was not completed.
 Result<SessionFacts> facts_of(const std::string& file) {
-  if (const auto partial = unfinished(file))
-    return Error{.what = "the recording was not completed, or is still being made: " + partial->string() +
-                         " holds what was written",
-                 .where = file,
-                 .fix = "if no recorder is running any more: telepalp-record repair " + file};
-  return inspect(file);
+  const auto partial = unfinished(file);
+  if (!partial) return inspect(file);
+  const std::string where_it_is = *partial == file ? "" : ": " + partial->string() + " holds what was written";
+  return Error{.what = "the recording was not completed, or is still being made" + where_it_is,
+               .where = file,
+               .fix = "telepalp-record repair " + file + ", once no recorder writes it any more"};
+}
+
+/// A note if an unfinished recording of the same name lies beside `file`.
+std::optional<std::string> partial_beside(const std::string& file) {
+  std::error_code unknown;
+  const std::string partial = file + ".partial";
+  if (!std::filesystem::exists(partial, unknown)) return std::nullopt;
+  return partial + " lies beside it: a recording of the same name that was not completed";
 }
 
 int verify(const std::string& file) {
@@ -122,8 +131,7 @@ int verify(const std::string& file) {
   const auto print = [&](const char* kind, const std::string& text) {
     std::printf("%s: %s%s\n", program::escaped(file).c_str(), kind, program::escaped(text).c_str());
   };
-  if (const std::string partial = file + ".partial"; std::filesystem::exists(partial))
-    print("note: ", partial + " lies beside it: a recording of the same name that was not completed");
+  if (const auto note = partial_beside(file)) print("note: ", *note);
   for (const std::string& note : notes_on(*facts)) print("note: ", note);
   for (const std::string& damage : facts->damages) print("damage: ", damage);
   if (facts->damages_in_all > 0)
@@ -162,6 +170,7 @@ Result<CutOptions> cut_options(const program::Arguments& arguments) {
 int show_info(const std::string& file, bool json) {
   const Result<SessionFacts> facts = facts_of(file);
   if (!facts) return program::fail(facts.error());
+  if (const auto note = partial_beside(file)) program::log(kProgram, "note: " + *note);
   return program::print(json ? in_json(*facts) : in_words(*facts));
 }
 
@@ -172,11 +181,11 @@ int run_repair(const std::string& file, const std::string& out) {
   if (report->was_whole) {
     program::log(kProgram, file + " is whole: " + counted(report->messages, "message", "messages") +
                                " can be read; no copy is written");
+    if (const auto note = partial_beside(file)) program::log(kProgram, "note: " + *note);
     return program::kDone;
   }
   for (const std::string& damage : report->damages) program::log(kProgram, file + ": damage: " + damage);
-  program::log(kProgram,
-               "recovered " + counted(report->messages, "message", "messages") + " to " + report->file.string());
+  program::log(kProgram, report->file.string() + ": recovered " + recovered(*report));
   return program::kDone;
 }
 

@@ -63,9 +63,9 @@ class Lock {
   int descriptor_;
 };
 
-bool only_the_end_is_missing(const RepairReport& report) {
-  return report.damages.empty() ||
-         (report.damages.size() == 1 && report.damages.front().find("truncated") != std::string::npos);
+/// True if the partial file holds nothing that the finished one lacks.
+bool holds_nothing_more(const RepairReport& report) {
+  return report.only_end_is_missing || (report.damages.empty() && report.lost == 0U);
 }
 
 }  // namespace
@@ -103,14 +103,14 @@ Result<RepairReport> finish(const fs::path& partial) {
   if (wire::mcap::rename_without_replacing(report->file, name) != 0)
     return cannot_be_finished(name, std::strerror(errno));
   report->file = name;
-  if (only_the_end_is_missing(*report)) fs::remove(partial, ignored);
+  if (holds_nothing_more(*report)) fs::remove(partial, ignored);
   return report;
 }
 
 std::string in_words(const RepairReport& finished) {
   std::string text = finished.file.string() + " was not completed by its recorder; the file is complete now, with " +
                      counted(finished.messages, "message", "messages");
-  if (!only_the_end_is_missing(finished))
+  if (!holds_nothing_more(finished))
     text += "; " + counted(finished.damages.size(), "place was", "places were") +
             " damaged, so the recorder's own file is kept, too: " + finished.file.string() + std::string(kPartial);
   return text;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "clients/record/repair.h"
+#include "clients/record/repair/repair.h"
 #include "proto/words/result.h"
 
 namespace telepalp::record {

@@ -9,7 +9,7 @@
 
 #include "clients/record/edit/merge.h"
 #include "clients/record/facts/session_facts.h"
-#include "clients/record/repair.h"
+#include "clients/record/repair/repair.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "messages/clock.pb.h"
@@ -206,7 +206,7 @@ TEST_F(Files, VerifyAndInfoNameTheUnfinishedRecording) {
     (void)output_of(command + file.string());
     EXPECT_EQ(exit_code_, 1);
     EXPECT_NE(log().find(file.string() + ".partial"), std::string::npos) << log();
-    EXPECT_NE(log().find("fix: if no recorder is running any more: telepalp-record repair "), std::string::npos)
+    EXPECT_NE(log().find("fix: telepalp-record repair " + file.string() + ", once no recorder"), std::string::npos)
         << log();
   }
   std::filesystem::copy_file(file.string() + ".partial", file);

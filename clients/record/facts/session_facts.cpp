@@ -1,6 +1,9 @@
 #include "clients/record/facts/session_facts.h"
 
+#include <algorithm>
+
 #include "clients/record/facts/session_survey.h"
+#include "clients/record/repair/repair.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/words/counted.h"
@@ -29,11 +32,30 @@ std::string depth_of(wire::McapReader& reader, const SessionFacts& facts) {
   return wire::in_words(wire::depth_fidelity(image));
 }
 
+/// "repaired from session.mcap: 2 places were damaged, 188 messages are lost".
+std::string repair_in_words(const wire::mcap::TextMap& note) {
+  const auto value = [&](const char* key) {
+    const auto found = note.find(key);
+    return found == note.end() ? std::string("unknown") : found->second;
+  };
+  const std::string from = "repaired from " + value("from") + ": ";
+  const std::string lost = value("lost");
+  if (lost == "end") return from + "its recorder was interrupted, and the messages of the last moments are missing";
+  const auto damages =
+      std::ranges::count_if(note, [](const auto& entry) { return entry.first.starts_with("damage_"); });
+  const std::string places =
+      counted(static_cast<std::uint64_t>(damages), "place was damaged, ", "places were damaged, ");
+  if (lost == "unknown") return from + places + "and it is unknown how many messages are lost";
+  if (lost == "0") return from + places + "and no message is lost";
+  return from + places + "and " + lost + (lost == "1" ? " message is lost" : " messages are lost");
+}
+
 void read_notes(wire::McapReader& reader, SessionFacts& facts) {
   for (const wire::mcap::MetadataIndex& index : reader.summary().metadata) {
     const Result<wire::mcap::Metadata> metadata = reader.read(index);
     if (!metadata) note_damage(facts, metadata.error().what);
     if (metadata && index.name == wire::kRecordingMetadata) facts.recording = metadata->values;
+    if (metadata && index.name == kRepairMetadata) facts.repairs.push_back(repair_in_words(metadata->values));
   }
   for (const wire::mcap::AttachmentIndex& index : reader.summary().attachments) {
     facts.attachments.push_back(index.name + ", " + std::to_string(index.data_size) + " bytes");
@@ -60,7 +82,8 @@ Result<void> read_messages(const std::filesystem::path& file, SessionFacts& fact
     note_damage(facts, "the index of the file counts " + counted(facts.messages, "message", "messages") + ", but " +
                            std::to_string(read) + " can be read");
   if (facts.damages_in_all == 0)
-    if (const Result<void> checked = stream->check_bytes(); !checked) note_damage(facts, checked.error().what);
+    if (const Result<void> checked = stream->check_bytes(is_of_telepalp(*stream)); !checked)
+      note_damage(facts, checked.error().what);
   survey.finish(facts);
   for (const SessionFacts::Topic& topic : facts.topics)
     if (topic.unreadable > 0)
@@ -96,7 +119,7 @@ Result<SessionFacts> inspect(const std::filesystem::path& file) {
 }
 
 std::vector<std::string> notes_on(const SessionFacts& facts) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = facts.repairs;
   for (const SessionFacts::Topic& topic : facts.topics) {
     if (!topic.is_ours)
       notes.push_back(topic.name + ": the topic or its type is not telepalp's; its messages are not checked");

@@ -154,7 +154,8 @@ class Recording {
       say("the server answers again after " + fixed(away_s, 1) + " s; the recording has no messages from this time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
-    say("recording " + program::to_text(options_.server) + " to " + first_file(options_));
+    say("recording " + program::to_text(options_.server) + " to " + first_file(options_) +
+        "; until a file is complete, its name ends in .partial");
     if (const Result<void> written =
             program::write_ready_file(options_.ready_file, "recording=" + options_.file.string() + "\n");
         !written)

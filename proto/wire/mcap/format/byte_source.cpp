@@ -61,7 +61,12 @@ class Memory : public ByteSource {
 }  // namespace
 
 Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& file) {
+  std::error_code unknown;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0 && errno == ENOENT && std::filesystem::exists(file.string() + ".partial", unknown))
+    return Error{.what = "is not completed: " + file.string() + ".partial holds what was recorded so far",
+                 .where = file.string(),
+                 .fix = "telepalp-record repair " + file.string() + ", once no recorder writes it any more"};
   if (descriptor < 0)
     return Error{.what = std::string("cannot be opened: ") + std::strerror(errno),
                  .where = file.string(),

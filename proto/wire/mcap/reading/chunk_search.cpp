@@ -55,4 +55,18 @@ std::optional<std::uint64_t> find_chunk(ByteSource& source, std::uint64_t from) 
   return std::nullopt;
 }
 
+bool ends_within_record(ByteSource& source, std::uint64_t offset) {
+  const std::uint64_t left = source.size() - offset;
+  std::string bytes;
+  if (left == 0) return true;
+  if (!source.read(offset, std::min(left, kNeededBytes), bytes)) return false;
+  ByteCursor from(bytes);
+  const auto opcode = static_cast<Opcode>(from.u8());
+  if (opcode < Opcode::Header || opcode > Opcode::DataEnd) return false;
+  if (left < kRecordHeadBytes) return true;
+  const std::uint64_t length = from.u64();
+  if (length > kMaxRecordBytes || length <= left - kRecordHeadBytes) return false;
+  return opcode != Opcode::Chunk || left < kNeededBytes || begins_a_chunk(bytes, UINT64_MAX);
+}
+
 }  // namespace telepalp::wire::mcap

@@ -43,7 +43,7 @@ Error McapStreamReader::in_chunk(const Error& error) const {
   return mcap::in_chunk(*source_, chunks_ - 1, chunk_offset_, error);
 }
 
-Error McapStreamReader::cut_off() const {
+Error McapStreamReader::error_at_end() const {
   std::string opcode;
   const bool in_a_chunk = source_->size() > offset_ && source_->read(offset_, 1, opcode) &&
                           static_cast<Opcode>(opcode.front()) == Opcode::Chunk;
@@ -55,7 +55,8 @@ Error McapStreamReader::cut_off() const {
 Error McapStreamReader::skip_to_next_chunk() {
   const std::optional<std::uint64_t> found = mcap::find_chunk(*source_, trusted_end_);
   ended_ = !found;
-  if (!found) return cut_off();
+  cut_off_ = !found && mcap::ends_within_record(*source_, offset_);
+  if (!found) return error_at_end();
   const Error skipped = mcap::damaged(
       *source_,
       "damaged bytes are skipped, and reading continues at byte " + std::to_string(*found) + "; the damage begins",
@@ -72,6 +73,7 @@ void McapStreamReader::learn_channels_from_summary() {
   const Result<mcap::Summary> summary = mcap::read_summary(*source_);
   if (!summary) return;
   summary_start_ = summary->start;
+  summary_has_crc_ = summary->has_crc;
   for (const auto& [id, stored] : summary->channels.all()) {
     if (stored.schema != nullptr) (void)channels_.add(*stored.schema);  // false: contradicts a definition before
     (void)channels_.add(stored.channel);
@@ -84,7 +86,8 @@ Result<void> McapStreamReader::enter_chunk(const RecordHead& head) {
   if (const Result<void> read = mcap::read_content(*source_, head, content_); !read) return in_chunk(read.error());
   const auto chunk = mcap::parse<mcap::ChunkRecord>(content_);
   if (!chunk) return in_chunk({.what = "its header is damaged", .where = {}, .fix = {}});
-  trusted_end_ = head.end();
+  // The chunk's own sizes, because a damaged length in the head may reach over the chunks behind.
+  trusted_end_ = head.content() + static_cast<std::uint64_t>(chunk->records.end() - std::string_view(content_).begin());
   Result<std::string> records = mcap::unpack(*chunk);
   if (!records) return in_chunk(records.error());
   records_ = std::make_unique<const std::string>(std::move(records).value());
@@ -108,7 +111,6 @@ Result<bool> McapStreamReader::enter_next_record() {
     case Opcode::Metadata:
       if (const Result<void> read = mcap::read_content(*source_, *head, content_); !read) return read.error();
       waiting_ = head->opcode;
-      trusted_end_ = head->end();
       return true;
     case Opcode::Attachment:
       attachments_.push_back(*head);
@@ -172,7 +174,7 @@ Result<std::optional<StoredMessage>> McapStreamReader::next() {
   return std::optional<StoredMessage>{};
 }
 
-Result<void> McapStreamReader::check_bytes() {
+Result<void> McapStreamReader::check_bytes(bool has_crcs) {
   if (!data_end_) return {};
   const std::uint64_t end = data_end_->offset;
   if (data_end_->opcode != Opcode::DataEnd || (summary_start_ && *summary_start_ != data_end_->end()))
@@ -180,6 +182,8 @@ Result<void> McapStreamReader::check_bytes() {
   if (const Result<void> read = mcap::read_content(*source_, *data_end_, content_); !read) return read.error();
   const auto wanted = mcap::parse<mcap::DataEnd>(content_);
   if (!wanted) return mcap::damaged(*source_, "the record at the end of its data is damaged", end);
+  if (has_crcs && (wanted->data_section_crc == 0 || !summary_has_crc_))
+    return mcap::damaged(*source_, "the CRC of its data or of its summary is missing", end);
   if (wanted->data_section_crc == 0) return {};
   constexpr std::uint64_t kBlockBytes = 1 << 20;
   std::uint32_t crc = 0;

@@ -98,6 +98,7 @@ Result<Summary> read_summary(ByteSource& source) {
 
   Summary summary;
   summary.start = start;
+  summary.has_crc = footing->footer.summary_crc != 0;
   bool counted = false, described = false;  // the number of messages is known; there are schemas or channels
   ByteCursor from(std::string_view(bytes).substr(0, length));
   while (from.ok() && !from.at_end()) {

@@ -13,6 +13,7 @@ namespace telepalp::wire::mcap {
 /// metadata which the indexes name lie in the data section.
 struct Summary {
   std::uint64_t start = 0;  ///< its first byte in the file, behind the record that ends the data section
+  bool has_crc = false;     ///< false: its writer computed none
   ChannelTable channels;
   Statistics statistics;
   std::vector<ChunkIndex> chunks;  ///< in file order
