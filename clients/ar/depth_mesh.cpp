@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/color_at.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::ar {
@@ -88,25 +89,11 @@ Eigen::Vector3f normal_at(const Grid& grid, const Intrinsics& camera, int x, int
   return length > 0.0F ? Eigen::Vector3f(normal / length) : Eigen::Vector3f(0.0F, 0.0F, -1.0F);
 }
 
-/// Colour of a point, from the pixel at which the colour camera sees it. Registered images have the same pixels, apart
-/// from their size.
-Eigen::Vector3f color_at(const RgbdFrame& frame, int column, int row) {
-  const ColorImage& color = frame.color;
-  if (color.rgb.empty()) return linear_from_srgb(205, 200, 194);
-  double u = column, v = row;
-  if (frame.camera.color_registered) {
-    u *= static_cast<double>(color.width) / frame.depth.width;
-    v *= static_cast<double>(color.height) / frame.depth.height;
-  } else {  // two cameras side by side; the few centimetres between them are unknown and ignored
-    const Intrinsics &from = frame.camera.depth, &to = frame.camera.color;
-    u = (u - from.cx) / from.fx * to.fx + to.cx;
-    v = (v - from.cy) / from.fy * to.fy + to.cy;
-  }
-  const int x = std::clamp(static_cast<int>(std::lround(u)), 0, color.width - 1);
-  const int y = std::clamp(static_cast<int>(std::lround(v)), 0, color.height - 1);
-  const std::uint8_t* rgb = &color.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(color.width) +
-                                            static_cast<std::size_t>(x))];
-  return linear_from_srgb(rgb[0], rgb[1], rgb[2]);
+/// Linear colour of a point.
+Eigen::Vector3f linear_color_at(const RgbdFrame& frame, int column, int row) {
+  if (frame.color.rgb.empty()) return linear_from_srgb(205, 200, 194);
+  const auto [r, g, b] = color_at(frame, column, row);
+  return linear_from_srgb(r, g, b);
 }
 
 bool one_surface(const Grid& grid, const std::array<std::array<int, 2>, 3>& corners) {
@@ -130,7 +117,7 @@ Mesh depth_mesh(const RgbdFrame& frame) {
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x)
       mesh.vertices.push_back({place(grid, frame.camera.depth, x, y), normal_at(grid, frame.camera.depth, x, y),
-                               color_at(frame, x * grid.stride, y * grid.stride)});
+                               linear_color_at(frame, x * grid.stride, y * grid.stride)});
   const auto add = [&](const std::array<std::array<int, 2>, 3>& corners) {
     if (!one_surface(grid, corners)) return;
     std::array<std::uint32_t, 3> triangle{};

@@ -73,7 +73,8 @@ void Hub::publish(wire::Message message) {
   count.bytes += message.payload->size();
   wire::KeyFrameState& state = key_frames_[message.topic.name];
   state = after_publishing(state, message.key_frame, message.published);
-  if (wire::is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
+  if (wire::is_latched(message.topic.name) || also_latched_.contains(message.topic.name))
+    latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
   drop_beyond_the_bound();

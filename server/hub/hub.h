@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,9 @@ class Hub {
   /// Replaces the subscriber's topics. A name ending in '*' is a prefix. Unknown names are kept, because their
   /// publisher may come later.
   void subscribe(SubscriberId subscriber, const std::vector<std::string>& topics);
+
+  /// Latches `topic`, as wire::is_latched() does for telepalp's own topics: a new subscriber gets its last message.
+  void latch(const wire::Topic& topic) { also_latched_.insert(topic.name); }
 
   /// Gives `message` the topic's next sequence number and offers it to the subscribers, which see dropped messages as
   /// gaps.
@@ -119,6 +123,7 @@ class Hub {
   std::map<SubscriberId, Subscriber> subscribers_;
   TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
+  std::set<std::string_view> also_latched_;                     // by latch()
   std::map<std::string_view, wire::KeyFrameState> key_frames_;  // by topic
   std::function<void(std::string_view)> key_frame_requested_;
   SubscriberId last_id_ = 0;

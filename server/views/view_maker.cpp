@@ -1,18 +1,28 @@
 #include "server/views/view_maker.h"
 
 #include <boost/asio/post.hpp>
+#include <cstdlib>
 #include <set>
 #include <span>
 #include <utility>
 
-#include "messages/station.pb.h"
+#include "codec/color.h"
+#include "foxglove/CompressedImage.pb.h"
+#include "messages/camera.pb.h"
 #include "proto/wire/camera/calibration_message.h"
+#include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/inside/inside_message.h"
 #include "server/views/depth_views.h"
+#include "server/views/inside_views.h"
 #include "server/views/station_views.h"
 #include "server/views/view_topics.h"
 
 namespace telepalp::views {
 namespace {
+
+constexpr auto kPatience = std::chrono::milliseconds(100);
+/// A colour image that was taken at most this long from a depth image colours its cloud.
+constexpr std::int64_t kSameMoment_ns = 100'000'000;
 
 std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
   foxglove::CameraCalibration calibration;
@@ -22,7 +32,9 @@ std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
 }  // namespace
 
 ViewMaker::ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views)
-    : io_(io), source_(source), views_(views) {}
+    : io_(io), source_(source), views_(views), patience_(io) {
+  views_.latch(kInsideView);
+}
 
 ViewMaker::~ViewMaker() {
   pool_.join();
@@ -36,11 +48,12 @@ std::vector<std::string> ViewMaker::topics_needed() const {
     for (const wire::Topic& topic : from) needed.insert(topic.name);
   };
   need(kDepthView, {wire::kCameraDepth});
-  need(kCloudView, {wire::kCameraDepth, wire::kCameraInfo});
-  need(kTransformsView, {wire::kStationState, wire::kCameraInfo});
+  need(kCloudView, {wire::kCameraDepth, wire::kCameraInfo, wire::kCameraColor, wire::kCameraColorInfo});
+  need(kTransformsView, {wire::kStationState, wire::kCameraInfo, wire::kStationInside, wire::kStationCompensation});
   need(kSceneView, {wire::kStationState});
   need(kHandView, {wire::kStationState});
   need(kUltrasoundView, {wire::kStationUltrasound});
+  need(kInsideView, {wire::kStationInside});
   return {needed.begin(), needed.end()};
 }
 
@@ -62,14 +75,19 @@ void ViewMaker::pull() {
 }
 
 void ViewMaker::take(const wire::Message& message) {
-  if (message.topic.name == wire::kCameraInfo.name) take_camera(message);
-  if (message.topic.name == wire::kStationState.name) take_station(message);
-  if (message.topic.name == wire::kStationUltrasound.name) take_ultrasound(message);
-  if (message.topic.name == wire::kCameraDepth.name) decode(message);
+  const std::string_view topic = message.topic.name;
+  if (topic == wire::kCameraInfo.name) take_camera(message);
+  if (topic == wire::kCameraColorInfo.name) color_camera_ = intrinsics_in(*message.payload);
+  if (topic == wire::kCameraColor.name) take_color(message);
+  if (topic == wire::kCameraDepth.name) take_depth(message);
+  if (topic == wire::kStationState.name) take_station(message);
+  if (topic == wire::kStationUltrasound.name) take_ultrasound(message);
+  if (topic == wire::kStationInside.name) take_inside(message);
+  if (topic == wire::kStationCompensation.name) (void)compensation_.ParseFromString(*message.payload);
 }
 
 void ViewMaker::take_camera(const wire::Message& message) {
-  camera_ = intrinsics_in(*message.payload);
+  depth_camera_ = intrinsics_in(*message.payload);
   if (views_.is_wanted(kTransformsView.name))
     views_.publish(
         wire::make_message(kTransformsView, message.published, transforms_view(std::nullopt, message.published)));
@@ -80,8 +98,11 @@ void ViewMaker::take_station(const wire::Message& message) {
   if (!state.ParseFromString(*message.payload)) return;
   if (views_.is_wanted(kSceneView.name))
     views_.publish(wire::make_message(kSceneView, message.published, scene_view(state)));
-  if (views_.is_wanted(kTransformsView.name))
-    views_.publish(wire::make_message(kTransformsView, message.published, transforms_view(state, message.published)));
+  if (views_.is_wanted(kTransformsView.name)) {
+    foxglove::FrameTransforms all = transforms_view(state, message.published);
+    add_inside_transforms(all, inside_, compensation_, message.published);
+    views_.publish(wire::make_message(kTransformsView, message.published, all));
+  }
   const std::optional<foxglove::PoseInFrame> hand = views_.is_wanted(kHandView.name) ? hand_view(state) : std::nullopt;
   if (hand) views_.publish(wire::make_message(kHandView, message.published, *hand));
 }
@@ -93,29 +114,81 @@ void ViewMaker::take_ultrasound(const wire::Message& message) {
     views_.publish(wire::make_message(kUltrasoundView, message.published, *view));
 }
 
-void ViewMaker::decode(const wire::Message& message) {
-  decoding_ = true;
-  const WantedViews wanted{.image = views_.is_wanted(kDepthView.name), .cloud = views_.is_wanted(kCloudView.name)};
-  boost::asio::post(pool_, [this, message, wanted, camera = camera_] {
-    boost::asio::post(io_, [this, alive = std::weak_ptr<const bool>(alive_), message,
-                            made = make(message, camera, wanted)]() mutable {
-      if (!alive.expired()) on_made(message, std::move(made));
-    });
+void ViewMaker::take_inside(const wire::Message& message) {
+  msg::InnerStructures inside;
+  if (!inside.ParseFromString(*message.payload) || !wire::is_valid(inside)) return;
+  inside_ = std::move(inside);
+  if (views_.is_wanted(kInsideView.name))
+    views_.publish(wire::make_message(kInsideView, message.published, inside_view(inside_)));
+}
+
+void ViewMaker::take_color(const wire::Message& message) {
+  foxglove::CompressedImage image;
+  if (!image.ParseFromString(*message.payload)) return;
+  color_ = Color{.captured_ns = wire::stamp_ns(image.timestamp()),
+                 .registered = image.frame_id() == wire::kDepthFrameId,
+                 .jpeg = std::move(*image.mutable_data())};
+  if (waiting_ && color_->captured_ns >= waiting_->captured_ns) stop_waiting();
+}
+
+void ViewMaker::take_depth(const wire::Message& message) {
+  msg::DepthImage image;
+  const std::int64_t captured_ns =
+      image.ParseFromString(*message.payload) ? static_cast<std::int64_t>(image.captured_ns()) : 0;
+  stop_waiting();
+  const bool is_colored = color_ && captured_ns - color_->captured_ns < 10 * kSameMoment_ns;
+  const bool waits = is_colored && color_->captured_ns < captured_ns && views_.is_wanted(kCloudView.name);
+  if (!waits && !decoding_) return decode(message, captured_ns);
+  waiting_ = Waiting{message, captured_ns};
+  patience_.expires_after(kPatience);
+  patience_.async_wait([this, alive = std::weak_ptr<const bool>(alive_)](const boost::system::error_code& cancelled) {
+    if (!cancelled && !alive.expired()) stop_waiting();
   });
 }
 
-ViewMaker::Made ViewMaker::make(const wire::Message& message, const std::optional<Intrinsics>& camera,
-                                WantedViews wanted) {
+void ViewMaker::stop_waiting() {
+  if (!waiting_ || decoding_) return;
+  patience_.cancel();
+  const Waiting ready = *std::exchange(waiting_, std::nullopt);
+  decode(ready.depth, ready.captured_ns);
+}
+
+void ViewMaker::decode(const wire::Message& depth, std::int64_t captured_ns) {
+  decoding_ = true;
+  Job job{.depth = depth,
+          .wanted = {.image = views_.is_wanted(kDepthView.name), .cloud = views_.is_wanted(kCloudView.name)},
+          .color = {},
+          .depth_camera = depth_camera_,
+          .color_camera = color_camera_};
+  if (job.wanted.cloud && color_ && std::abs(color_->captured_ns - captured_ns) <= kSameMoment_ns) job.color = color_;
+  boost::asio::post(pool_, [this, job = std::move(job)] {
+    boost::asio::post(io_,
+                      [this, alive = std::weak_ptr<const bool>(alive_), depth = job.depth, made = make(job)]() mutable {
+                        if (!alive.expired()) on_made(depth, std::move(made));
+                      });
+  });
+}
+
+ViewMaker::Made ViewMaker::make(const Job& job) {
   msg::DepthImage packet;
-  if (!packet.ParseFromString(*message.payload)) return {};
-  const Result<DepthImage> depth = decoder_.decode(std::as_bytes(std::span(packet.data())));
+  if (!packet.ParseFromString(*job.depth.payload)) return {};
+  Result<DepthImage> depth = decoder_.decode(std::as_bytes(std::span(packet.data())));
   if (!depth) return {};
-  const SessionTime captured = session_time(static_cast<std::int64_t>(packet.captured_ns()));
+  RgbdFrame frame;
+  frame.captured = session_time(static_cast<std::int64_t>(packet.captured_ns()));
+  frame.depth = std::move(*depth);
+  const SessionTime published = job.depth.published;
   Made made{.readable = true, .messages = {}};
-  if (wanted.image)
-    made.messages.push_back(wire::make_message(kDepthView, message.published, depth_view(*depth, captured)));
-  if (wanted.cloud && camera && camera->width == depth->width && camera->height == depth->height)
-    made.messages.push_back(wire::make_message(kCloudView, message.published, cloud_view(*depth, *camera, captured)));
+  if (job.wanted.image)
+    made.messages.push_back(wire::make_message(kDepthView, published, depth_view(frame.depth, frame.captured)));
+  if (!job.wanted.cloud || !job.depth_camera) return made;
+  frame.camera = {.depth = *job.depth_camera,
+                  .color = job.color_camera.value_or(*job.depth_camera),
+                  .color_registered = !job.color || job.color->registered};
+  if (job.color)
+    if (Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(job.color->jpeg))))
+      frame.color = std::move(*color);
+  if (is_well_formed(frame)) made.messages.push_back(wire::make_message(kCloudView, published, cloud_view(frame)));
   return made;
 }
 
@@ -128,6 +201,7 @@ void ViewMaker::on_made(const wire::Message& depth, Made made) {
   }
   for (wire::Message& message : made.messages) views_.publish(std::move(message));
   pull();
+  if (waiting_ && patience_.expiry() <= std::chrono::steady_clock::now()) stop_waiting();
 }
 
 }  // namespace telepalp::views

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <cstdint>
 #include <memory>
@@ -9,7 +10,8 @@
 #include <vector>
 
 #include "codec/depth_stream.h"
-#include "messages/camera.pb.h"
+#include "messages/inside.pb.h"
+#include "messages/station.pb.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 #include "server/hub/hub.h"
@@ -18,8 +20,9 @@ namespace telepalp::views {
 
 /// Makes the messages of kViewTopics from the messages of the hub `source` and publishes them at the hub `views`. It
 /// subscribes to `source` only while `views` has a subscriber of a view topic. A separate thread decodes depth, one
-/// image at a time; the hub drops images that arrive meanwhile, so the network thread never waits. Owner: the network
-/// thread.
+/// image at a time; the hub drops images that arrive meanwhile, so the network thread never waits. The server publishes
+/// colour a few milliseconds behind depth: for a cloud, depth waits until the colour of the same exposure arrives, but
+/// at most 0.1 s. Owner: the network thread.
 class ViewMaker {
  public:
   ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views);
@@ -38,6 +41,19 @@ class ViewMaker {
     bool image = false;
     bool cloud = false;
   };
+  /// A colour image that is still compressed.
+  struct Color {
+    std::int64_t captured_ns = 0;
+    bool registered = true;
+    std::string jpeg;
+  };
+  struct Job {
+    wire::Message depth;
+    WantedViews wanted;
+    std::optional<Color> color;
+    std::optional<Intrinsics> depth_camera;
+    std::optional<Intrinsics> color_camera;
+  };
   struct Made {
     bool readable = false;
     std::vector<wire::Message> messages;
@@ -48,16 +64,30 @@ class ViewMaker {
   void take_camera(const wire::Message& message);
   void take_station(const wire::Message& message);
   void take_ultrasound(const wire::Message& message);
-  void decode(const wire::Message& message);
+  void take_inside(const wire::Message& message);
+  void take_depth(const wire::Message& message);
+  void take_color(const wire::Message& message);
+  void stop_waiting();  ///< decodes the depth image that waits for its colour, if there is one
+  void decode(const wire::Message& depth, std::int64_t captured_ns);
   void on_made(const wire::Message& depth, Made made);
-  [[nodiscard]] Made make(const wire::Message& message, const std::optional<Intrinsics>& camera, WantedViews wanted);
+  [[nodiscard]] Made make(const Job& job);
 
   boost::asio::io_context& io_;
   hub::Hub& source_;
   hub::Hub& views_;
   hub::SubscriberId subscriber_ = 0;  // 0: `views` has no subscriber of a view topic
   std::vector<std::string> topics_;
-  std::optional<Intrinsics> camera_;
+  std::optional<Intrinsics> depth_camera_;
+  std::optional<Intrinsics> color_camera_;
+  std::optional<Color> color_;  // the newest
+  struct Waiting {
+    wire::Message depth;
+    std::int64_t captured_ns = 0;
+  };
+  std::optional<Waiting> waiting_;  // for its colour
+  boost::asio::steady_timer patience_;
+  msg::InnerStructures inside_;
+  msg::StationCompensation compensation_;
   bool decoding_ = false;
   std::uint64_t decoded_ = 0;
   codec::DepthDecoder decoder_;                                             // owner: the pool's one thread

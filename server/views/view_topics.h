@@ -18,9 +18,10 @@ inline constexpr wire::Topic kSceneView{"/station/scene", "foxglove.SceneUpdate"
 inline constexpr wire::Topic kHandView{"/station/hand", "foxglove.PoseInFrame"};
 
 inline constexpr wire::Topic kUltrasoundView{"/station/ultrasound/image", "foxglove.CompressedImage"};
+inline constexpr wire::Topic kInsideView{"/station/inside/scene", "foxglove.SceneUpdate"};
 
-inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView,
-                                        kSceneView, kHandView,  kUltrasoundView};
+inline constexpr std::array kViewTopics{kDepthView, kCloudView,      kTransformsView, kSceneView,
+                                        kHandView,  kUltrasoundView, kInsideView};
 
 /// The Protobuf type of one of kViewTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic);

@@ -7,6 +7,7 @@ import {dirname, join} from 'node:path';
 import test from 'node:test';
 import {fileURLToPath} from 'node:url';
 
+import {fieldOf, layout, pathsOfLayout} from '../npm/lichtblick_layout.mjs';
 import {until, Workplace} from './running_program.mjs';
 
 const borrowed = createRequire(new URL('../npm/package.json', import.meta.url));
@@ -103,40 +104,13 @@ function follow({client, heard}, topics) {
 
 const viewsAtWork = ({subscribers}) => subscribers.some(({name}) => name === 'views for Foxglove');
 
-/** Every topic, with the field behind it if there is one, that the layout names: "/station/state.force_N.x". */
-function pathsOf(layout) {
-  const found = [];
-  const look = (value) => {
-    if (typeof value === 'string' && value.startsWith('/')) found.push(value);
-    else if (value !== null && typeof value === 'object') {
-      for (const [key, inner] of Object.entries(value)) {
-        if (key.startsWith('/')) found.push(key);
-        look(inner);
-      }
-    }
-  };
-  look(layout);
-  return found;
-}
-
-/** Fails unless `path` leads to a field of `root`'s messages. */
-function fieldOf(type, path) {
-  let at = type;
-  for (const name of path) {
-    const field = at.fields[name];
-    assert.ok(field, `${type.name} has no ${path.join('.')}`);
-    at = field.resolve().resolvedType;
-  }
-}
-
 test('the layout for Lichtblick names topics and fields that the server has, and panels that it places', async () => {
   const workplace = new Workplace('foxglove_layout');
   try {
-    const layout = JSON.parse(readFileSync(new URL('../../docs/lichtblick.layout.json', import.meta.url), 'utf8'));
     const {http_port} = await workplace.server(server, ['--source', 'synthetic', '--viewer', viewer]);
     const {client, heard} = connect(http_port);
     await until('the topics are advertised', () => heard.channels.length > 0);
-    const paths = pathsOf(layout.configById);
+    const paths = pathsOfLayout();
     assert.ok(paths.length > 10, `${paths.length} paths`);
     for (const path of paths) {
       const [topic, ...fields] = path.split('.');
@@ -197,12 +171,16 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
     assert.ok(middle_mm > 300 && middle_mm < 3000, `depth of ${middle_mm} mm`);
 
     const cloud = newest['/camera/points'];
-    assert.deepEqual(cloud.fields.map(({name}) => name), ['x', 'y', 'z']);
+    assert.deepEqual(cloud.fields.map(({name}) => name), ['x', 'y', 'z', 'red', 'green', 'blue', 'alpha']);
     assert.equal(cloud.data.length % cloud.point_stride, 0);
     assert.ok(Math.abs(cloud.data.length / cloud.point_stride - depths_mm.length) < 0.1 * depths_mm.length);
     const bytes = new DataView(cloud.data.buffer, cloud.data.byteOffset, cloud.data.byteLength);
     const zs = Array.from({length: cloud.data.length / cloud.point_stride},
         (_, point) => bytes.getFloat32(point * cloud.point_stride + 8, true)).sort((a, b) => a - b);
+    const colors = new Set(Array.from({length: cloud.data.length / cloud.point_stride}, (_, point) =>
+        cloud.data.subarray(point * cloud.point_stride + 12, point * cloud.point_stride + 16).join()));
+    assert.ok(colors.size > 100, `a cloud of ${colors.size} colours`);
+    assert.ok([...colors].every((rgba) => rgba.endsWith(',255')), 'each point is opaque');
     assert.ok(Math.abs(1000 * zs[zs.length >> 1] - middle_mm) < 20, 'image and cloud are of one patient');
 
     const frames = newest['/transforms'].transforms.map(({parent_frame_id, child_frame_id}) => [parent_frame_id, child_frame_id]);
@@ -256,6 +234,41 @@ test('each advertised topic is received by a page of an allowed origin, and deco
     }
     assert.deepEqual(page.heard.problems, []);
     page.client.close();
+  } finally {
+    await workplace.end();
+  }
+});
+
+test('the ribs are triangles in frames that move with them, also for a client that comes later', async () => {
+  const workplace = new Workplace('foxglove_inside');
+  try {
+    const origin = 'https://studio.example';
+    const {port, http_port} = await workplace.server(server, ['--source', 'synthetic', '--viewer', viewer, '--allow-origin', origin]);
+    workplace.start(station, ['--connect', `127.0.0.1:${port}`, '--scene', RIBS]);
+    const looks = async () => {
+      const page = connect(http_port, origin);
+      await until('the topics are advertised', () => page.heard.channels.length > 0);
+      assert.equal(page.heard.channels.find(({topic}) => topic === '/station/inside/scene')?.schemaName, 'foxglove.SceneUpdate');
+      const {newest} = follow(page, ['/station/inside/scene', '/transforms']);
+      await until('the layers come', () => newest['/station/inside/scene']?.entities.length > 0, 120_000);
+      const {entities} = newest['/station/inside/scene'];
+      const frame = entities.find(({id}) => id.includes('rib'))?.frame_id;
+      assert.ok(frame, entities.map(({id}) => id).join());
+      await until('the layer has its place', () =>
+        newest['/transforms']?.transforms.some(({child_frame_id}) => child_frame_id === frame));
+      for (const {triangles, frame_locked} of entities) {
+        assert.ok(frame_locked);
+        const [{points, indices}] = triangles;
+        assert.ok(points.length > 100 && indices.length % 3 === 0);
+        assert.ok(indices.every((index) => index < points.length));
+        const width_m = Math.max(...points.map(({x}) => x)) - Math.min(...points.map(({x}) => x));
+        assert.ok(width_m > 0.005 && width_m < 1, `a layer of ${width_m} m`);
+      }
+      assert.deepEqual(page.heard.problems, []);
+      page.client.close();
+    };
+    await looks();
+    await looks();
   } finally {
     await workplace.end();
   }

@@ -6,7 +6,13 @@
 #include <boost/asio/executor_work_guard.hpp>
 #include <cstring>
 
+#include "codec/color.h"
+#include "foxglove/CameraCalibration.pb.h"
+#include "messages/camera.pb.h"
+#include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/vector_message.h"
 #include "server/views/depth_views.h"
+#include "server/views/inside_views.h"
 #include "server/views/station_views.h"
 #include "server/views/view_maker.h"
 #include "server/views/view_topics.h"
@@ -18,6 +24,14 @@ using namespace std::chrono_literals;
 
 DepthImage four_pixels(double unit_m) {
   return {.width = 2, .height = 2, .unit_m = unit_m, .samples = {1000, 0, 65535, 2000}};
+}
+
+RgbdFrame four_pixel_frame() {
+  RgbdFrame frame;
+  frame.captured = session_time(1'500'000'000);
+  frame.depth = four_pixels(0.001);
+  frame.camera.depth = {.width = 2, .height = 2, .fx = 2.0, .fy = 4.0, .cx = 0.0, .cy = 1.0};
+  return frame;
 }
 
 std::vector<int> millimetres(const foxglove::RawImage& image) {
@@ -35,8 +49,8 @@ TEST(DepthView, IsInMillimetresWhateverTheSensorsUnitAndZeroWhereSixteenBitsDoNo
 }
 
 TEST(CloudView, HoldsTheMeasuredPixelsWhereThePinholePutsThem) {
-  const Intrinsics camera{.width = 2, .height = 2, .fx = 2.0, .fy = 4.0, .cx = 0.0, .cy = 1.0};
-  const foxglove::PointCloud cloud = views::cloud_view(four_pixels(0.001), camera, session_time(1'500'000'000));
+  const foxglove::PointCloud cloud = views::cloud_view(four_pixel_frame());
+  EXPECT_EQ(cloud.fields_size(), 3) << "without colour";
   ASSERT_EQ(cloud.data().size(), 3 * cloud.point_stride());
   float last[3];
   std::memcpy(last, cloud.data().data() + 2 * cloud.point_stride(), sizeof last);
@@ -48,9 +62,88 @@ TEST(CloudView, HoldsTheMeasuredPixelsWhereThePinholePutsThem) {
 }
 
 TEST(CloudView, AnImageOfSixteenMegapixelsIsSubsampled) {
-  DepthImage depth{.width = 4096, .height = 4096, .samples = std::vector<std::uint16_t>(4096 * 4096, 1000)};
-  const Intrinsics camera{.width = 4096, .height = 4096, .fx = 1, .fy = 1, .cx = 0, .cy = 0};
-  EXPECT_LE(views::cloud_view(depth, camera, {}).data().size(), wire::kMaxPayloadBytes);
+  RgbdFrame frame;
+  frame.depth = {.width = 4096, .height = 4096, .samples = std::vector<std::uint16_t>(4096 * 4096, 1000)};
+  frame.color = {.width = 4096, .height = 4096, .rgb = std::vector<std::uint8_t>(3 * 4096 * 4096)};
+  frame.camera.depth = {.width = 4096, .height = 4096, .fx = 1, .fy = 1, .cx = 0, .cy = 0};
+  EXPECT_LE(views::cloud_view(frame).data().size(), wire::kMaxPayloadBytes);
+}
+
+/// The colour of point `number`, as Foxglove reads it from the fields red, green, blue and alpha.
+std::vector<int> color_of(const foxglove::PointCloud& cloud, std::size_t number) {
+  std::vector<int> rgba;
+  for (const char* name : {"red", "green", "blue", "alpha"})
+    for (const foxglove::PackedElementField& field : cloud.fields())
+      if (field.name() == name && field.type() == foxglove::PackedElementField::UINT8)
+        rgba.push_back(static_cast<unsigned char>(cloud.data()[number * cloud.point_stride() + field.offset()]));
+  return rgba;
+}
+
+TEST(CloudView, APointHasTheColourOfItsPixelThatIsRegisteredOrProjected) {
+  RgbdFrame frame = four_pixel_frame();
+  frame.color = {.width = 2, .height = 2, .rgb = {10, 11, 12, 20, 21, 22, 30, 31, 32, 40, 41, 42}};
+  EXPECT_EQ(color_of(views::cloud_view(frame), 0), (std::vector{10, 11, 12, 255}));
+  EXPECT_EQ(color_of(views::cloud_view(frame), 2), (std::vector{40, 41, 42, 255}));
+  frame.camera.color = frame.camera.depth;
+  frame.camera.color.cx += 1.0;  // the colour camera sees everything one pixel further to the right
+  frame.camera.color_registered = false;
+  EXPECT_EQ(color_of(views::cloud_view(frame), 0), (std::vector{20, 21, 22, 255}));
+}
+
+msg::InnerStructures two_layers() {
+  msg::InnerStructures inside;
+  inside.mutable_haptic_origin_camera()->set_z(0.8);
+  inside.mutable_camera_from_haptic()->set_x(1.0);  // half a turn about x
+  for (const std::uint32_t effect : {2U, 5U}) {
+    msg::InnerStructure& structure = *inside.add_structures();
+    structure.set_name("ribs");
+    structure.set_effect(effect);
+    structure.mutable_least()->set_x(0.25);
+    structure.set_step_m(0.0001);
+    structure.set_points(
+        std::string("\x00\x00\x01\x00\x00\x01"
+                    "\x02\x00\x00\x00\x00\x00"
+                    "\x00\x00\x00\x00\x03\x00",
+                    18));
+    structure.set_triangles(std::string("\x00\x00\x01\x00\x02\x00", 6));
+  }
+  return inside;
+}
+
+TEST(InsideView, EachLayerIsItsTrianglesInAFrameThatMovesWithIt) {
+  const foxglove::SceneUpdate scene = views::inside_view(two_layers());
+  ASSERT_EQ(scene.entities_size(), 2);
+  const foxglove::SceneEntity& layer = scene.entities(1);
+  EXPECT_TRUE(layer.frame_locked());
+  EXPECT_FALSE(layer.has_lifetime()) << "the message comes once";
+  const foxglove::TriangleListPrimitive& mesh = layer.triangles(0);
+  ASSERT_EQ(mesh.points_size(), 3);
+  EXPECT_NEAR(mesh.points(0).x(), 0.25, 1e-12);
+  EXPECT_NEAR(mesh.points(0).y(), 0.0001, 1e-12);
+  EXPECT_NEAR(mesh.points(0).z(), 0.0256, 1e-12);
+  EXPECT_NEAR(mesh.points(1).x(), 0.2502, 1e-12);
+  EXPECT_EQ(mesh.indices(2), 2U);
+
+  msg::StationCompensation moved;
+  moved.add_objects()->set_effect(2);
+  moved.add_objects()->set_effect(5);
+  moved.mutable_objects(1)->mutable_moved()->set_y(0.01);
+  foxglove::FrameTransforms all;
+  views::add_inside_transforms(all, two_layers(), moved, session_time(7));
+  ASSERT_EQ(all.transforms_size(), 2);
+  EXPECT_EQ(all.transforms(1).child_frame_id(), layer.frame_id());
+  EXPECT_NE(all.transforms(0).child_frame_id(), layer.frame_id()) << "two layers of one name";
+  const Eigen::Vector3d still = wire::vector_of(all.transforms(0).translation());
+  EXPECT_LT((still - Eigen::Vector3d(0.0, 0.0, 0.8)).norm(), 1e-12);
+  const Eigen::Vector3d follows = wire::vector_of(all.transforms(1).translation());
+  EXPECT_LT((follows - Eigen::Vector3d(0.0, -0.01, 0.8)).norm(), 1e-12) << "y of H is -y of the camera here";
+}
+
+TEST(InsideView, ASceneWithoutLayersRemovesThoseOfTheLastScene) {
+  const foxglove::SceneUpdate scene = views::inside_view(msg::InnerStructures());
+  EXPECT_EQ(scene.entities_size(), 0);
+  ASSERT_EQ(scene.deletions_size(), 1);
+  EXPECT_EQ(scene.deletions(0).type(), foxglove::SceneEntityDeletion::ALL);
 }
 
 TEST(UltrasoundView, IsTheImageOfAProbeOnTheSkinAlone) {
@@ -193,6 +286,102 @@ TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
   publish();
   EXPECT_EQ(maker.decoded(), 1u);
   EXPECT_TRUE(source.subscriber_counts().empty());
+}
+
+/// A maker of views between two hubs, with a viewer that has subscribed to `topic`.
+struct ViewStage {
+  explicit ViewStage(const wire::Topic& topic) {
+    views.subscribe(viewer, {std::string(topic.name)});
+    maker.subscriptions_changed();
+  }
+  /// The next message to the viewer; nullopt: none came within `patience`.
+  std::optional<wire::Message> next(std::chrono::milliseconds patience = 5s) {
+    const auto until = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+      if (std::optional<wire::Message> message = views.next(viewer)) return message;
+      if (std::chrono::steady_clock::now() > until) return std::nullopt;
+      io.run_one_for(5ms);
+    }
+  }
+  void publish_camera() {
+    foxglove::CameraCalibration model;
+    model.set_width(2);
+    model.set_height(2);
+    for (const double k : {2.0, 0.0, 0.0, 0.0, 4.0, 1.0, 0.0, 0.0, 1.0}) model.add_k(k);
+    source.publish(wire::make_message(wire::kCameraInfo, session_time(1), model));
+  }
+  void publish_depth(std::int64_t captured_ns) {
+    msg::DepthImage image;
+    image.set_captured_ns(static_cast<std::uint64_t>(captured_ns));
+    image.set_data(encoder.encode(four_pixels(0.001)).bytes);
+    source.publish(wire::make_message(wire::kCameraDepth, session_time(captured_ns), image));
+  }
+  void publish_color(std::int64_t captured_ns, std::uint8_t gray) {
+    foxglove::CompressedImage image;
+    wire::set_stamp(*image.mutable_timestamp(), session_time(captured_ns));
+    image.set_frame_id(wire::kDepthFrameId);
+    image.set_data(codec::encode_color({.width = 2, .height = 2, .rgb = std::vector<std::uint8_t>(12, gray)}, 95));
+    source.publish(wire::make_message(wire::kCameraColor, session_time(captured_ns), image));
+  }
+
+  boost::asio::io_context io;
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay = boost::asio::make_work_guard(io);
+  hub::Hub source;
+  hub::Hub views;
+  views::ViewMaker maker{io, source, views};
+  codec::DepthEncoder encoder{codec::DepthStreamSettings{}};
+  hub::SubscriberId viewer = views.join("viewer", "", [] {});
+};
+
+foxglove::PointCloud cloud_in(const std::optional<wire::Message>& message) {
+  foxglove::PointCloud cloud;
+  EXPECT_TRUE(message && cloud.ParseFromString(*message->payload));
+  return cloud;
+}
+
+TEST(ViewMaker, ACloudHasTheColourOfItsOwnExposureThoughThatIsPublishedLater) {
+  ViewStage stage(views::kCloudView);
+  stage.publish_camera();
+  constexpr std::int64_t kFrame_ns = 33'000'000;
+  stage.publish_color(kFrame_ns, 50);
+  for (int frame = 2; frame < 6; ++frame) {
+    stage.publish_depth(frame * kFrame_ns);
+    stage.publish_color(frame * kFrame_ns, static_cast<std::uint8_t>(40 * frame));
+    const foxglove::PointCloud cloud = cloud_in(stage.next());
+    ASSERT_EQ(color_of(cloud, 0).size(), 4u);
+    EXPECT_NEAR(color_of(cloud, 0)[0], 40 * frame, 4);
+  }
+}
+
+TEST(ViewMaker, ACloudWhoseColourDoesNotComeIsShownAfterATenthOfASecond) {
+  ViewStage stage(views::kCloudView);
+  stage.publish_camera();
+  stage.publish_depth(10'000'000);
+  EXPECT_TRUE(color_of(cloud_in(stage.next()), 0).empty()) << "a camera without colour";
+  stage.publish_color(20'000'000, 200);
+  stage.publish_depth(900'000'000);
+  EXPECT_TRUE(color_of(cloud_in(stage.next()), 0).empty()) << "no colour of another moment";
+}
+
+TEST(ViewMaker, AViewerThatComesLaterGetsTheLayersThatWerePublishedOnce) {
+  ViewStage stage(views::kInsideView);
+  stage.source.publish(wire::make_message(wire::kStationInside, session_time(1), two_layers()));
+  ASSERT_TRUE(stage.next());
+  const hub::SubscriberId later = stage.views.join("later", "", [] {});
+  stage.views.subscribe(later, {std::string(views::kInsideView.name)});
+  stage.maker.subscriptions_changed();
+  const std::optional<wire::Message> layers = stage.views.next(later);
+  foxglove::SceneUpdate scene;
+  ASSERT_TRUE(layers && scene.ParseFromString(*layers->payload));
+  EXPECT_EQ(scene.entities_size(), 2);
+}
+
+TEST(ViewMaker, LayersThatAreNotValidAreNotShown) {
+  ViewStage stage(views::kInsideView);
+  msg::InnerStructures inside = two_layers();
+  inside.mutable_structures(0)->set_triangles(std::string("\x09\x00\x01\x00\x02\x00", 6));
+  stage.source.publish(wire::make_message(wire::kStationInside, session_time(1), inside));
+  EXPECT_FALSE(stage.next(100ms));
 }
 
 TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
