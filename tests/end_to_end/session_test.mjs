@@ -2,12 +2,13 @@
 // outsider would, with npm's @mcap/core and nothing of ours: every message must decode by the schema in the file.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { mkdtemp, rm } from "node:fs/promises";
+import { mkdtemp, rm, stat } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
 import { assertPublished, publishedTypes } from "../npm/foxglove_types.mjs";
+import { fieldOf, pathsOfLayout } from "../npm/lichtblick_layout.mjs";
 import { decoders, readIndexed, typesOf } from "../npm/mcap_file.mjs";
 
 const [sourceDir, binDir] = process.argv.slice(2);
@@ -78,11 +79,15 @@ test("telepalp-export writes the types that Foxglove publishes, with the force a
   const run = (program, ...args) => promisify(execFile)(path.join(binDir, program), args);
   const times = ["--from", `${Math.max(0, at_s - 0.1)}s`, "--to", `${at_s + 0.1}s`];
   await run("telepalp-record", "cut", path.join(folder, "session.mcap"), ...times, "--out", part);
-  await run("telepalp-export", part, "--foxglove", file);
+  const { stderr } = await run("telepalp-export", part, "--foxglove", file);
+  const announced_MB = Number(/view.mcap will have about ([0-9.]+) MB/.exec(stderr)?.[1]);
+  const written_MB = (await stat(file)).size / 1e6;
+  assert.ok(Math.abs(announced_MB / written_MB - 1) < 0.2, `${announced_MB} MB announced, ${written_MB} MB written`);
   const { reader, messages } = await readIndexed(file);
   const published = publishedTypes();
   const decode = decoders(reader.schemasById);
-  for (const type of typesOf(reader.schemasById).values()) assertPublished(type, published.lookupType(type.fullName.slice(1)));
+  for (const type of typesOf(reader.schemasById).values())
+    if (type.fullName.startsWith(".foxglove.")) assertPublished(type, published.lookupType(type.fullName.slice(1)));
   const shown = (topic) =>
     messages.flatMap(({ channelId, data }) => {
       const channel = reader.channelsById.get(channelId);
@@ -95,9 +100,28 @@ test("telepalp-export writes the types that Foxglove publishes, with the force a
   assert.equal(image.encoding, "16UC1");
   assert.equal(image.data.length, image.step * image.height);
   const [cloud] = shown("/camera/points");
-  assert.deepEqual(cloud.fields.map(({ name }) => name).slice(0, 3), ["x", "y", "z"]);
+  assert.deepEqual(cloud.fields.map(({ name }) => name), ["x", "y", "z", "red", "green", "blue", "alpha"]);
   assert.equal(cloud.data.length % cloud.point_stride, 0);
   const frames = shown("/transforms").flatMap(({ transforms }) => transforms).map((one) => one.child_frame_id);
   assert.ok(frames.includes("device") && frames.includes("proxy"), [...new Set(frames)].join());
   assert.ok(shown("/camera/color").length > 0);
+  const strengths = shown("/station/state").map((state) => norm(state.force_N));
+  assert.ok(Math.abs(Math.max(...strengths) - norm(strongest.force_N)) < 1e-9, "the recorded numbers can be plotted");
+});
+
+test("the layout for Lichtblick finds its topics in an exported file, and numbers to plot", async () => {
+  const file = path.join(folder, "layout.mcap");
+  const session = path.join(folder, "session.mcap");
+  await promisify(execFile)(path.join(binDir, "telepalp-export"), [session, "--foxglove", file, "--rate", "2"]);
+  const { reader } = await readIndexed(file);
+  const types = typesOf(reader.schemasById);
+  const channels = [...reader.channelsById.values()];
+  for (const wanted of pathsOfLayout()) {
+    const [topic, ...fields] = wanted.split(".");
+    if (topic === "/station/inside/scene") continue; // the scene of this session has no layer
+    const channel = channels.find((one) => one.topic === topic);
+    assert.ok(channel, `${topic} is in the file`);
+    const leaf = fieldOf(types.get(channel.schemaId), fields);
+    if (fields.length > 0) assert.ok(leaf === "double" || leaf.values !== undefined, `${wanted} is a number`);
+  }
 });

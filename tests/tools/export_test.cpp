@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <random>
 
 #include "codec/color.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
+#include "foxglove/PointCloud.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
 #include "server/capture/open_recording.h"
@@ -16,6 +19,7 @@
 #include "tests/support/child_process.h"
 #include "tools/export_tool/cloud_file.h"
 #include "tools/export_tool/foxglove_session.h"
+#include "tools/export_tool/foxglove_size.h"
 #include "tools/export_tool/frames.h"
 #include "tools/export_tool/image_folder.h"
 #include "tools/export_tool/message_table.h"
@@ -30,19 +34,22 @@ constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
 constexpr std::int64_t kFrame_ns = 33'333'333;
 constexpr int kFrames = 20;
 
-DepthImage depth_image(int frame) {
-  DepthImage image{.width = 32, .height = 24, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(32 * 24)};
+DepthImage depth_image(int frame, int width = 32, int height = 24) {
+  DepthImage image{.width = width,
+                   .height = height,
+                   .unit_m = 0.001,
+                   .samples = std::vector<std::uint16_t>(static_cast<std::size_t>(width * height))};
+  std::mt19937 noise(static_cast<unsigned>(frame));
   for (std::size_t place = 0; place < image.samples.size(); ++place)
-    image.samples[place] =
-        place % 7 == 0 ? 0 : static_cast<std::uint16_t>(700 + place % 32 + static_cast<unsigned>(frame));
+    image.samples[place] = place % 7 == 0 ? 0 : static_cast<std::uint16_t>(700 + place % 32 + noise() % 8);
   return image;
 }
 
-foxglove::CameraCalibration model() {
+foxglove::CameraCalibration model(int width, int height) {
   foxglove::CameraCalibration model;
   model.set_frame_id("camera_depth");
-  model.set_width(32);
-  model.set_height(24);
+  model.set_width(static_cast<std::uint32_t>(width));
+  model.set_height(static_cast<std::uint32_t>(height));
   for (const double k : {30.0, 0.0, 15.5, 0.0, 30.0, 11.5, 0.0, 0.0, 1.0}) model.add_k(k);
   return model;
 }
@@ -52,16 +59,20 @@ class Export : public testing::Test {
   std::filesystem::path in(const std::string& name) const { return folder_.path() / name; }
 
   /// Depth in groups of eight, red colour that is registered to it, a station's state with a force.
-  void SetUp() override {
+  void SetUp() override { write_session("session.mcap", 32, 24); }
+  void write_session(const std::string& name, int width, int height, Nanoseconds model_before = 0s) const {
     codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 8});
-    ColorImage red{.width = 32, .height = 24, .rgb = std::vector<std::uint8_t>(32 * 24 * 3)};
+    ColorImage red{.width = width,
+                   .height = height,
+                   .rgb = std::vector<std::uint8_t>(static_cast<std::size_t>(width * height * 3))};
     for (std::size_t place = 0; place < red.rgb.size(); place += 3) red.rgb[place] = 200;
-    std::vector<wire::Message> messages{wire::make_message(wire::kCameraInfo, session_time(kStart_ns), model())};
+    std::vector<wire::Message> messages{
+        wire::make_message(wire::kCameraInfo, session_time(kStart_ns - model_before.count()), model(width, height))};
     for (int frame = 0; frame < kFrames; ++frame) {
       const std::int64_t now = kStart_ns + frame * kFrame_ns;
       msg::DepthImage depth;
       depth.set_captured_ns(static_cast<std::uint64_t>(now));
-      depth.set_data(encoder.encode(depth_image(frame)).bytes);
+      depth.set_data(encoder.encode(depth_image(frame, width, height)).bytes);
       messages.push_back(wire::make_message(wire::kCameraDepth, session_time(now), depth));
       foxglove::CompressedImage color;
       color.mutable_timestamp()->set_seconds(now / 1'000'000'000);
@@ -75,7 +86,7 @@ class Export : public testing::Test {
       state.mutable_force_n()->set_y(0.25 * frame);
       messages.push_back(wire::make_message(wire::kStationState, session_time(now), state));
     }
-    ASSERT_TRUE(wire::samples::write_file(in("session.mcap"), messages));
+    ASSERT_TRUE(wire::samples::write_file(in(name), messages));
   }
   support::TemporaryFolder folder_;
 };
@@ -148,21 +159,86 @@ TEST_F(Export, ATableHasALineForEachMessageAndForEachTickOfABatch) {
       ticks.lines_of({wire::kStationTicks, session_time(1), std::make_shared<const std::string>("\xff")}).empty());
 }
 
-TEST_F(Export, AFoxgloveSessionHoldsItsOwnTypesAlone) {
+/// Number of messages on each topic of a session.
+std::map<std::string, std::uint64_t> topics_of(const wire::McapReader& reader) {
+  std::map<std::string, std::uint64_t> topics;
+  for (const auto& [id, stored] : reader.summary().channels.all())
+    topics[stored.channel.topic] = reader.summary().statistics.channel_message_counts.at(id);
+  return topics;
+}
+
+TEST_F(Export, AFoxgloveSessionHoldsFoxglovesTypesAndTheNumbersOfTheStation) {
   const auto count = write_foxglove(in("session.mcap"), in("foxglove.mcap"));
   ASSERT_TRUE(count) << to_string(count.error());
   auto reader = wire::McapReader::open(in("foxglove.mcap"));
   ASSERT_TRUE(reader);
   EXPECT_EQ(reader->summary().statistics.message_count, *count);
-  std::map<std::string, std::uint64_t> topics;
-  for (const auto& [id, stored] : reader->summary().channels.all()) {
-    EXPECT_TRUE(stored.schema->name.starts_with("foxglove.")) << stored.channel.topic;
-    topics[stored.channel.topic] = reader->summary().statistics.channel_message_counts.at(id);
+  for (const auto& [id, stored] : reader->summary().channels.all())
+    EXPECT_TRUE(stored.schema->name.starts_with("foxglove.") || stored.channel.topic == "/station/state")
+        << stored.channel.topic;
+  const auto topics = topics_of(*reader);
+  for (const char* topic :
+       {"/camera/points", "/camera/depth/image", "/station/scene", "/station/state", "/camera/color"})
+    EXPECT_EQ(topics.at(topic), static_cast<std::uint64_t>(kFrames)) << topic;
+  reader->select({.topics = {"/station/state"}});
+  for (int frame = 0; frame < kFrames; ++frame) {
+    const auto message = reader->next();
+    msg::StationState state;
+    ASSERT_TRUE(message && *message && state.ParseFromString(*(*message)->payload));
+    EXPECT_EQ(state.force_n().y(), 0.25 * frame);
   }
-  EXPECT_EQ(topics.at("/camera/points"), static_cast<std::uint64_t>(kFrames));
-  EXPECT_EQ(topics.at("/camera/depth/image"), static_cast<std::uint64_t>(kFrames));
-  EXPECT_EQ(topics.at("/station/scene"), static_cast<std::uint64_t>(kFrames));
-  EXPECT_EQ(topics.at("/camera/color"), static_cast<std::uint64_t>(kFrames));
+}
+
+TEST_F(Export, TheCloudsOfAFoxgloveSessionAreColoured) {
+  ASSERT_TRUE(write_foxglove(in("session.mcap"), in("foxglove.mcap")));
+  auto reader = wire::McapReader::open(in("foxglove.mcap"));
+  ASSERT_TRUE(reader);
+  reader->select({.topics = {"/camera/points"}});
+  const auto stored = reader->next_stored();
+  foxglove::PointCloud cloud;
+  ASSERT_TRUE(stored && *stored && cloud.ParseFromString(std::string((*stored)->record.data)));
+  ASSERT_EQ(cloud.point_stride(), 16u);
+  EXPECT_NEAR(static_cast<unsigned char>(cloud.data()[12]), 200, 6) << "red";
+  EXPECT_LT(static_cast<unsigned char>(cloud.data()[13]), 10) << "green";
+  EXPECT_EQ(static_cast<unsigned char>(cloud.data()[15]), 255) << "opaque";
+}
+
+TEST_F(Export, PartsAndRateChooseWhatAFoxgloveSessionHolds) {
+  ASSERT_TRUE(write_foxglove(in("session.mcap"), in("a.mcap"), {.depth = false, .points = false}));
+  const auto without = topics_of(*wire::McapReader::open(in("a.mcap")));
+  EXPECT_FALSE(without.contains("/camera/points"));
+  EXPECT_FALSE(without.contains("/camera/depth/image"));
+  EXPECT_TRUE(without.contains("/station/state") && without.contains("/camera/color"));
+  ASSERT_TRUE(write_foxglove(in("session.mcap"), in("b.mcap"), {.station = false, .images_per_s = 10.0}));
+  const auto rare = topics_of(*wire::McapReader::open(in("b.mcap")));
+  EXPECT_FALSE(rare.contains("/station/state"));
+  EXPECT_EQ(rare.at("/camera/points"), 7u) << "20 frames are 0.63 s";
+  EXPECT_EQ(rare.at("/camera/color"), 7u);
+}
+
+TEST_F(Export, TheSizeIsEstimatedWithinAFewPercent) {
+  write_session("large.mcap", 320, 240);
+  write_session("cut.mcap", 320, 240, 9s);  // a cut begins with a camera's model that is older than its images
+  for (const char* session : {"large.mcap", "cut.mcap"})
+    for (const FoxgloveParts& parts :
+         {FoxgloveParts{}, FoxgloveParts{.points = false}, FoxgloveParts{.images_per_s = 10.0}}) {
+      const auto size = estimated_size(in(session), parts);
+      ASSERT_TRUE(size) << to_string(size.error());
+      std::filesystem::remove(in("foxglove.mcap"));
+      ASSERT_TRUE(write_foxglove(in(session), in("foxglove.mcap"), parts));
+      const auto written = static_cast<double>(std::filesystem::file_size(in("foxglove.mcap")));
+      EXPECT_NEAR(static_cast<double>(size->total()) / written, 1.0, 0.15) << session;
+    }
+}
+
+TEST_F(Export, TheSizeIsAnnouncedBeforeTheFileIsWritten) {
+  write_session("large.mcap", 320, 240);
+  const std::string command = TELEPALP_BINARY_DIR "/bin/telepalp-export " + in("large.mcap").string() + " --foxglove " +
+                              in("foxglove.mcap").string() + " 2> " + in("log").string();
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string said = wire::samples::bytes_of(in("log"));
+  EXPECT_LT(said.find("foxglove.mcap will have about "), said.find("wrote ")) << said;
+  EXPECT_NE(said.find("To write less: --parts color,station"), std::string::npos) << said;
 }
 
 TEST_F(Export, OnAFullDiskNoFoxgloveSessionIsLeftBehind) {
@@ -193,6 +269,10 @@ TEST_F(Export, TheProgramWritesAndSaysWhatIsWrong) {
   EXPECT_EQ(run({session, "--csv", "/no/topic"}), 2);
   EXPECT_EQ(run({session}), 2);
   EXPECT_EQ(run({session, "--ply", "1", "--pcd", "1"}), 2);
+  EXPECT_EQ(run({session, "--foxglove", in("f.mcap"), "--parts", "points,bones"}), 2);
+  EXPECT_NE(wire::samples::bytes_of(in("log")).find("'bones' is not a part of a session"), std::string::npos);
+  EXPECT_EQ(run({session, "--foxglove", in("f.mcap"), "--rate", "0"}), 2);
+  EXPECT_EQ(run({session, "--png", in("p"), "--rate", "5"}), 2);
   EXPECT_EQ(run({in("none.mcap").string(), "--png", in("x")}), 1);
   ASSERT_TRUE(wire::samples::write_file(
       in("states.mcap"), {wire::make_message(wire::kStationState, session_time(kStart_ns), msg::StationState())}));

@@ -1,12 +1,10 @@
 #include "tools/export_tool/foxglove_session.h"
 
-#include "messages/station.pb.h"
+#include <algorithm>
+
 #include "proto/wire/mcap/format/schemas.h"
-#include "proto/wire/mcap/reader.h"
-#include "server/views/depth_views.h"
-#include "server/views/station_views.h"
+#include "proto/wire/mcap/writer.h"
 #include "server/views/view_topics.h"
-#include "tools/export_tool/frames.h"
 
 namespace telepalp::export_tool {
 namespace {
@@ -15,87 +13,70 @@ class FoxgloveFile {
  public:
   explicit FoxgloveFile(wire::McapWriter writer) : writer_(std::move(writer)) {}
 
-  void copy(const wire::Message& message) { keep(writer_.write(message)); }
-  template <class Proto>
-  void add(const wire::Topic& topic, SessionTime at, const Proto& proto) {
-    const wire::mcap::Schema schema{.id = 1,
-                                    .name = std::string(topic.schema),
-                                    .encoding = "protobuf",
-                                    .data = wire::file_descriptor_set(*views::descriptor_of_view(topic))};
-    const wire::mcap::Channel channel{
-        .id = 0, .schema_id = 1, .topic = std::string(topic.name), .message_encoding = "protobuf", .metadata = {}};
-    const auto time = static_cast<std::uint64_t>(to_nanoseconds(at));
-    const std::string payload = proto.SerializeAsString();
-    keep(writer_.copy(&schema, channel,
-                      {.channel_id = 0, .sequence = 0, .log_time = time, .publish_time = time, .data = payload}));
+  [[nodiscard]] Result<void> add(const wire::Message& message) {
+    const bool is_view =
+        std::ranges::find(views::kViewTopics, message.topic.name, &wire::Topic::name) != views::kViewTopics.end();
+    const Result<void> written = is_view ? add_view(message) : writer_.write(message);
+    messages_ += written ? 1 : 0;
+    return written;
   }
-  [[nodiscard]] const Result<void>& state() const noexcept { return state_; }
-  [[nodiscard]] Result<std::uint64_t> close() {
-    state_ = writer_.finish(state_);
-    if (!state_) return state_.error();
+  [[nodiscard]] Result<std::uint64_t> close(const Result<void>& written) {
+    const Result<void> finished = writer_.finish(written);
+    if (!finished) return finished.error();
     return messages_;
   }
 
  private:
-  void keep(const Result<void>& written) {
-    if (state_ && !written) state_ = written;
-    if (written) ++messages_;
+  Result<void> add_view(const wire::Message& message) {
+    const wire::mcap::Schema schema{.id = 1,
+                                    .name = std::string(message.topic.schema),
+                                    .encoding = "protobuf",
+                                    .data = wire::file_descriptor_set(*views::descriptor_of_view(message.topic))};
+    const wire::mcap::Channel channel{.id = 0,
+                                      .schema_id = 1,
+                                      .topic = std::string(message.topic.name),
+                                      .message_encoding = "protobuf",
+                                      .metadata = {}};
+    const auto time = static_cast<std::uint64_t>(to_nanoseconds(message.published));
+    return writer_.copy(
+        &schema, channel,
+        {.channel_id = 0, .sequence = 0, .log_time = time, .publish_time = time, .data = *message.payload});
   }
+
   wire::McapWriter writer_;
-  Result<void> state_;
   std::uint64_t messages_ = 0;
 };
 
-void add_ultrasound(const wire::Message& message, FoxgloveFile& out) {
-  msg::UltrasoundImage image;
-  if (!image.ParseFromString(*message.payload)) return;
-  if (const auto view = views::ultrasound_view(image)) out.add(views::kUltrasoundView, message.published, *view);
-}
-
-Result<void> add_station_and_color(wire::McapReader& reader, FoxgloveFile& out) {
-  reader.select({.topics = {std::string(wire::kCameraColor.name), std::string(wire::kCameraInfo.name),
-                            std::string(wire::kCameraColorInfo.name), std::string(wire::kStationState.name),
-                            std::string(wire::kStationUltrasound.name)}});
-  for (;;) {
-    const Result<std::optional<wire::Message>> message = reader.next();
-    if (!message) continue;  // the reader continues after the damaged chunk
-    if (!*message || !out.state()) return out.state();
-    if ((*message)->topic.name == wire::kStationUltrasound.name) {
-      add_ultrasound(**message, out);
-      continue;
-    }
-    if ((*message)->topic.name != wire::kStationState.name) {
-      out.copy(**message);
-      continue;
-    }
-    msg::StationState state;
-    if (!state.ParseFromString(*(*message)->payload)) continue;
-    out.add(views::kTransformsView, (*message)->published, views::transforms_view(state, (*message)->published));
-    out.add(views::kSceneView, (*message)->published, views::scene_view(state));
-  }
+Result<void> add_frames(const std::filesystem::path& file, SessionTime begin, const FoxgloveParts& parts,
+                        FoxgloveFile& out) {
+  if (!parts.depth && !parts.points) return {};
+  Result<Frames> frames = Frames::open(file);
+  if (!frames) return frames.error();
+  Thinning thinning(begin, parts.images_per_s);
+  return frames->for_each([&](const RgbdFrame& frame) -> Result<bool> {
+    if (!thinning.takes(frame.captured)) return true;
+    for (const wire::Message& message : frame_messages(frame, parts))
+      if (const Result<void> added = out.add(message); !added) return added.error();
+    return true;
+  });
 }
 
 }  // namespace
 
-Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out) {
+Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out,
+                                     const FoxgloveParts& parts) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return reader.error();
   const Result<wire::SessionInfo> session = reader->session();
   if (!session) return session.error();
-  Result<Frames> frames = Frames::open(file);
-  if (!frames) return frames.error();
   Result<wire::McapWriter> writer = wire::McapWriter::open(out, *session);
   if (!writer) return writer.error();
   FoxgloveFile made(std::move(*writer));
-  Result<void> done = add_station_and_color(*reader, made);
-  if (done)
-    done = frames->for_each([&](const RgbdFrame& frame) -> Result<bool> {
-      made.add(views::kDepthView, frame.captured, views::depth_view(frame.depth, frame.captured));
-      made.add(views::kCloudView, frame.captured, views::cloud_view(frame.depth, frame.camera.depth, frame.captured));
-      return made.state() ? Result<bool>(true) : Result<bool>(made.state().error());
-    });
-  Result<std::uint64_t> closed = made.close();
-  return done ? closed : Result<std::uint64_t>(done.error());
+  const auto begin = static_cast<std::int64_t>(reader->summary().statistics.message_start_time);
+  Result<void> done =
+      give_station_and_color(*reader, parts, [&](const wire::Message& message) { return made.add(message); });
+  if (done) done = add_frames(file, session_time(begin), parts, made);
+  return made.close(done);
 }
 
 }  // namespace telepalp::export_tool

@@ -4,12 +4,15 @@
 #include <filesystem>
 
 #include "proto/words/result.h"
+#include "tools/export_tool/foxglove_messages.h"
 
 namespace telepalp::export_tool {
 
-/// Writes the session `file` to the session file `out` in Foxglove's own types, which its viewers display without an
-/// extension: colour and camera models as recorded; depth as an image and a cloud; the station as transforms, and as a
-/// scene with the force as an arrow; ultrasound images. Returns the number of messages.
-[[nodiscard]] Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out);
+/// Writes the session `file` to the session file `out` in types that Foxglove, Lichtblick and plotting tools display
+/// without an extension: colour and camera models as recorded; depth as an image and a coloured cloud; the station as
+/// transforms, as a scene with the force as an arrow, and as recorded numbers; the layers inside the body as triangles;
+/// ultrasound images. Returns the number of messages.
+[[nodiscard]] Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out,
+                                                   const FoxgloveParts& parts = {});
 
 }  // namespace telepalp::export_tool

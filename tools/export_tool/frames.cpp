@@ -16,7 +16,7 @@ constexpr std::int64_t kLookBack_ns = 10 * kSecond_ns;  // a key frame and a cam
 
 std::vector<std::string> camera_topics() {
   return {std::string(wire::kCameraInfo.name), std::string(wire::kCameraDepth.name),
-          std::string(wire::kCameraColor.name)};
+          std::string(wire::kCameraColor.name), std::string(wire::kCameraColorInfo.name)};
 }
 
 Error no_frame(const std::string& what) {
@@ -41,12 +41,13 @@ std::optional<wire::Message> Frames::next() {
   }
 }
 
-/// Takes in a camera model or a colour image.
+/// Takes in a camera's model or a colour image.
 void Frames::note(const wire::Message& message) {
   if (message.topic.name == wire::kCameraColor.name) return note_color(*message.payload);
+  const bool is_color = message.topic.name == wire::kCameraColorInfo.name;
   foxglove::CameraCalibration model;
-  if (message.topic.name != wire::kCameraInfo.name || !model.ParseFromString(*message.payload)) return;
-  if (const auto pinhole = wire::intrinsics_of(model)) pinhole_ = pinhole;
+  if ((!is_color && message.topic.name != wire::kCameraInfo.name) || !model.ParseFromString(*message.payload)) return;
+  if (const auto pinhole = wire::intrinsics_of(model)) (is_color ? color_pinhole_ : pinhole_) = pinhole;
 }
 
 void Frames::note_color(const std::string& payload) {
@@ -74,6 +75,7 @@ Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
     if (!color) ++damaged_;
     if (color) frame.color = std::move(*color);
     frame.camera.color_registered = waiting.color->frame_id() == wire::kDepthFrameId;
+    if (!frame.camera.color_registered) frame.camera.color = color_pinhole_.value_or(*pinhole_);
   }
   if (!is_well_formed(frame))
     return no_frame(

@@ -43,6 +43,7 @@ class Frames {
   wire::McapReader reader_;
   codec::DepthReader depth_;
   std::optional<Intrinsics> pinhole_;
+  std::optional<Intrinsics> color_pinhole_;
   std::optional<foxglove::CompressedImage> color_;  // colour image whose depth image has not come yet
   std::optional<Waiting> waiting_;                  // depth image whose colour may follow
   std::uint64_t damaged_ = 0;

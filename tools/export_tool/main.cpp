@@ -14,7 +14,7 @@
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "tools/export_tool/cloud_file.h"
-#include "tools/export_tool/foxglove_session.h"
+#include "tools/export_tool/foxglove_command.h"
 #include "tools/export_tool/frames.h"
 #include "tools/export_tool/image_folder.h"
 #include "tools/export_tool/message_table.h"
@@ -35,6 +35,8 @@ program::Usage usage() {
                       {"ply", "S", "the point cloud S seconds after the session's beginning"},
                       {"pcd", "S", "the point cloud S seconds after the beginning, as organised PCD"},
                       {"foxglove", "FILE.mcap", "images, point clouds, transforms and force in Foxglove's types"},
+                      {"parts", "LIST", "for --foxglove: of points,depth,color,station; default: all"},
+                      {"rate", "HZ", "for --foxglove: at most so many images a second; default: all"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
                       {"out", "FILE", "file for --csv, --ply or --pcd; default: stdout"}},
           .example = "telepalp-export session.mcap --ply 1.5 --out skin.ply"};
@@ -116,9 +118,7 @@ int run_report(const std::string& file, const std::string& folder) {
 int run(const std::string& file, const program::Arguments& asked) {
   if (asked.has("png"))
     return say(export_tool::write_images(file, asked.text("png")), "frame", "frames", asked.text("png"));
-  if (asked.has("foxglove"))
-    return say(export_tool::write_foxglove(file, asked.text("foxglove")), "message", "messages",
-               asked.text("foxglove"));
+  if (asked.has("foxglove")) return export_tool::foxglove_command(file, asked);
   if (asked.has("report")) return run_report(file, asked.text("report"));
   if (asked.has("ply")) return run_cloud(file, asked, "ply", export_tool::ply_of);
   if (asked.has("pcd")) return run_cloud(file, asked, "pcd", export_tool::pcd_of);
@@ -138,6 +138,11 @@ int main(int argc, char** argv) {
     return program::fail({.what = "the command does not name exactly one session file and one format",
                           .where = kProgram,
                           .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove and --report"},
+                         program::kAskedWrongly);
+  if (!asked.has("foxglove") && (asked.has("parts") || asked.has("rate")))
+    return program::fail({.what = "the options choose what --foxglove writes, which is not given",
+                          .where = "--parts and --rate",
+                          .fix = "give --foxglove FILE.mcap, or leave them out"},
                          program::kAskedWrongly);
   if (const Result<void> out = check_out(asked.positional().front(), asked); !out)
     return program::fail(out.error(), program::kAskedWrongly);

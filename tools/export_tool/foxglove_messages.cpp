@@ -1,0 +1,117 @@
+#include "tools/export_tool/foxglove_messages.h"
+
+#include <cmath>
+
+#include "messages/inside.pb.h"
+#include "messages/station.pb.h"
+#include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/inside/inside_message.h"
+#include "server/views/depth_views.h"
+#include "server/views/inside_views.h"
+#include "server/views/station_views.h"
+#include "server/views/view_topics.h"
+
+namespace telepalp::export_tool {
+namespace {
+
+/// Makes the views of a station's messages, and gives them on with the messages that plots need.
+class StationViews {
+ public:
+  explicit StationViews(const TakeMessage& take) : take_(take) {}
+
+  Result<void> add(const wire::Message& message) {
+    const std::string_view topic = message.topic.name;
+    if (topic == wire::kStationUltrasound.name) return add_ultrasound(message);
+    if (topic == wire::kStationInside.name) return add_inside(message);
+    if (topic == wire::kStationCompensation.name) (void)compensation_.ParseFromString(*message.payload);
+    const Result<void> copied = take_(message);
+    return copied && topic == wire::kStationState.name ? add_state(message) : copied;
+  }
+
+ private:
+  template <class Proto>
+  Result<void> give(const wire::Topic& topic, SessionTime at, const Proto& proto) {
+    return take_(wire::make_message(topic, at, proto));
+  }
+  Result<void> add_ultrasound(const wire::Message& message) {
+    msg::UltrasoundImage image;
+    const auto view = image.ParseFromString(*message.payload) ? views::ultrasound_view(image) : std::nullopt;
+    return view ? give(views::kUltrasoundView, message.published, *view) : Result<void>{};
+  }
+  Result<void> add_inside(const wire::Message& message) {
+    msg::InnerStructures inside;
+    if (!inside.ParseFromString(*message.payload) || !wire::is_valid(inside)) return {};
+    inside_ = std::move(inside);
+    return give(views::kInsideView, message.published, views::inside_view(inside_));
+  }
+  Result<void> add_state(const wire::Message& message) {
+    msg::StationState state;
+    if (!state.ParseFromString(*message.payload)) return {};
+    foxglove::FrameTransforms transforms = views::transforms_view(state, message.published);
+    views::add_inside_transforms(transforms, inside_, compensation_, message.published);
+    Result<void> given = give(views::kTransformsView, message.published, transforms);
+    if (given) given = give(views::kSceneView, message.published, views::scene_view(state));
+    if (const auto hand = views::hand_view(state); given && hand)
+      given = give(views::kHandView, message.published, *hand);
+    return given;
+  }
+
+  const TakeMessage& take_;
+  msg::InnerStructures inside_;
+  msg::StationCompensation compensation_;
+};
+
+bool is_of_camera(std::string_view topic) { return topic.starts_with("/camera/"); }
+
+std::vector<std::string> topics_of(const FoxgloveParts& parts) {
+  std::vector<std::string> topics{std::string(wire::kCameraInfo.name)};
+  if (parts.color)
+    for (const wire::Topic& topic : {wire::kCameraColor, wire::kCameraColorInfo}) topics.emplace_back(topic.name);
+  if (parts.station)
+    for (const wire::Topic& topic :
+         {wire::kStationState, wire::kStationCompensation, wire::kStationSurface, wire::kStationEvents,
+          wire::kStationStats, wire::kStationUltrasound, wire::kStationInside})
+      topics.emplace_back(topic.name);
+  return topics;
+}
+
+/// True for a colour image that is not chosen.
+bool is_thinned_out(const wire::Message& message, Thinning& thinning) {
+  foxglove::CompressedImage image;
+  return message.topic.name == wire::kCameraColor.name && image.ParseFromString(*message.payload) &&
+         !thinning.takes(session_time(wire::stamp_ns(image.timestamp())));
+}
+
+}  // namespace
+
+bool Thinning::takes(SessionTime captured) {
+  if (!(images_per_s_ > 0.0)) return true;
+  const auto place = static_cast<std::int64_t>(std::floor(to_seconds(captured - begin_) * images_per_s_));
+  return std::exchange(last_, place) != place;
+}
+
+Result<void> give_station_and_color(wire::McapReader& session, const FoxgloveParts& parts, const TakeMessage& take) {
+  session.select({.topics = topics_of(parts)});
+  const auto begin = static_cast<std::int64_t>(session.summary().statistics.message_start_time);
+  Thinning thinning(session_time(begin), parts.images_per_s);
+  StationViews station(take);
+  for (;;) {
+    const Result<std::optional<wire::Message>> message = session.next();
+    if (!message) continue;  // the reader continues after the damaged chunk
+    if (!*message) return {};
+    if (is_thinned_out(**message, thinning)) continue;
+    const Result<void> given = is_of_camera((*message)->topic.name) ? take(**message) : station.add(**message);
+    if (!given) return given;
+  }
+}
+
+std::vector<wire::Message> frame_messages(const RgbdFrame& frame, const FoxgloveParts& parts) {
+  std::vector<wire::Message> messages;
+  if (parts.depth)
+    messages.push_back(
+        wire::make_message(views::kDepthView, frame.captured, views::depth_view(frame.depth, frame.captured)));
+  if (parts.points) messages.push_back(wire::make_message(views::kCloudView, frame.captured, views::cloud_view(frame)));
+  return messages;
+}
+
+}  // namespace telepalp::export_tool
