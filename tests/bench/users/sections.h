@@ -14,4 +14,7 @@ namespace telepalp::bench {
 /// fold to one line, or a view without a fold, makes a row miss its budget.
 [[nodiscard]] Result<std::vector<Row>> run_layout_section(const UsersPlace& place);
 
+/// Whether verify and repair of telepalp-record say so when a session is damaged.
+[[nodiscard]] Result<std::vector<Row>> run_records_section(const UsersPlace& place);
+
 }  // namespace telepalp::bench

@@ -12,6 +12,7 @@ const std::vector<UsersSection> kSections{
     {"bill", "what a scene costs, by its bill and as measured at the station's process", run_bill_section},
     {"page", "a server that is silent, and a played session that is moved image by image", run_page_section},
     {"layout", "the patient's share of the page", run_layout_section},
+    {"records", "damaged sessions, and whether verify and repair say so", run_records_section},
 };
 
 Result<std::vector<UsersSection>> sections_of(const program::Arguments& arguments) {
