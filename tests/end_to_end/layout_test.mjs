@@ -135,10 +135,12 @@ test('forced colours leave a pressed button, the current view and a warning to b
     old.dataset.old = 'true';
     box.hidden = false;
     box.dataset.level = 'warn';
-    return [getComputedStyle(old, '::before').content, getComputedStyle(box).borderStyle];
+    const [word, warned] = [getComputedStyle(old, '::before').content, getComputedStyle(box).borderStyle];
+    box.dataset.level = 'alarm';
+    return [word, `${warned}, then ${getComputedStyle(box).borderStyle}`];
   });
   assert.match(age, /⚠/);
-  assert.equal(banner, 'dashed');
+  assert.equal(banner, 'dashed, then double');
   await page.emulateMedia({forcedColors: 'none'});
 });
 

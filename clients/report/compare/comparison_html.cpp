@@ -142,8 +142,7 @@ std::string overlay_sections(const Comparison& comparison) {
   if (const auto charts = overlaid(a, b, comparison.ticks); !charts.empty())
     out += section("The whole runs",
                    "State, force and height over one time axis. A is blue, B is red; B's states are drawn a little "
-                   "above their number. State -3 to 3: phase of the "
-                   "controller (docs/controller.md); R: released; F: faulted.",
+                   "above their line. The numbers are those of paper S1 (docs/sources.md); R and F are not in S1.",
                    stacked(charts));
   if (const auto charts = overlaid_ages(a, b); !charts.empty())
     out += section("Age of the surface", "Age of the surface from which the force was computed.", stacked(charts));

@@ -15,6 +15,8 @@ using plot::Chart;
 using plot::Series;
 using plot::Style;
 
+constexpr std::string_view kFaintInk = "#667080";  // readable on white, fainter than the curves
+
 /// An interval of the common time axis [s].
 struct Window {
   double from_s = -std::numeric_limits<double>::infinity();
@@ -72,7 +74,7 @@ Chart states(const Session& a, const Session& b, const Window& window) {
   for (const ar::PhaseWords& words : ar::kPhases)
     if (visited.contains(words.level)) {
       chart.y.ticks.push_back({words.level, std::string(words.mark)});
-      chart.rules.push_back({words.level, std::string(words.words), std::string(plot::kGrey)});
+      chart.rules.push_back({words.level, std::string(words.words), std::string(kFaintInk)});
     }
   return chart;
 }
