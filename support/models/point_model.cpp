@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+
+#include "proto/words/error_line.h"
 
 namespace telepalp::models {
 namespace {
@@ -42,6 +45,32 @@ double extent(const PointModel& model) {
   return widest;
 }
 
+constexpr double kLeastSize_m = 0.002, kMostSize_m = 12.0;
+
+/// Three digits are enough to recognise a size.
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// Names the units, a power of ten of the present one, that give a size from an organ's to a person's.
+std::string fix_of(double size_m, double unit_m) {
+  constexpr double kOrgan_m = 0.04, kPerson_m = 2.5;
+  std::string units, first;
+  for (const double factor : {1e-3, 1e3, 1e-2, 1e-1, 1e2, 1e1, 1e-6, 1e6}) {
+    if (size_m * factor < kOrgan_m || size_m * factor > kPerson_m) continue;
+    const std::string unit = rounded(unit_m * factor);
+    units += (units.empty() ? "" : " or ") + unit + " (then the points span " + rounded(size_m * factor) + " m)";
+    if (first.empty()) first = unit;
+  }
+  if (first.empty())
+    return "check the file: no usual unit of its coordinates gives a patient's size; another unit is given by unit_m, "
+           "its length in metres";
+  return "give unit_m, the metres for one unit of the file, as " + units + ": telepalp-station --surface model:FILE," +
+         "unit_m=" + first + ", unit_m: " + first + " in a scene, or telepalp-probe --unit-m " + first;
+}
+
 }  // namespace
 
 Result<PointModel> read_point_model(const std::filesystem::path& file) {
@@ -54,16 +83,13 @@ Result<PointModel> read_point_model(const std::filesystem::path& file) {
   return Error{.what = "is not a supported kind of file", .where = file.string(), .fix = "give .pcd, .ply or .obj"};
 }
 
-std::string unit_complaint(const PointModel& model) {
-  const double size = extent(model);
-  const auto looks = [&](const char* unit) {
-    return "the points span " + std::to_string(size) +
-           " m, which is not a patient's size: the unit of the coordinates is probably " + unit;
-  };
-  if (size > 100.0) return looks("1000 times smaller");
-  if (size > 12.0) return looks("10 or 100 times smaller");
-  if (size > 0.0 && size < 0.002) return looks("1000 times larger");
-  return {};
+std::optional<Error> unit_error(const PointModel& model, double unit_m) {
+  const double size_m = extent(model);
+  if (size_m == 0.0 || (size_m >= kLeastSize_m && size_m <= kMostSize_m)) return std::nullopt;
+  return Error{.what = "the points span " + rounded(size_m) + " m with unit_m " + number_text(unit_m) +
+                       ", which is not a patient's size",
+               .where = {},
+               .fix = fix_of(size_m, unit_m)};
 }
 
 }  // namespace telepalp::models

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,11 +37,9 @@ inline constexpr std::size_t kMostModelPoints = 20'000'000;
 [[nodiscard]] Result<PointModel> parse_ply(std::span<const std::byte> bytes, const std::string& name);
 [[nodiscard]] Result<PointModel> parse_obj(std::span<const std::byte> bytes, const std::string& name);
 
-/// Explains why the coordinates cannot be metres and suggests the unit that gives the size of a patient; empty when
-/// metres are plausible.
-[[nodiscard]] std::string unit_complaint(const PointModel& model);
-inline constexpr const char* kSayTheUnit =
-    "give the length of one unit of the file's coordinates in metres, such as 0.001 for millimetres: telepalp-probe "
-    "--unit-m 0.001, telepalp-station --surface model:FILE,unit_m=0.001, or unit_m: 0.001 in a scene";
+/// The error of a model whose size cannot be a patient's: its fix names each unit that gives a patient's size. nullopt
+/// when the size is plausible: 2 mm to 12 m. `model`: in metres, after `unit_m` metres for one unit of the file were
+/// applied. Error::where is empty.
+[[nodiscard]] std::optional<Error> unit_error(const PointModel& model, double unit_m);
 
 }  // namespace telepalp::models

@@ -22,7 +22,7 @@ void check(const Result<models::PointModel>& read) {
     for (const std::uint32_t corner : triangle) demand(corner < read->points.size(), "a face names what is there");
   demand(read->width >= 0 && (read->width == 0 || read->points.size() % static_cast<std::size_t>(read->width) == 0),
          "an organised cloud has whole rows");
-  (void)models::unit_complaint(*read);
+  (void)models::unit_error(*read, 1.0);
 }
 
 void check(const Result<std::vector<probe::Waypoint>>& read) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "haptic_station/station/rigs/model_cache.h"
 #include "haptic_station/surface/cloud/static_model.h"
 #include "proto/wire/vector_message.h"
 #include "proto/words/rotation_vector.h"
 #include "support/models/text_cursor.h"
+#include "support/program/log.h"
 
 namespace telepalp::station {
 namespace {
@@ -59,13 +61,12 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
                                           bool anyway) {
   const msg::PatientSurface::StaticModel& asked = scene.message.patient_surface().static_model();
   const std::filesystem::path file = folder / asked.file();
-  const Result<models::PointModel> read = models::read_point_model(file);
-  if (!read) return read.error();
   surface::StaticModelSettings settings;
   if (asked.has_unit_m()) settings.unit_m = asked.unit_m();
   if (asked.has_samples()) settings.samples = asked.samples();
   settings.flip_normals = asked.flip_normals();
   settings.anyway = anyway;
+  settings.on_progress = [](const std::string& text) { program::log("telepalp-station", "model: " + text); };
   if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
     return Error{
         .what = "unit_m or samples of the patient model (static_model) is out of range",
@@ -73,7 +74,7 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
         .fix =
             "give, in --surface or in the scene, unit_m above 0 (metres per unit of the file), and samples 0 (as "
             "many as the shape needs) or 100 to 1000000"};
-  Result<surface::StaticModel> made = surface::make_static_model(*read, settings);
+  Result<surface::StaticModel> made = sampled_once(file, settings, ModelCache(default_model_cache()));
   if (!made) {
     Error error = made.error();
     error.where = file.string();

@@ -21,6 +21,8 @@ struct Sampler {
   MeshJudge judge;
 
   [[nodiscard]] SampledMesh operator()(std::size_t count) const {
+    if (settings.on_progress)
+      settings.on_progress("spreading " + std::to_string(count) + " points over the mesh, and testing the surface");
     std::vector<CloudPoint> points = poisson_disk_samples(mesh, count, settings.seed);
     for (CloudPoint& point : points) point.normal *= side;
     const double hidden = judge.leave_out_hidden(points);

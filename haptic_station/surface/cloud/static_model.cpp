@@ -114,6 +114,10 @@ Result<StaticModel> touched_mesh(models::PointModel mesh, const StaticModelSetti
                                  const Vector3d& origin_m) {
   StaticModel made;
   const Winding winding = make_faces_agree(mesh);
+  if (settings.flip_normals && winding.open_edges == 0) {
+    if (!settings.anyway) return inside_out("mesh");
+    say(made.remarks, touched_from_inside("mesh"));
+  }
   const float side = mended(mesh, winding, made.remarks) * (settings.flip_normals ? -1.0F : 1.0F);
   const SampledMesh sampled = sample_mesh(mesh, settings, origin_m, side);
   if (!sampled.snapshot) return no_surface();
@@ -145,11 +149,22 @@ Error no_surface() {
           .fix = "give a mesh whose faces have an area, or a cloud of three points or more that are not on one line"};
 }
 
+Error inside_out(const std::string& what) {
+  return {.what = "is a closed " + what +
+                  ", whose outside is known: with its normals flipped, the hand would be inside the body in free air",
+          .where = "model",
+          .fix = "leave out --flip-normals (flip_normals in a scene); or touch the " + what +
+                 " from inside, as a hollow, by --anyway"};
+}
+
+std::string touched_from_inside(const std::string& what) {
+  return "the " + what + " is closed and its normals are flipped: it is touched from inside, as a hollow";
+}
+
 Result<StaticModel> make_static_model(const models::PointModel& model, const StaticModelSettings& settings) {
   const Vector3d middle = middle_of(model.points);
   models::PointModel near = centred(model, middle, settings.unit_m);
-  if (const std::string complaint = models::unit_complaint(near); !complaint.empty())
-    return Error{.what = complaint, .where = "model", .fix = models::kSayTheUnit};
+  if (std::optional<Error> unit = models::unit_error(near, settings.unit_m)) return std::move(*unit);
   if (!near.triangles.empty()) return touched_mesh(std::move(near), settings, settings.unit_m * middle);
   return touched_cloud(near, settings, settings.unit_m * middle);
 }

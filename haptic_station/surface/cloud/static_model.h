@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
@@ -16,7 +17,9 @@ struct StaticModelSettings {
   int normal_neighbors = 16;                              ///< smallest number of neighbours per estimated normal
   Eigen::Vector3d viewpoint_m = Eigen::Vector3d::Zero();  ///< in the file's frame; estimated normals point towards it
   double support_m = 0.0;     ///< a point farther from the query has no weight; 0: three spacings, more for noise
-  bool flip_normals = false;  ///< reverse all normals
+  bool flip_normals = false;  ///< reverse all normals; of a closed model only with `anyway`
+  /// Called with a line for the user before each step that takes seconds.
+  std::function<void(const std::string&)> on_progress{};
 };
 
 /// The surface of a model, with remarks for the user.
@@ -31,14 +34,19 @@ struct StaticModel {
 /// neighbours are reversed. A closed mesh with inward normals is inverted; an open mesh is not. A very noisy cloud
 /// is thinned at random. A cloud keeps its normals if they agree with the points, else normals are estimated; see
 /// touched_cloud(). Error: no point has a normal, the coordinates cannot be metres, or `anyway` is not set and the
-/// samples are too coarse for the mesh, the cloud is too noisy, or the normals of an open cloud contradict each other
-/// or the points.
+/// samples are too coarse for the mesh, the cloud is too noisy, the normals of an open cloud contradict each other
+/// or the points, or the normals of a closed model are to be flipped.
 [[nodiscard]] Result<StaticModel> make_static_model(const models::PointModel& model,
                                                     const StaticModelSettings& settings);
 
 /// True when the model has three finite points that are not collinear. no_surface(): the error for any other model.
 [[nodiscard]] bool spans_a_surface(const models::PointModel& model);
 [[nodiscard]] Error no_surface();
+
+/// flip_normals of a closed model, whose outside is certain: the error, and the remark if `anyway` accepts it. `what`:
+/// "mesh" or "cloud".
+[[nodiscard]] Error inside_out(const std::string& what);
+[[nodiscard]] std::string touched_from_inside(const std::string& what);
 
 /// Samples `count` points on the triangles with Poisson-disk spacing: draws 4 × `count` area-weighted random points and
 /// removes the most crowded ones first. Source: Yuksel 2015, sample elimination.

@@ -91,6 +91,7 @@ struct Settling {
   Vector3f viewpoint;  ///< relative to the cloud's middle
   std::vector<CloudPoint> points;
   std::string remarks;
+  bool closed = false;
 };
 
 void estimate_normals(Settling& cloud) {
@@ -161,7 +162,8 @@ Result<void> settle_normals(Settling& cloud, bool given, double misfit) {
   if (!given) say(cloud.remarks, "the cloud has no normals");
   if (!fit) estimate_normals(cloud);
   const CloudOrientation orientation(cloud.points, cloud.noise.noise_m);
-  if (orientation.is_closed()) {
+  cloud.closed = orientation.is_closed();
+  if (cloud.closed) {
     turn_outwards(cloud, orientation, fit ? "its" : "the estimated");
     return {};
   }
@@ -199,6 +201,10 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   Settling settling{settings, noise, (settings.viewpoint_m - origin_m).cast<float>(), std::move(points), {}};
   if (const auto settled = settle_normals(settling, given, misfit); !settled) return settled.error();
   if (settling.points.empty()) return no_surface();
+  if (settings.flip_normals && settling.closed) {
+    if (!settings.anyway) return inside_out("cloud");
+    say(settling.remarks, touched_from_inside("cloud"));
+  }
   if (settings.flip_normals)
     for (CloudPoint& point : settling.points) point.normal = -point.normal;
   CloudShape shape;

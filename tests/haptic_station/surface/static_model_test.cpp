@@ -306,6 +306,54 @@ TEST(CloudOrientation, AFewReversedNormalsOfAnOpenCloudAreReversedBack) {
   for (const CloudPoint& point : made->snapshot->cloud()) ASSERT_GT(point.normal.z(), 0.0F);
 }
 
+TEST(FlipNormals, OfAClosedModelAreRefusedUnlessItIsToBeTouchedFromInside) {
+  const models::PointModel mesh = ball(0.1, {0, 0, 1}, true);
+  models::PointModel cloud;
+  for (const CloudPoint& point : poisson_disk_samples(mesh, 4000, 3)) {
+    cloud.points.push_back(point.at_m);
+    cloud.normals.push_back(point.normal);
+  }
+  for (const auto& [model, kind] : {std::pair{mesh, "mesh"}, std::pair{cloud, "cloud"}}) {
+    const auto refused = make_static_model(model, {.flip_normals = true});
+    ASSERT_FALSE(refused.ok()) << kind;
+    EXPECT_NE(refused.error().what.find(std::string("is a closed ") + kind), std::string::npos)
+        << to_string(refused.error());
+    EXPECT_NE(refused.error().fix.find("leave out --flip-normals"), std::string::npos);
+    const auto hollow = make_static_model(model, {.anyway = true, .flip_normals = true});
+    ASSERT_TRUE(hollow.ok()) << to_string(hollow.error());
+    EXPECT_NE(hollow->remarks.find("touched from inside"), std::string::npos) << hollow->remarks;
+    ASSERT_FALSE(hollow->snapshot->cloud().empty());
+    for (const CloudPoint& point : hollow->snapshot->cloud()) ASSERT_LT(point.at_m.dot(point.normal), 0.0F) << kind;
+  }
+  ASSERT_TRUE(make_static_model(dome(), {.viewpoint_m = {0, 0, 3}, .flip_normals = true}).ok()) << "an open cloud";
+}
+
+TEST(ModelUnit, TheFixNamesTheUnitThatGivesTheSizeOfAPatient) {
+  struct Row {
+    double radius, unit_m;
+    const char* fix;
+  };
+  for (const Row& row : {Row{100.0, 1.0, "unit_m=0.001,"},   // millimetres
+                         Row{0.0001, 0.001, "unit_m=1,"},    // metres, and 0.001 was given
+                         Row{0.00001, 0.001, "unit_m=10,"},  // ten metres a unit, and 0.001 was given
+                         Row{850.0, 1.0, "unit_m=0.001,"},   // a person in millimetres
+                         Row{85.0, 1.0, "unit_m=0.01,"},     // a person in centimetres
+                         Row{10.0, 1.0, "unit_m=0.01,"},     // an organ in centimetres
+                         Row{0.1, 1000.0, "unit_m=1,"},      // metres, and 1000 was given
+                         Row{1e9, 1.0, "no usual unit of its coordinates"}}) {
+    models::PointModel mesh = ball(row.radius * row.unit_m, {0, 0, 0}, false);
+    const std::optional<Error> error = models::unit_error(mesh, row.unit_m);
+    ASSERT_TRUE(error) << row.radius << " " << row.unit_m;
+    EXPECT_NE(error->fix.find(row.fix), std::string::npos) << row.radius << " " << row.unit_m << ": " << error->fix;
+  }
+  const std::optional<Error> either = models::unit_error(ball(8.5, {0, 0, 0}, false), 1.0);
+  ASSERT_TRUE(either);
+  EXPECT_NE(either->fix.find("0.01 (then the points span 0.169 m) or 0.1 (then the points span 1.69 m)"),
+            std::string::npos)
+      << either->fix;
+  EXPECT_FALSE(models::unit_error(ball(0.1, {0, 0, 0}, false), 1.0));
+}
+
 TEST(CloudOrientation, AnOpenCloudThatIsTouchedFromInsideIsSaidToBeHollowAndNotReversed) {
   models::PointModel cloud = dome();
   EXPECT_EQ(make_static_model(cloud, {.viewpoint_m = {0, 0, 3}})->remarks, "");
