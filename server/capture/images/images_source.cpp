@@ -1,7 +1,11 @@
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <span>
 #include <utility>
 
+#include "codec/color.h"
 #include "proto/words/counted.h"
 #include "server/capture/images/camera_file.h"
 #include "server/capture/images/image_listing.h"
@@ -55,6 +59,19 @@ Error other_size(const fs::path& file, int width, int height, int first_width, i
           .fix = "keep only images of the same size in this folder"};
 }
 
+/// Reads a PNG, TIFF or JPEG file. A JPEG begins with FF D8.
+Result<ColorImage> read_color(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (in.get() != 0xff || in.get() != 0xd8) return images::read_color_image(file);
+  in.seekg(0);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(bytes)));
+  if (color) return color;
+  Error error = color.error();
+  error.where = file.string();
+  return error;
+}
+
 Result<RgbdFrame> load(const Recording& recording, std::size_t number) {
   const ImagePair& pair = recording.pairs[number];
   Result<images::GrayImage16> depth = images::read_depth_image(recording.folder / pair.depth);
@@ -68,7 +85,7 @@ Result<RgbdFrame> load(const Recording& recording, std::size_t number) {
   frame.camera = recording.camera.model;
   frame.depth = {depth->width, depth->height, recording.camera.depth_unit_m, std::move(depth->samples)};
   if (!pair.color) return frame;
-  Result<ColorImage> color = images::read_color_image(recording.folder / *pair.color);
+  Result<ColorImage> color = read_color(recording.folder / *pair.color);
   if (!color) return color.error();
   if (color->width != recording.color_width || color->height != recording.color_height)
     return other_size(recording.folder / *pair.color, color->width, color->height, recording.color_width,
@@ -100,11 +117,15 @@ Result<std::vector<RgbdFrame>> load_all(const Recording& recording) {
   return frames;
 }
 
+std::string color_in_words(const Recording& recording) {
+  if (recording.color_width == 0) return " without colour";
+  return recording.camera.model.color_registered ? " with colour" : " with colour that is not registered to depth";
+}
+
 std::string describe(const Recording& recording) {
   const Intrinsics& pinhole = recording.camera.model.depth;
   std::string text = counted(recording.pairs.size(), "image ", "images ") + size_text(pinhole.width, pinhole.height) +
-                     (recording.color_width > 0 ? " with colour" : " without colour") + " from " +
-                     recording.folder.string();
+                     color_in_words(recording) + " from " + recording.folder.string();
   return recording.camera.warning.empty() ? text : recording.camera.warning + "; playing " + text;
 }
 
@@ -121,7 +142,7 @@ Result<std::unique_ptr<CaptureSource>> open_images(const std::string& folder, co
   if (!camera) return camera.error();
   auto recording = std::make_shared<Recording>(Recording{folder, std::move(*pairs), std::move(*camera), 0, 0});
   if (recording->pairs.front().color) {
-    const Result<ColorImage> picture = images::read_color_image(recording->folder / *recording->pairs.front().color);
+    const Result<ColorImage> picture = read_color(recording->folder / *recording->pairs.front().color);
     if (!picture) return picture.error();
     recording->color_width = picture->width;
     recording->color_height = picture->height;

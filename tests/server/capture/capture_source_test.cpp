@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "codec/color.h"
 #include "codec/depth_stream.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
@@ -231,6 +232,34 @@ TEST_F(SourceFolder, EachBadSourceIsNamedWithWhereAndFix) {
     EXPECT_FALSE(source.error().where.empty()) << spec;
     EXPECT_FALSE(source.error().fix.empty()) << spec;
   }
+}
+
+TEST_F(SourceFolder, ColourMayBeJpegAndTheDescriptionSaysWhetherItIsRegistered) {
+  const std::string depth = images::encode_png(images::GrayImage16{4, 2, std::vector<std::uint16_t>(8, 500)});
+  const std::string color = codec::encode_color({8, 4, std::vector<std::uint8_t>(96, 200)});
+  std::filesystem::create_directories(folder_ / "depth");
+  std::filesystem::create_directories(folder_ / "rgb");
+  for (const char* number : {"0001", "0002"}) {
+    write("depth/" + std::string(number) + ".png", depth);
+    write("rgb/" + std::string(number) + ".jpg", color);
+  }
+  const std::string camera =
+      "depth { width: 4 height: 2 fx: 4 fy: 4 cx: 1.5 cy: 0.5 } color { width: 8 height: 4 fx: 8 fy: 8 cx: 3.5 cy: 1.5 "
+      "} "
+      "depth_unit_m: 0.001";
+  for (const auto& [registered, says] : {std::pair{" color_registered: true", "with colour from"},
+                                         std::pair{"", "with colour that is not registered to depth from"}}) {
+    write("camera.textproto", camera + registered);
+    const Played played = play_some("images:" + folder_.string(), 2);
+    ASSERT_TRUE(played.last) << played.detail;
+    EXPECT_EQ(played.last->color.width, 8);
+    EXPECT_NEAR(played.last->color.rgb.front(), 200, 3);
+    EXPECT_NE(played.detail.find(says), std::string::npos) << played.detail;
+  }
+  write("rgb/0002.jpg", color.substr(0, color.size() / 2));
+  const auto cut = open_source("images:" + folder_.string(), options());
+  ASSERT_FALSE(cut.ok());
+  EXPECT_EQ(cut.error().where, file("rgb/0002.jpg"));
 }
 
 TEST_F(SourceFolder, ADamagedRecordingNeitherCrashesNorHangs) {

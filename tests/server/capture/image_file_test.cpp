@@ -203,6 +203,31 @@ TEST(ImageListing, PairsFoldersAndNamesSideBySide) {
   EXPECT_EQ(pcl->at(0).color, "frame_20121214T142255.814212_rgb.tiff");
 }
 
+TEST(ImageListing, FoldersForDepthAndColourPairByNumberWhereTheFileNamesDiffer) {
+  for (const auto& files :
+       {paths({"depth/depth_0001.png", "depth/depth_0002.png", "rgb/rgb_0001.png", "rgb/rgb_0002.png"}),
+        paths({"depth/frame1-depth.png", "depth/frame2-depth.png", "colour/frame1-colour.png",
+               "colour/frame2-colour.png"}),
+        paths({"depth/d-1.png", "depth/d-2.png", "rgb/c-1.png", "rgb/c-2.png"}),
+        paths({"depth/1.png", "depth/2.png", "rgb/0001.jpg", "rgb/0002.jpg"}),
+        paths({"1.png", "2.png", "rgb/1.png", "rgb/2.png"}), paths({"1.png", "2.png", "1.jpg", "2.jpg"})}) {
+    const auto pairs = order_images(files, "dir");
+    ASSERT_TRUE(pairs.ok()) << files.front() << ": " << to_string(pairs.error());
+    ASSERT_EQ(pairs->size(), 2u) << files.front();
+    EXPECT_EQ(pairs->at(0).depth, files.at(0));
+    EXPECT_EQ(pairs->at(0).color, files.at(2));
+    EXPECT_EQ(pairs->at(1).color, files.at(3));
+  }
+}
+
+TEST(ImageListing, NumbersThatOutgrowTheirLeadingZerosAreInOrder) {
+  const auto pairs = order_images(paths({"08.png", "09.png", "10.png", "99.png", "100.png"}), "dir");
+  EXPECT_FALSE(pairs.ok()) << "11 to 98 are missing";
+  EXPECT_TRUE(order_images(paths({"098.png", "099.png", "100.png"}), "dir").ok());
+  EXPECT_TRUE(order_images(paths({"98.png", "99.png", "100.png"}), "dir").ok());
+  EXPECT_TRUE(order_images(paths({"0099.png", "0098.png", "0100.png"}), "dir").ok());
+}
+
 TEST(ImageListing, EvenStepsAreNoGap) { EXPECT_TRUE(order_images(paths({"30.png", "50.png", "70.png"}), "dir").ok()); }
 
 struct BadListing {
@@ -218,7 +243,13 @@ TEST(ImageListing, NamesWhatIsMissingOrTwice) {
       {"colour alone", {"rgb/1.png"}, "no depth images"},
       {"a colour missing",
        {"depth/1.png", "depth/2.png", "rgb/1.png"},
-       "depth/2.png has no colour image of the same name"},
+       "depth/2.png has no colour image of its name or number, such as rgb/1.png has"},
+      {"a number without its leading zeros", {"0004.png", "5.png", "0006.png"}, "5.png has fewer digits than 0004.png"},
+      {"the same of a colour image",
+       {"depth/0004.png", "depth/0005.png", "rgb/0004.png", "rgb/5.png"},
+       "rgb/5.png has fewer digits than rgb/0004.png"},
+      {"a gap among padded numbers", {"0008.png", "0009.png", "0011.png"}, "0010.png is missing between"},
+      {"a JPEG where depth should be", {"1.jpg", "2.jpg"}, "no depth images"},
   };
   for (const BadListing& bad : kBad) {
     const auto listed = order_images(paths(bad.files), "dir");
