@@ -17,6 +17,7 @@
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
+#include "support/program/ending.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
@@ -177,6 +178,7 @@ int run(const station::StationOptions& options, const station::StationSignals::R
 }  // namespace
 
 int main(int argc, char** argv) {
+  program::say_when_stopped("telepalp-station: stopped: no file was written");
   if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);

@@ -14,7 +14,7 @@
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/vector_message.h"
 #include "proto/wire/viewer/viewer_hand.h"
-#include "proto/words/error_line.h"
+#include "proto/words/counted.h"
 #include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
@@ -104,19 +104,17 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
   };
   worker_.emplace(
       surface, placement,
-      SurfaceWorker::Handlers{.now = [this] { return now(); },
-                              .on_report =
-                                  [this](const msg::SurfaceReport& report) {
-                                    boost::asio::post(io_, [this, report] { on_surface(report); });
-                                  },
-                              .on_bad_frame =
-                                  [this](const Error& error) {
-                                    boost::asio::post(io_, [error] { say("frame dropped: " + to_string(error)); });
-                                  },
-                              .request_key_frame =
-                                  [this](const wire::Message& unreadable) {
-                                    boost::asio::post(io_, [this, unreadable] { link_.request_key_frame(unreadable); });
-                                  }},
+      SurfaceWorker::Handlers{
+          .now = [this] { return now(); },
+          .on_report =
+              [this](const msg::SurfaceReport& report) {
+                boost::asio::post(io_, [this, report] { on_surface(report); });
+              },
+          .on_bad_frame = [this](const Error& error) { boost::asio::post(io_, [this, error] { on_dropped(error); }); },
+          .request_key_frame =
+              [this](const wire::Message& unreadable) {
+                boost::asio::post(io_, [this, unreadable] { link_.request_key_frame(unreadable); });
+              }},
       in_tick_ ? surfaces_ : slow_surfaces_, device_to_surface_, scene_.effects);
 }
 
@@ -176,20 +174,26 @@ void Station::give_up(const Error& error) {
 /// Ends the station because no surface came within the operator's time limit.
 void Station::lose_patience() {
   const std::string where = program::to_text({options_.host, options_.port});
-  if (link_.state() == wire::LinkState::Connected)
+  const bool connected = link_.state() == wire::LinkState::Connected;
+  if (const std::optional<Error>& newest = dropped_.newest_image(); connected && newest)
+    return give_up({.what = "none of the server's " + counted(dropped_.images(), "depth image", "depth images") +
+                            " could be used; the last one: " + newest->what,
+                    .where = where,
+                    .fix = newest->fix + ", or wait longer by --patience S"});
+  if (connected)
     return give_up(
-        {.what = "the server answers but sends no usable depth image",
+        {.what = "the server answers but sends no depth image",
          .where = where,
          .fix = "check the server's camera or recording (telepalp-server --source), or wait longer by --patience S"});
-  if (not_connected_because_.empty())
+  const std::optional<Error>& reason = link_.not_served_because();
+  if (!reason)
     return give_up({.what = "does not answer",
                     .where = where,
                     .fix = "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
-  const Error reason = error_in(not_connected_because_);
-  give_up({.what = "the server does not serve this station yet: " + reason.what,
+  give_up({.what = "the server does not serve this station yet: " + reason->what,
            .where = where,
            .fix = "start the station again with a longer --patience S" +
-                  (reason.fix.empty() ? "" : ", and while it waits: " + reason.fix)});
+                  (reason->fix.empty() ? "" : ", and while it waits: " + reason->fix)});
 }
 
 void Station::publish(wire::Message message) { (void)link_.publish(std::move(message)); }
@@ -198,21 +202,11 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
   say_link("link " + std::string(wire::name(state)) + (detail.empty() ? "" : ": " + detail), state);
   if (state == wire::LinkState::Refused && !options_.model)  // a model is touched without a server
     return give_up(link_.refusal());
-  note_refusal(state, detail);
   look_at_clock();
   if (haptic_) haptic_->set_clock_offset(link_.clock().offset());
   if (state == wire::LinkState::Connected) publish_inside();
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
-}
-
-/// Keeps the server's reason for not serving this station yet, such as another doctor who holds the touch.
-void Station::note_refusal(wire::LinkState state, const std::string& detail) {
-  constexpr std::string_view kReason = "peer left: ";
-  const std::size_t at = detail.find(kReason);
-  if (state != wire::LinkState::Connecting) not_connected_because_.clear();
-  if (state == wire::LinkState::Connecting && at != std::string::npos)
-    not_connected_because_ = detail.substr(at + kReason.size());
 }
 
 void Station::on_datagrams(const std::string& detail) {
@@ -235,7 +229,7 @@ void Station::on_message(const wire::Message& message) {
 
 void Station::on_camera_info(const wire::Message& message) {
   foxglove::CameraCalibration calibration;
-  if (!calibration.ParseFromString(*message.payload)) return;
+  if (!calibration.ParseFromString(*message.payload)) return on_unreadable(message);
   const std::optional<Intrinsics> intrinsics = wire::intrinsics_of(calibration);
   if (!intrinsics)
     return say(
@@ -250,9 +244,18 @@ void Station::on_depth(const wire::Message& message) {
   worker_->offer({.depth = message, .camera = *camera_, .received = now()});
 }
 
+void Station::on_dropped(const Error& error) {
+  if (const auto line = dropped_.add_image(error, std::chrono::steady_clock::now())) say(*line);
+}
+
+void Station::on_unreadable(const wire::Message& message) {
+  if (const auto line = dropped_.add_unreadable(message.topic.name, std::chrono::steady_clock::now())) say(*line);
+}
+
 void Station::on_viewer_hand(const wire::Message& message) {
   const std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(*message.payload);
-  if (viewer_hand_tracker_ == nullptr || !haptic_from_camera_ || !hand) return;
+  if (!hand) return on_unreadable(message);
+  if (viewer_hand_tracker_ == nullptr || !haptic_from_camera_) return;
   const Point<HapticBase> in_haptic = *haptic_from_camera_ * Point<DepthCamera>{wire::vector_of(hand->hand_camera())};
   const auto taken = viewer_hand_tracker_->hear(*hand, in_haptic, std::chrono::steady_clock::now());
   if (std::exchange(hand_taken_, taken) != taken)
@@ -396,7 +399,8 @@ void Station::every_second() {
   if (haptic_)
     publish_totals();
   else if (const auto waited = std::chrono::steady_clock::now() - started_; waited % kSayStillWaiting < kTotalsPeriod)
-    say(link_.state() == wire::LinkState::Connected ? "waiting for the first depth image" : "waiting for the server");
+    say(link_.state() == wire::LinkState::Connected ? "waiting for the first usable depth image"
+                                                    : "waiting for the server");
   slow_timer_.expires_after(kTotalsPeriod);
   slow_timer_.async_wait([this](const boost::system::error_code& error) {
     if (!error && !stopped_) every_second();

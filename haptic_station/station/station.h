@@ -17,6 +17,7 @@
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
 #include "haptic_station/station/signals/station_signals.h"
+#include "haptic_station/station/telemetry/dropped_messages.h"
 #include "haptic_station/station/telemetry/image_ages.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
 #include "haptic_station/station/threads/collision_thread.h"
@@ -63,9 +64,10 @@ class Station {
   void on_message(const wire::Message& message);
   void on_camera_info(const wire::Message& message);
   void on_depth(const wire::Message& message);
+  void on_dropped(const Error& error);
+  void on_unreadable(const wire::Message& message);
   void on_viewer_hand(const wire::Message& message);
   void on_link(wire::LinkState state, const std::string& detail);
-  void note_refusal(wire::LinkState state, const std::string& detail);
   void on_datagrams(const std::string& detail);
   void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
@@ -103,11 +105,11 @@ class Station {
   std::optional<Intrinsics> camera_;
   std::optional<Error> failure_;
   std::set<std::string> said_of_trying_;
-  std::string not_connected_because_;
   std::string depth_;  // last logged description: depth lossless, or its error bound
   double clock_error_s_ = std::numeric_limits<double>::infinity();  // bound on the error of the session clock
   Nanoseconds clock_stepped_{0};                                    // sum of the session clock's steps that were logged
   ImageAges ages_;
+  DroppedMessages dropped_;
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
   LatestValue<loop::TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists

@@ -10,6 +10,7 @@
 #include "proto/wire/datagrams/client_datagrams.h"
 #include "proto/wire/datagrams/datagram_offer.h"
 #include "proto/words/demand.h"
+#include "proto/words/error_line.h"
 
 namespace telepalp::wire {
 namespace {
@@ -244,7 +245,8 @@ std::optional<std::array<std::byte, 32>> ClientLink::keying_material(std::string
   return connection_ ? connection_->keying_material(label) : std::nullopt;
 }
 
-void ClientLink::on_connect_failed(const std::string& reason) {
+void ClientLink::on_connect_failed(const std::string& reason, std::optional<Error> not_served_because) {
+  not_served_because_ = std::move(not_served_because);
   become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port) + ": " + reason);
   retry_later();
 }
@@ -286,6 +288,7 @@ void ClientLink::on_clock(const ClockSample& sample) {
   back_off_ = kFirstRetry;
   accepts_once_ = false;
   ++counts_.connections;
+  not_served_because_.reset();
   become(LinkState::Connected, peer_name_ + " at " + connection_->peer());
   if (connection_) connection_->wake();
   start_datagrams();
@@ -354,6 +357,7 @@ void ClientLink::on_message(Message message) {
 void ClientLink::on_closed(const std::string& reason) {
   add(received_before_, connection_->received());
   const std::optional<Error> refusal = connection_->refusal();
+  const std::optional<std::string> goodbye = connection_->peers_goodbye();
   connection_.reset();
   end_datagrams();
   probe_.cancel();
@@ -368,7 +372,7 @@ void ClientLink::on_closed(const std::string& reason) {
     become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));
     return retry_later();
   }
-  on_connect_failed(reason);
+  on_connect_failed(reason, goodbye ? std::optional{error_in(*goodbye)} : std::nullopt);
 }
 
 std::optional<Message> ClientLink::next_to_send() {

@@ -110,6 +110,9 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] LinkState state() const noexcept { return state_; }
   /// In LinkState::Refused: the reason, the server's host and port, and the fix.
   [[nodiscard]] const Error& refusal() const noexcept { return refusal_; }
+  /// Why the server does not serve this client for now, in the server's words, such as another doctor who holds the
+  /// touch: the newest attempt to connect ended with the server's Goodbye. nullopt: it did not. Error::where is empty.
+  [[nodiscard]] const std::optional<Error>& not_served_because() const noexcept { return not_served_because_; }
   /// Connection::keying_material() of the current connection; nullopt without one.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
   /// The phase of the datagram path. In Up the images come by datagram, else over TCP.
@@ -145,7 +148,7 @@ class ClientLink : private ConnectionOwner {
   void connect();
   void resolve();
   void connect_next();
-  void on_connect_failed(const std::string& reason);
+  void on_connect_failed(const std::string& reason, std::optional<Error> not_served_because = std::nullopt);
   void greet(boost::asio::ip::tcp::socket socket);
   void refuse(Error why);
   [[nodiscard]] Result<std::unique_ptr<ByteStream>> secured(boost::asio::ip::tcp::socket socket);
@@ -162,6 +165,7 @@ class ClientLink : private ConnectionOwner {
   const std::uint64_t run_;  // random number by which a server recognises this link after a reconnection
   TlsSettings tls_;          // null before the first connection, and always without a key
   Error refusal_;
+  std::optional<Error> not_served_because_;
   LinkState state_ = LinkState::Stopped;
   std::shared_ptr<Connection> connection_;              // shared with pending operations; null without a connection
   std::optional<msg::DatagramOffer> offered_;           // nullopt: the server offers no datagrams

@@ -266,6 +266,7 @@ Result<void> Connection::on_control(const Frame& frame) {
     case msg::Control::kHandOver:
       return on_hand_over(control.hand_over());
     case msg::Control::kGoodbye:
+      peers_goodbye_ = control.goodbye().reason();
       if (control.goodbye().final()) refusal_ = final_goodbye(control.goodbye().reason());
       finish("peer left: " + control.goodbye().reason());
       return {};

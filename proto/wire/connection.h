@@ -99,6 +99,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// The reason why another attempt to connect would fail too: the peer speaks another protocol version, or refuses
   /// this end's key or role. nullopt: another attempt may succeed. Error::where is empty.
   [[nodiscard]] const std::optional<Error>& refusal() const noexcept { return refusal_; }
+  /// The reason that the peer gave in its Goodbye, as the peer wrote it; nullopt: the peer sent none.
+  [[nodiscard]] const std::optional<std::string>& peers_goodbye() const noexcept { return peers_goodbye_; }
   [[nodiscard]] std::string peer() const { return stream_->peer(); }
   [[nodiscard]] bool is_sealed() const { return stream_->is_sealed(); }
   [[nodiscard]] std::optional<keys::Identity> identity() const { return stream_->identity(); }
@@ -149,6 +151,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::string leaving_because_;
   bool refuses_ = false;  // the Goodbye tells the peer not to try again: close() with `final`
   std::optional<Error> refusal_;
+  std::optional<std::string> peers_goodbye_;
 
   std::array<std::byte, 64 << 10> incoming_{};
   FrameParser parser_;

@@ -113,7 +113,7 @@ TEST_F(BadInput01, ACompressedBombOfADepthImageIsRefused) {
   largest.samples.assign(static_cast<std::size_t>(kMaxImageSide) * kMaxImageSide, 0);
   bomb.set_data(codec::encode_depth(largest, codec::DepthMode::Fast));
   ASSERT_LT(bomb.data().size(), 100'000U) << "a small packet that decodes to 32 MiB";
-  expect_dropped(bomb, "frame dropped");
+  expect_dropped(bomb, "depth image dropped");
 }
 
 class BadInput03 : public HostileServer {};
@@ -123,21 +123,21 @@ TEST_F(BadInput03, AZstdWindowOfTwoGibibytesIsRefused) {
   std::string data = window.data().substr(0, 24);
   data += std::string("\x28\xb5\x2f\xfd\x00\xa8\x01\x00\x00", 9);
   window.set_data(data);
-  expect_dropped(window, "frame dropped");
+  expect_dropped(window, "depth image dropped");
 }
 
 class BadInput08 : public HostileServer {};
 TEST_F(BadInput08, ImageSizesThatOverflowOrDoNotFitAreRefused) {
   msg::DepthImage none = good_depth();
   none.set_width(0);
-  expect_dropped(none, "frame dropped");
+  expect_dropped(none, "depth image dropped");
   msg::DepthImage huge = good_depth();
   huge.set_width(std::numeric_limits<std::uint32_t>::max());
   huge.set_height(std::numeric_limits<std::uint32_t>::max());
-  expect_dropped(huge, "frame dropped");
+  expect_dropped(huge, "depth image dropped");
   msg::DepthImage short_data = good_depth();
   short_data.set_data(short_data.data().substr(0, short_data.data().size() / 2));
-  expect_dropped(short_data, "frame dropped");
+  expect_dropped(short_data, "depth image dropped");
 }
 
 class BadInput09 : public HostileServer {};
@@ -153,6 +153,13 @@ TEST_F(BadInput09, IntrinsicsThatAreZeroOrNotFiniteAreRefused) {
   }
   EXPECT_TRUE(site_.run_until([&] { return text_of(log()).find("/camera/info dropped") != std::string::npos; }))
       << text_of(log());
+  wire::Message cut = wire::make_message(wire::kCameraInfo, site_.clock.now(),
+                                         pipeline::calibration_message(good_frame(0, site_.clock.now())));
+  cut.payload = std::make_shared<const std::string>(cut.payload->substr(0, cut.payload->size() - 5));
+  site_.hub.publish(cut);
+  EXPECT_TRUE(site_.run_until([&] {
+    return text_of(log()).find("message dropped: /camera/info") != std::string::npos;
+  })) << text_of(log());
   EXPECT_TRUE(feels_good_images(10)) << text_of(log());
   for (const wire::Message& message : listener_.messages) expect_sane_force(message);
 }

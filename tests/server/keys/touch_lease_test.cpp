@@ -28,6 +28,20 @@ TEST(KeyedLink, OneDoctorHoldsTheTouchAndTheNextOneWaitsUntilItIsGiven) {
   EXPECT_NE(site.ring.audit().find("event=took-touch who=doctor bert"), std::string::npos) << site.ring.audit();
 }
 
+TEST(KeyedLink, TheServersReasonForNotServingIsKeptAsItsOwnErrorUntilAnotherAttemptEndsOtherwise) {
+  KeyedSite site;
+  KeyedClient anna(site, site.ring.key("anna", Role::Doctor), "doctor", {wire::kStationState});
+  ASSERT_TRUE(site.run_until([&] { return anna.connected(); }));
+  KeyedClient bert(site, site.ring.key("bert", Role::Doctor), "doctor", {wire::kStationState});
+  ASSERT_TRUE(site.run_until([&] { return bert.link.not_served_because().has_value(); }));
+  EXPECT_TRUE(bert.link.not_served_because()->what.starts_with("doctor anna holds the touch"))
+      << bert.link.not_served_because()->what;
+  EXPECT_FALSE(bert.link.not_served_because()->fix.empty());
+  EXPECT_FALSE(anna.link.not_served_because());
+  site.listener.reset();
+  EXPECT_TRUE(site.run_until([&] { return !bert.link.not_served_because(); })) << "the server is gone: nobody answers";
+}
+
 /// anna's station, which holds the touch, and bert's, which waits for it.
 struct TwoDoctors {
   KeyedSite site;
