@@ -3,6 +3,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <cstdio>
+#include <set>
 #include <utility>
 
 #include "clients/view/live_figures.h"
@@ -112,7 +113,11 @@ class View {
   }
   void on_message(const wire::Message& message) {
     if (asked_.stats) return figures_.add(message, link_.clock().now());
-    if (instant_.take(message) == view::NewestInstant::Taken::NeedsKeyFrame) link_.request_key_frame(message);
+    const view::NewestInstant::Taken taken = instant_.take(message);
+    if (taken == view::NewestInstant::Taken::NeedsKeyFrame) link_.request_key_frame(message);
+    if (taken == view::NewestInstant::Taken::Unreadable && unreadable_.insert(message.topic.name).second)
+      program::log(kProgram, "a message on " + std::string(message.topic.name) +
+                                 " is damaged or cut short, and left out; more of this topic are left out silently");
     if (instant_.is_complete(true)) return stop(save());
     // A connected station publishes its state 100 times a second, so a longer wait would show no hand either.
     constexpr std::chrono::seconds kTimeForAState{2};
@@ -170,6 +175,7 @@ class View {
   boost::asio::signal_set signals_{io_, SIGINT, SIGTERM};
   boost::asio::steady_timer timer_{io_};
   view::NewestInstant instant_;
+  std::set<std::string_view> unreadable_;  // topics with a damaged message, each logged once
   view::LiveFigures figures_;
   bool connected_ = false;
   bool waits_for_state_ = false;  ///< the patient can be drawn, the hand not yet

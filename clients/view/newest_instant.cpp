@@ -19,13 +19,6 @@ constexpr std::int64_t kSameInstant_ns = 20'000'000;
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-template <class Proto>
-std::optional<Proto> parsed(const wire::Message& message, const wire::Topic& topic) {
-  Proto proto;
-  if (message.topic.name != topic.name || !proto.ParseFromString(*message.payload)) return std::nullopt;
-  return proto;
-}
-
 template <class Element>
 void keep_newest(std::deque<Element>& elements, Element element, std::size_t most) {
   elements.push_back(std::move(element));
@@ -35,27 +28,40 @@ void keep_newest(std::deque<Element>& elements, Element element, std::size_t mos
 }  // namespace
 
 NewestInstant::Taken NewestInstant::take(const wire::Message& message) {
-  if (const auto depth = parsed<msg::DepthImage>(message, wire::kCameraDepth)) return take_depth(*depth);
-  if (const auto color = parsed<foxglove::CompressedImage>(message, wire::kCameraColor)) {
-    Result<ColorImage> image = codec::decode_color(bytes_of(color->data()));
-    const std::int64_t captured_ns = wire::stamp_ns(color->timestamp());
-    if (image) keep_newest(colors_, Color{captured_ns, std::move(image).value()}, kMostColors);
-    return Taken::Yes;
-  }
-  if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraInfo)) {
-    if (const auto camera = wire::intrinsics_of(*info)) depth_camera_ = camera;
-    return Taken::Yes;
-  }
-  if (const auto info = parsed<foxglove::CameraCalibration>(message, wire::kCameraColorInfo)) {
-    if (const auto camera = wire::intrinsics_of(*info)) color_camera_ = camera;
-    color_registered_ = info->frame_id() != wire::kColorFrameId;
-    return Taken::Yes;
-  }
-  if (auto state = parsed<msg::StationState>(message, wire::kStationState)) {
-    if (ar::is_drawable(*state)) keep_newest(states_, std::move(*state), kMostStates);
-    return Taken::Yes;
-  }
+  const auto read = [&]<class Proto>(Taken (NewestInstant::*use)(const Proto&)) {
+    Proto proto;
+    return proto.ParseFromString(*message.payload) ? (this->*use)(proto) : Taken::Unreadable;
+  };
+  const std::string_view topic = message.topic.name;
+  if (topic == wire::kCameraDepth.name) return read(&NewestInstant::take_depth);
+  if (topic == wire::kCameraColor.name) return read(&NewestInstant::take_color);
+  if (topic == wire::kCameraInfo.name) return read(&NewestInstant::take_camera);
+  if (topic == wire::kCameraColorInfo.name) return read(&NewestInstant::take_color_camera);
+  if (topic == wire::kStationState.name) return read(&NewestInstant::take_state);
   return Taken::NotNeeded;
+}
+
+NewestInstant::Taken NewestInstant::take_color(const foxglove::CompressedImage& color) {
+  Result<ColorImage> image = codec::decode_color(bytes_of(color.data()));
+  if (!image) return Taken::Unreadable;
+  keep_newest(colors_, Color{wire::stamp_ns(color.timestamp()), std::move(image).value()}, kMostColors);
+  return Taken::Yes;
+}
+
+NewestInstant::Taken NewestInstant::take_camera(const foxglove::CameraCalibration& info) {
+  if (const auto camera = wire::intrinsics_of(info)) depth_camera_ = camera;
+  return Taken::Yes;
+}
+
+NewestInstant::Taken NewestInstant::take_color_camera(const foxglove::CameraCalibration& info) {
+  if (const auto camera = wire::intrinsics_of(info)) color_camera_ = camera;
+  color_registered_ = info.frame_id() != wire::kColorFrameId;
+  return Taken::Yes;
+}
+
+NewestInstant::Taken NewestInstant::take_state(const msg::StationState& state) {
+  if (ar::is_drawable(state)) keep_newest(states_, state, kMostStates);
+  return Taken::Yes;
 }
 
 NewestInstant::Taken NewestInstant::take_depth(const msg::DepthImage& image) {

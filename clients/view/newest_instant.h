@@ -6,6 +6,7 @@
 
 #include "clients/ar/messages/from_messages.h"
 #include "codec/depth_stream.h"
+#include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "proto/wire/message.h"
@@ -16,8 +17,9 @@ namespace telepalp::view {
 /// within 20 ms of it. It uses no input, output, clock or thread. Owner: one thread.
 class NewestInstant {
  public:
-  /// How a message was used. NeedsKeyFrame: depth cannot be decoded before the next key frame.
-  enum class Taken { Yes, NotNeeded, NeedsKeyFrame };
+  /// How a message was used. NeedsKeyFrame: depth cannot be decoded before the next key frame. Unreadable: the message
+  /// is not of its topic's type, such as one that was cut short, or its colour image is damaged.
+  enum class Taken { Yes, NotNeeded, NeedsKeyFrame, Unreadable };
   Taken take(const wire::Message& message);
 
   /// True if the newest depth image has a colour image and a camera model; if `with_touch`, also a station state.
@@ -27,6 +29,10 @@ class NewestInstant {
 
  private:
   Taken take_depth(const msg::DepthImage& image);
+  Taken take_color(const foxglove::CompressedImage& color);
+  Taken take_camera(const foxglove::CameraCalibration& info);
+  Taken take_color_camera(const foxglove::CameraCalibration& info);
+  Taken take_state(const msg::StationState& state);
   [[nodiscard]] const msg::StationState* state_at_capture() const;
   [[nodiscard]] const ColorImage* color_at_capture() const;
 

@@ -125,7 +125,8 @@ TEST_F(Export, ACloudHoldsEachMeasuredPointWhereThePinholeSeesIt) {
 TEST_F(Export, ImagesAreReadAgainAsASourceWithTheSameSamples) {
   const auto count = write_images(in("session.mcap"), in("images"));
   ASSERT_TRUE(count) << to_string(count.error());
-  EXPECT_EQ(*count, static_cast<std::uint64_t>(kFrames));
+  EXPECT_EQ(count->written, static_cast<std::uint64_t>(kFrames));
+  EXPECT_EQ(count->left_out, 0u);
   const auto source = capture::open_recording("images:" + in("images").string(), {.loop = false, .paced = false});
   ASSERT_TRUE(source) << to_string(source.error());
   for (int frame = 0; frame < kFrames; ++frame) {
@@ -143,7 +144,7 @@ TEST_F(Export, ATableHasALineForEachMessageAndForEachTickOfABatch) {
   msg::StationState state;
   state.set_phase(msg::PHASE_IN_BODY);
   state.mutable_force_n()->set_y(0.5);
-  const std::string line = states.lines_of(wire::make_message(wire::kStationState, session_time(42), state));
+  const std::string line = *states.lines_of(wire::make_message(wire::kStationState, session_time(42), state));
   EXPECT_TRUE(line.starts_with("42,0,")) << line;
   EXPECT_NE(line.find("PHASE_IN_BODY"), std::string::npos);
   EXPECT_EQ(std::count(line.begin(), line.end(), ','), [&] {
@@ -153,10 +154,41 @@ TEST_F(Export, ATableHasALineForEachMessageAndForEachTickOfABatch) {
   const MessageTable ticks(wire::kStationTicks);
   msg::StationTicks batch;
   for (const float force : {0.1F, 0.2F, 0.3F}) batch.add_force_x(force);
-  const std::string lines = ticks.lines_of(wire::make_message(wire::kStationTicks, session_time(1), batch));
+  const std::string lines = *ticks.lines_of(wire::make_message(wire::kStationTicks, session_time(1), batch));
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 3);
-  EXPECT_TRUE(
-      ticks.lines_of({wire::kStationTicks, session_time(1), std::make_shared<const std::string>("\xff")}).empty());
+  EXPECT_FALSE(ticks.lines_of({wire::kStationTicks, session_time(1), std::make_shared<const std::string>("\xff")}));
+}
+
+TEST_F(Export, TruncatedMessagesAreLeftOutAndCounted) {
+  auto reader = wire::McapReader::open(in("session.mcap"));
+  ASSERT_TRUE(reader);
+  std::vector<wire::Message> messages;
+  while (const auto message = reader->next()) {
+    if (!*message) break;
+    messages.push_back(**message);
+  }
+  std::map<std::string_view, int> cut;
+  for (wire::Message& message : messages) {
+    if (message.published < session_time(kStart_ns + 3 * kFrame_ns) || ++cut[message.topic.name] > 1) continue;
+    message.payload = std::make_shared<const std::string>(message.payload->substr(0, message.payload->size() - 3));
+  }
+  ASSERT_GE(cut.size(), 3u);
+  ASSERT_TRUE(wire::samples::write_file(in("cut.mcap"), messages));
+  const auto count = write_images(in("cut.mcap"), in("images"));
+  ASSERT_TRUE(count) << to_string(count.error());
+  EXPECT_GE(count->left_out, 2u) << "a depth image and a colour image";
+  EXPECT_LT(count->written, static_cast<std::uint64_t>(kFrames));
+  auto frames = Frames::open(in("cut.mcap"));
+  ASSERT_TRUE(frames->at(0.1)) << "the frame before the damage";
+  EXPECT_GE(frames->damaged(), 1u);
+  testing::internal::CaptureStderr();
+  support::ChildProcess program(TELEPALP_BINARY_DIR "/bin/telepalp-export",
+                                {in("cut.mcap"), "--csv", "/station/state", "--out", in("state.csv")});
+  EXPECT_EQ(program.wait(20s), 0);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("1 damaged message or part of " + in("cut.mcap").string() + " is left out. fix: telepalp-record"),
+            std::string::npos)
+      << said;
 }
 
 /// Number of messages on each topic of a session.

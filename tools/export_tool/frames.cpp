@@ -46,7 +46,8 @@ void Frames::note(const wire::Message& message) {
   if (message.topic.name == wire::kCameraColor.name) return note_color(*message.payload);
   const bool is_color = message.topic.name == wire::kCameraColorInfo.name;
   foxglove::CameraCalibration model;
-  if ((!is_color && message.topic.name != wire::kCameraInfo.name) || !model.ParseFromString(*message.payload)) return;
+  if (!is_color && message.topic.name != wire::kCameraInfo.name) return;
+  if (!model.ParseFromString(*message.payload)) ++damaged_;
   if (const auto pinhole = wire::intrinsics_of(model)) (is_color ? color_pinhole_ : pinhole_) = pinhole;
 }
 
@@ -59,6 +60,20 @@ void Frames::note_color(const std::string& payload) {
   } else {
     color_ = std::move(color);
   }
+}
+
+/// Takes in a depth image, which then waits for its colour.
+void Frames::take_depth(const wire::Message& message) {
+  msg::DepthImage image;
+  if (message.topic.name != wire::kCameraDepth.name) return;
+  if (!image.ParseFromString(*message.payload)) {
+    ++damaged_;
+    return;
+  }
+  if (waiting_) depth_.skip(std::move(waiting_->packet));
+  waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
+  if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
+    waiting_->color = std::exchange(color_, std::nullopt);
 }
 
 Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
@@ -99,11 +114,7 @@ Result<void> Frames::for_each(const std::function<Result<bool>(const RgbdFrame&)
         return more ? Result<void>{} : Result<void>(more.error());
     if (!message) return {};
     note(*message);
-    msg::DepthImage image;
-    if (message->topic.name != wire::kCameraDepth.name || !image.ParseFromString(*message->payload)) continue;
-    waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
-    if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
-      waiting_->color = std::exchange(color_, std::nullopt);
+    take_depth(*message);
   }
 }
 
@@ -117,12 +128,7 @@ Result<RgbdFrame> Frames::at(double at_s) {
     const bool is_depth = message->topic.name == wire::kCameraDepth.name;
     if (is_depth && to_nanoseconds(message->published) > asked) break;
     note(*message);
-    msg::DepthImage image;
-    if (!is_depth || !image.ParseFromString(*message->payload)) continue;
-    if (waiting_) depth_.skip(std::move(waiting_->packet));
-    waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
-    if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
-      waiting_->color = std::exchange(color_, std::nullopt);
+    take_depth(*message);
   }
   if (!waiting_) return no_frame("no depth image was published in the 10 s before the given time");
   return decode(*std::exchange(waiting_, std::nullopt));

@@ -11,6 +11,12 @@
 
 namespace telepalp::export_tool {
 
+/// What an export wrote, and how many damaged parts or messages of the session it had to leave out.
+struct Exported {
+  std::uint64_t written = 0;
+  std::uint64_t left_out = 0;
+};
+
 /// Decodes the frames of a session in order: each depth image with the colour image of equal capture time and the last
 /// camera model before it.
 class Frames {
@@ -26,6 +32,7 @@ class Frames {
   /// the 10 s before that time, or the last depth image cannot be decoded.
   [[nodiscard]] Result<RgbdFrame> at(double at_s);
 
+  /// Number of chunks, images and camera models so far that could not be read or decoded.
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
 
  private:
@@ -37,6 +44,7 @@ class Frames {
   };
   [[nodiscard]] std::optional<wire::Message> next();
   void note(const wire::Message& message);
+  void take_depth(const wire::Message& message);
   void note_color(const std::string& payload);
   [[nodiscard]] Result<RgbdFrame> decode(const Waiting& waiting);
 

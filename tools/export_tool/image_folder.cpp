@@ -49,7 +49,7 @@ Result<void> write_frame(const fs::path& out, std::uint64_t number, const RgbdFr
 
 }  // namespace
 
-Result<std::uint64_t> write_images(const fs::path& file, const fs::path& out) {
+Result<Exported> write_images(const fs::path& file, const fs::path& out) {
   Result<Frames> frames = Frames::open(file);
   if (!frames) return frames.error();
   std::error_code ignored;
@@ -84,7 +84,7 @@ Result<std::uint64_t> write_images(const fs::path& file, const fs::path& out) {
   }
   if (!done) return done.error();
   if (first->color.rgb.empty()) fs::remove(out / "rgb", ignored);
-  return count;
+  return Exported{.written = count, .left_out = frames->damaged()};
 }
 
 }  // namespace telepalp::export_tool

@@ -9,6 +9,7 @@
 
 #include "proto/wire/mcap/reader.h"
 #include "proto/words/counted.h"
+#include "support/program/ending.h"
 #include "support/program/files/shipped.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
@@ -63,6 +64,21 @@ Result<void> put(const program::Arguments& asked, const std::string& bytes) {
   return Error{.what = "cannot be written", .where = "stdout", .fix = "give --out FILE"};
 }
 
+/// Tells that parts of the session are not in the export.
+void say_left_out(std::uint64_t count, const std::string& file) {
+  if (count == 0) return;
+  program::log(kProgram, counted(count, "damaged message or part", "damaged messages or parts") + " of " + file +
+                             (count == 1 ? " is" : " are") + " left out. fix: telepalp-record verify " + file +
+                             " names the damage");
+}
+
+int run_images(const std::string& file, const std::string& folder) {
+  const Result<export_tool::Exported> made = export_tool::write_images(file, folder);
+  if (!made) return program::fail(made.error());
+  say_left_out(made->left_out, file);
+  return say(made->written, "frame", "frames", folder);
+}
+
 int run_cloud(const std::string& file, const program::Arguments& asked, std::string_view option,
               std::string (*bytes_of)(const RgbdFrame&)) {
   const Result<double> at_s = asked.number(option, 0.0, kLongest_s);
@@ -71,6 +87,7 @@ int run_cloud(const std::string& file, const program::Arguments& asked, std::str
   if (!frames) return program::fail(frames.error());
   const Result<RgbdFrame> frame = frames->at(*at_s);
   if (!frame) return program::fail(frame.error());
+  say_left_out(frames->damaged(), file);
   const Result<void> written = put(asked, bytes_of(*frame));
   return written ? program::kDone : program::fail(written.error());
 }
@@ -87,15 +104,18 @@ int run_csv(const std::string& file, const program::Arguments& asked) {
   reader->select({.topics = {std::string(topic->name)}});
   const export_tool::MessageTable table(*topic);
   std::string text = table.header();
-  std::uint64_t messages = 0;
+  std::uint64_t messages = 0, unreadable = 0;
   for (;;) {
     const Result<std::optional<wire::Message>> message = reader->next();
     if (!message) program::log(kProgram, to_string(message.error()));
     if (!message) continue;
     if (!*message) break;
-    text += table.lines_of(**message);
+    const std::optional<std::string> lines = table.lines_of(**message);
+    if (!lines) ++unreadable;
+    text += lines.value_or("");
     ++messages;
   }
+  say_left_out(unreadable, file);
   if (messages == 0)
     program::log(kProgram,
                  file + " holds no message of " + std::string(topic->name) +
@@ -115,9 +135,17 @@ int run_report(const std::string& file, const std::string& folder) {
                         .fix = "install telepalp-report in the folder of telepalp-export"});
 }
 
-int run(const std::string& file, const program::Arguments& asked) {
+/// What is kept of an export that Ctrl-C ends.
+std::string kept(const program::Arguments& asked) {
   if (asked.has("png"))
-    return say(export_tool::write_images(file, asked.text("png")), "frame", "frames", asked.text("png"));
+    return "the images written so far, in " + asked.text("png") + ", are whole; camera.textproto is missing there";
+  if (asked.has("foxglove")) return asked.text("foxglove") + ".partial holds what was written so far";
+  return "no file was written";
+}
+
+int run(const std::string& file, const program::Arguments& asked) {
+  program::say_when_stopped(std::string(kProgram) + ": stopped: " + kept(asked));
+  if (asked.has("png")) return run_images(file, asked.text("png"));
   if (asked.has("foxglove")) return export_tool::foxglove_command(file, asked);
   if (asked.has("report")) return run_report(file, asked.text("report"));
   if (asked.has("ply")) return run_cloud(file, asked, "ply", export_tool::ply_of);

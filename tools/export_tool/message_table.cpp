@@ -114,12 +114,12 @@ std::string MessageTable::header() const {
   return line + "\n";
 }
 
-std::string MessageTable::lines_of(const wire::Message& message) const {
+std::optional<std::string> MessageTable::lines_of(const wire::Message& message) const {
   google::protobuf::Arena arena;
   Message* const parsed = google::protobuf::MessageFactory::generated_factory()
                               ->GetPrototype(wire::descriptor_of(message.topic))
                               ->New(&arena);
-  if (!parsed->ParseFromString(*message.payload)) return {};
+  if (!parsed->ParseFromString(*message.payload)) return std::nullopt;
   std::string lines;
   for (int row = 0; row < rows_of(*parsed); ++row) {
     lines += std::to_string(to_nanoseconds(message.published)) + "," + std::to_string(row);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ class MessageTable {
   explicit MessageTable(const wire::Topic& topic);
 
   [[nodiscard]] std::string header() const;
-  /// The lines of one message; empty if its payload is not of the topic's type.
-  [[nodiscard]] std::string lines_of(const wire::Message& message) const;
+  /// The lines of one message; nullopt if its payload is not of the topic's type.
+  [[nodiscard]] std::optional<std::string> lines_of(const wire::Message& message) const;
 
  private:
   std::vector<std::string> columns_;

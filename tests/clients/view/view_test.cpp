@@ -74,6 +74,19 @@ TEST(NewestInstant, AsksForAKeyFrameWhereItCannotDecode) {
             Taken::NotNeeded);
 }
 
+TEST(NewestInstant, AMessageThatIsCutShortIsSaidToBeUnreadable) {
+  const Camera camera;
+  NewestInstant instant;
+  for (wire::Message message : {camera.depth, camera.color, camera.info, state_message(0)}) {
+    const std::string whole = *message.payload;
+    message.payload = std::make_shared<const std::string>(whole.substr(0, whole.size() - 2));
+    EXPECT_EQ(instant.take(message), Taken::Unreadable) << message.topic.name;
+  }
+  foxglove::CompressedImage color = pipeline::color_message(camera.frame, 85);
+  color.mutable_data()->resize(color.data().size() / 2);
+  EXPECT_EQ(instant.take(wire::make_message(wire::kCameraColor, camera.frame.captured, color)), Taken::Unreadable);
+}
+
 TEST(NewestInstant, AnImpossibleCameraModelIsIgnored) {
   const Camera camera;
   NewestInstant instant;

@@ -66,7 +66,12 @@ Result<RecordedHand> read_session_hand(const std::filesystem::path& file) {
     if (!message) return message.error();
     if (!*message) break;
     msg::StationTicks ticks;
-    if (ticks.ParseFromString(*(*message)->payload)) append(ticks, kBegin - **first, hands[ticks.sender()]);
+    if (!ticks.ParseFromString(*(*message)->payload))
+      return Error{.what = "holds a damaged message on /station/ticks, so the recorded hand is not known",
+                   .where = file.string(),
+                   .fix = "give --hand SCRIPT instead of the recorded hand; telepalp-record verify " + file.string() +
+                          " names the damage"};
+    append(ticks, kBegin - **first, hands[ticks.sender()]);
   }
   const auto most = std::max_element(hands.begin(), hands.end(),
                                      [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
