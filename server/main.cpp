@@ -397,6 +397,7 @@ int run(Asked asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  program::say_when_stopped("telepalp-server: stopped before it listened; nothing was sent");
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;

@@ -2,6 +2,7 @@
 #include "clients/record/live/amounts.h"
 #include "clients/record/live/recording.h"
 #include "support/program/default_ports.h"
+#include "support/program/ending.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
@@ -112,6 +113,8 @@ int run_recording(const program::Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  program::say_when_stopped(
+      "telepalp-record: stopped: the sessions that it read are unchanged; an unfinished copy ends with .partial");
   if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
   const auto arguments = program::read_arguments(usage(), argc, argv);
   if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);

@@ -10,6 +10,7 @@
 #include "clients/report/summary/report_json.h"
 #include "proto/wire/mcap/notes_file.h"
 #include "support/images/image_file.h"
+#include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/options.h"
 
@@ -114,6 +115,8 @@ int main(int argc, char** argv) {
          .where = "telepalp-report",
          .fix = "name one session file to report on, or two to compare: telepalp-report SESSION.mcap [OTHER.mcap]"},
         program::kAskedWrongly);
+  program::say_when_stopped("telepalp-report: stopped: the report in " + given.text("out") +
+                            " is not complete; each of its files is whole or as it was before");
   const Result<void> done = sessions.size() == 1 ? write_report(sessions.front(), given.text("out"))
                                                  : write_comparison(sessions, given.text("out"));
   return done ? program::kDone : program::fail(done.error());

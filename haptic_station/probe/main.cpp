@@ -6,6 +6,7 @@
 #include "haptic_station/probe/palpation_path.h"
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"
+#include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/options.h"
 
@@ -145,26 +146,10 @@ Result<probe::ProbedSurface> open_surface(const program::Arguments& arguments) {
   return surface;
 }
 
-/// Prints a short summary to the terminal.
-void say_summary(const std::vector<probe::Felt>& felt) {
-  std::size_t in_body = 0;
-  double most_N = 0.0;
-  std::vector<double> step_us;
-  for (const probe::Felt& one : felt) {
-    in_body += one.in_body ? 1U : 0U;
-    most_N = std::max(most_N, one.force_N.norm());
-    step_us.push_back(one.step_us);
-  }
-  const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
-  std::nth_element(step_us.begin(), middle, step_us.end());
-  std::fprintf(stderr,
-               "waypoints: %zu, in contact: %zu; largest force %.3g N; median computing time of a waypoint %.3g us\n",
-               felt.size(), in_body, most_N, *middle);
-}
-
 int touch(const program::Arguments& arguments) {
   if (const auto checked = check_surface(arguments); !checked)
     return program::fail(checked.error(), program::kAskedWrongly);
+  program::say_when_stopped("telepalp-probe: stopped: " + arguments.text("out") + " is not written");
   if (arguments.text("trajectory").empty())
     return program::fail(asked_wrongly("--trajectory, the CSV file of the path to touch along, is missing"),
                          program::kAskedWrongly);
@@ -178,7 +163,8 @@ int touch(const program::Arguments& arguments) {
                surface->snapshot->index_name);
   const std::vector<probe::Felt> felt = probe::touch_along(*surface->snapshot, *trajectory, *stiffness);
   if (const auto done = probe::write_felt(arguments.text("out"), felt); !done) return program::fail(done.error());
-  say_summary(felt);
+  program::say_when_stopped("telepalp-probe: stopped: " + arguments.text("out") + " is written");
+  std::fprintf(stderr, "%s\n", probe::in_words(felt).c_str());
   if (!arguments.has("plot")) return program::kDone;
   const std::filesystem::path touched = arguments.text("cloud") + arguments.text("depth");
   const std::string title = touched.filename().string() + ", " + arguments.text("setting");
@@ -218,6 +204,7 @@ Result<probe::PalpationSettings> palpation_of(const program::Arguments& argument
 int path(const program::Arguments& arguments) {
   if (const auto checked = check_surface(arguments); !checked)
     return program::fail(checked.error(), program::kAskedWrongly);
+  program::say_when_stopped("telepalp-probe: stopped: " + arguments.text("out") + " is not written");
   const Result<probe::PalpationSettings> settings = palpation_of(arguments);
   if (!settings) return program::fail(settings.error(), program::kAskedWrongly);
   const Result<probe::ProbedSurface> surface = open_surface(arguments);

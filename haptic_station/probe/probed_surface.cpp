@@ -186,8 +186,7 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
   if (!read) return read.error();
   PointModel& model = *read;
   for (Eigen::Vector3f& at : model.points) at = (options.unit_m * at.cast<double>()).cast<float>();
-  if (const std::string complaint = models::unit_complaint(model); !complaint.empty())
-    return Error{.what = complaint, .where = file.string(), .fix = models::kSayTheUnit};
+  if (const std::optional<Error> unit = models::unit_error(model, options.unit_m)) return with_place(*unit, file);
   if (!surface::spans_a_surface(model)) return with_place(surface::no_surface(), file);
   const std::optional<Intrinsics> camera = camera_of(model);
   if (camera && settings.method == Method::Grid)
@@ -203,10 +202,12 @@ Result<ProbedSurface> open_cloud(const std::filesystem::path& file, const CloudO
                          "'paper' assumes the camera",
                          some_of(model.points)};
   }
-  surface::StaticModelSettings how{.samples = options.samples,
-                                   .spacing_m = options.spacing_m,
-                                   .anyway = options.anyway,
-                                   .flip_normals = options.flip_normals};
+  surface::StaticModelSettings how{
+      .samples = options.samples,
+      .spacing_m = options.spacing_m,
+      .anyway = options.anyway,
+      .flip_normals = options.flip_normals,
+      .on_progress = [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); }};
   if (settings.method == Method::Cloud) how.support_m = settings.radius_m;
   const Result<surface::StaticModel> made = surface::make_static_model(model, how);
   if (!made) return with_place(made.error(), file);

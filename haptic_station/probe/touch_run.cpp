@@ -1,5 +1,6 @@
 #include "haptic_station/probe/touch_run.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "haptic_station/surface/touch/touch.h"
+#include "proto/words/counted.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {
@@ -60,6 +62,30 @@ std::vector<Felt> touch_along(const surface::SurfaceSnapshot& snapshot, const st
                    .step_us = took.count()});
   }
   return all;
+}
+
+std::string in_words(const std::vector<Felt>& felt) {
+  std::size_t in_body = 0, without_surface = 0;
+  double most_N = 0.0;
+  std::vector<double> step_us;
+  for (const Felt& one : felt) {
+    in_body += one.in_body ? 1U : 0U;
+    without_surface += std::isnan(one.distance_m) ? 1U : 0U;
+    most_N = std::max(most_N, one.force_N.norm());
+    step_us.push_back(one.step_us);
+  }
+  const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
+  std::nth_element(step_us.begin(), middle, step_us.end());
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(),
+                "waypoints: %zu, in contact: %zu; largest force %.3g N; median computing time of a waypoint %.3g us",
+                felt.size(), in_body, most_N, step_us.empty() ? 0.0 : *middle);
+  std::string words = text.data();
+  if (without_surface > 0)
+    words += "\nnothing is felt at " + counted(without_surface, "waypoint", "waypoints") +
+             ", because no surface is in reach there: it is far from the surface, or in a hole, or behind a flank that "
+             "the camera does not see";
+  return words;
 }
 
 Result<void> write_felt(const std::filesystem::path& file, const std::vector<Felt>& felt) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "haptic_station/probe/trajectory.h"
@@ -25,6 +26,10 @@ struct Felt {
 /// so that a surface between both waypoints stops the proxy; a longer jump ends the contact and starts a new one.
 [[nodiscard]] std::vector<Felt> touch_along(const surface::SurfaceSnapshot& snapshot,
                                             const std::vector<Waypoint>& trajectory, double stiffness_N_per_m);
+
+/// A summary for the terminal: waypoints, contacts, the largest force and the computing time. If the surface ended, a
+/// second line counts the waypoints without a surface in reach, where nothing is felt.
+[[nodiscard]] std::string in_words(const std::vector<Felt>& felt);
 
 /// Writes a CSV file, atomically, with the columns t_s,px,py,pz,distance_m,in_body,nx,ny,nz,fx,fy,fz,step_us.
 [[nodiscard]] Result<void> write_felt(const std::filesystem::path& file, const std::vector<Felt>& felt);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 
 #include "support/program/options.h"
@@ -29,10 +30,26 @@ extern "C" void start_limit(int /*signal*/) {
   ::alarm(static_cast<unsigned>(seconds_allowed));
 }
 
-void handle(int signal, void (*handler)(int)) {
+struct Sentence {
+  std::array<char, 400> text{};
+  std::size_t size = 0;
+};
+// say_when_stopped() writes the one that handlers do not read, and then exchanges them.
+std::array<Sentence, 2> sentences{};
+std::atomic<const Sentence*> said_when_stopped{nullptr};
+static_assert(std::atomic<const Sentence*>::is_always_lock_free);
+
+/// SA_RESETHAND has restored the signal's own action, which raise() starts when this handler returns.
+extern "C" void say_and_end(int signal) {
+  const Sentence* sentence = said_when_stopped.load();
+  if (sentence != nullptr && ::write(STDERR_FILENO, sentence->text.data(), sentence->size) < 0) _exit(128 + signal);
+  ::raise(signal);
+}
+
+void handle(int signal, void (*handler)(int), int flags = SA_RESTART) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = SA_RESTART;
+  action.sa_flags = flags;
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -56,6 +73,17 @@ void end_within_when_signalled(std::chrono::seconds limit, std::string_view last
   prepare(limit, last_words);
   handle(SIGINT, start_limit);
   handle(SIGTERM, start_limit);
+}
+
+void say_when_stopped(std::string_view sentence) {
+  const Sentence* now = said_when_stopped.load();
+  Sentence& next = now == &sentences[0] ? sentences[1] : sentences[0];
+  next.size = std::min(sentence.size(), next.text.size() - 1);
+  std::copy_n(sentence.begin(), next.size, next.text.begin());
+  next.text[next.size++] = '\n';
+  said_when_stopped.store(&next);
+  if (now != nullptr) return;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, say_and_end, SA_RESETHAND);
 }
 
 void work_is_done() {

@@ -1,6 +1,8 @@
 #include <array>
 #include <cstdio>
+#include <string>
 
+#include "support/program/ending.h"
 #include "tests/bench/accuracy/accuracy_bench.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/control_bench.h"
@@ -75,6 +77,8 @@ int list() {
 }
 
 int run(const bench::Bench& bench, const program::Arguments& arguments) {
+  program::say_when_stopped("telepalp-bench: stopped: the figures of " + std::string(bench.name) +
+                            " come at its end, so none are kept");
   const Result<bench::Report> report = bench.run(arguments);
   if (!report) return program::fail(report.error());
   std::fputs((arguments.has("json") ? to_json(*report) : to_table(*report)).c_str(), stdout);

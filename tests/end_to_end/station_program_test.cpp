@@ -16,6 +16,7 @@
 #include "messages/station.pb.h"
 #include "proto/wire/client_link.h"
 #include "proto/wire/connection.h"
+#include "support/images/image_file.h"
 #include "tests/support/child_process.h"
 #include "tests/support/terminal.h"
 #include "where.h"
@@ -91,12 +92,14 @@ class Subscriber {
 
 class StationProgram : public ::testing::Test {
  protected:
-  std::string start_server(const std::string& port) {
+  StationProgram() { ::setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1); }
+  ~StationProgram() override { ::unsetenv("XDG_CACHE_HOME"); }
+
+  std::string start_server(const std::string& port, std::vector<std::string> options = {}) {
     const fs::path ready = folder_.path() / "ready";
     fs::remove(ready);
-    server_.emplace(kPrograms / "telepalp-server",
-                    std::vector<std::string>{"--port", port, "--ready-file", ready.string()},
-                    folder_.path() / "server.log");
+    options.insert(options.end(), {"--port", port, "--ready-file", ready.string()});
+    server_.emplace(kPrograms / "telepalp-server", options, folder_.path() / "server.log");
     return support::await_ready(ready, "port").value_or("");
   }
   int run(std::vector<std::string> arguments) {
@@ -214,6 +217,26 @@ TEST_F(StationProgram, EndsWhenNoServerAnswersForAsLongAsItIsAskedToWait) {
   EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--seconds", "1", "--patience", "0.5"}), 1) << text_of(log());
   EXPECT_NE(text_of(log()).find("error: 127.0.0.1:9: does not answer. fix: start telepalp-server"), std::string::npos)
       << text_of(log());
+}
+
+TEST_F(StationProgram, ACameraThatSeesNoPatientIsNamedInAFewLinesAndInTheFinalError) {
+  const fs::path shown = folder_.path() / "images";
+  fs::create_directories(shown);
+  const images::GrayImage16 nothing{160, 120, std::vector<std::uint16_t>(160 * 120, 0)};
+  for (const char* name : {"1.png", "2.png", "3.png"})
+    std::ofstream(shown / name, std::ios::binary) << images::encode_png(nothing);
+  const std::string port = start_server("0", {"--source", "images:" + shown.string()});
+  ASSERT_FALSE(port.empty());
+  EXPECT_EQ(run({"--connect", "127.0.0.1:" + port, "--patience", "7"}), 1);
+  const std::string said = text_of(log());
+  EXPECT_NE(said.find("error: 127.0.0.1:" + port + ": none of the server's "), std::string::npos) << said;
+  EXPECT_NE(said.find("could be used; the last one: fewer than half of the pixels around the image's centre"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("aim the camera at the patient, from a distance at which it measures, or wait longer"),
+            std::string::npos)
+      << said;
+  EXPECT_LE(times(said, "depth image dropped"), 3u) << said;
 }
 
 TEST_F(StationProgram, RunsWithoutItsControlSocketWhereAnotherPutALinkButNotIfTheSocketWasAskedFor) {
@@ -350,11 +373,20 @@ TEST_F(StationProgram, TouchesAModelWithoutAServer) {
   EXPECT_NE(text_of(log()).find("effect in a tick with contact: skin"), std::string::npos) << text_of(log());
 }
 
+TEST_F(StationProgram, TheSecondStartWithAModelReadsItsSamplingFromTheCache) {
+  const std::string scene = TELEPALP_SOURCE_DIR "/haptic_station/scenes/model.scene.textproto";
+  EXPECT_EQ(run({"--scene", scene, "--check"}), 0) << text_of(log());
+  EXPECT_NE(text_of(log()).find("model: spreading 16000 points over the mesh"), std::string::npos) << text_of(log());
+  EXPECT_EQ(run({"--scene", scene, "--check"}), 0) << text_of(log());
+  EXPECT_NE(text_of(log()).find("is read from the cache"), std::string::npos) << text_of(log());
+  EXPECT_EQ(text_of(log()).find("spreading"), std::string::npos) << text_of(log());
+}
+
 TEST_F(StationProgram, AModelInAnotherUnitIsNamedUntilItsUnitIsSaid) {
   const fs::path model = folder_.path() / "mm.obj";
   std::ofstream(model) << "v 0 0 0\nv 300 0 0\nv 0 0 300\nv 300 0 300\nf 1 3 2\nf 2 3 4\n";
   EXPECT_EQ(run({"--surface", "model:" + model.string(), "--check"}), 1);
-  EXPECT_NE(text_of(log()).find("probably 1000 times smaller"), std::string::npos) << text_of(log());
+  EXPECT_NE(text_of(log()).find("unit_m=0.001"), std::string::npos) << text_of(log());
   EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit_m=0.001,samples=2000", "--check"}), 0);
   EXPECT_EQ(run({"--surface", "model:" + model.string() + ",unit=mm", "--check"}), 2);
 }

@@ -1,6 +1,7 @@
 // telepalp-codec: compresses and decompresses depth recordings and prints the errors and sizes.
 
 #include "server/pipeline/depth_options.h"
+#include "support/program/ending.h"
 #include "support/program/options.h"
 #include "tools/codec_tool/commands.h"
 
@@ -78,6 +79,9 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
 
 Result<void> run(const Asked& asked) {
   const std::string& command = asked.words[0];
+  program::say_when_stopped(std::string(kProgram) + ": stopped: " +
+                            (command == "decode" ? "the images written so far, in " + asked.words[2] + ", are whole"
+                                                 : std::string("it has no result, and wrote no file")));
   if (command == "info") return codec_tool::describe_recording(asked.words[1], asked.json);
   if (command == "decode") return codec_tool::decode_recording(asked.words[1], asked.words[2], asked.to);
   if (command == "compare")

@@ -3,6 +3,7 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <cstdio>
+#include <string>
 
 #include "support/program/files/ready_file.h"
 #include "support/program/log.h"
@@ -39,17 +40,23 @@ int run(const program::Arguments& arguments, const link_proxy::ProxyOptions& opt
   boost::asio::steady_timer each_second(io);
   boost::asio::steady_timer end(io);
   boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  const auto stop = [&](const error_code& cancelled, auto...) {
-    if (!cancelled) io.stop();
-  };
-  signals.async_wait(stop);
+  std::string reason = "the time of --seconds is over";
+  signals.async_wait([&](const error_code& cancelled, int) {
+    if (cancelled) return;
+    reason = "Ctrl-C or another program stopped it";
+    io.stop();
+  });
   if (seconds > 0.0) {
     end.expires_after(from_seconds(seconds));
-    end.async_wait(stop);
+    end.async_wait([&](const error_code& cancelled) {
+      if (!cancelled) io.stop();
+    });
   }
   if (!arguments.has("quiet")) log_each_second(each_second, proxy);
   io.run();
   proxy.stop();
+  program::log(kProgram, "stopping: " + reason + "; the connections through it end" +
+                             (arguments.has("json") ? "" : "; totals are printed only with --json"));
   if (arguments.has("json")) std::fputs(proxy.totals_json().c_str(), stdout);
   return program::kDone;
 }

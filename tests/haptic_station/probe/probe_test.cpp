@@ -13,6 +13,7 @@
 #include "haptic_station/probe/probed_surface.h"
 #include "haptic_station/probe/touch_run.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
+#include "support/images/image_file.h"
 #include "support/models/point_model.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -343,6 +344,26 @@ struct RefusedCloud {
   float noise_m;
   const char* says;
 };
+
+TEST_F(Probe, AHandThatGoesInByAFlankThatTheCameraDidNotSeeIsSaidToFeelNothing) {
+  images::GrayImage16 box{.width = 160, .height = 120, .samples = {}};
+  for (int v = 0; v < box.height; ++v)
+    for (int u = 0; u < box.width; ++u) box.samples.push_back(u >= 60 && u < 100 && v >= 40 && v < 80 ? 900 : 1000);
+  const fs::path camera =
+      file("box.textproto", "depth { width: 160 height: 120 fx: 130 fy: 130 cx: 79.5 cy: 59.5 } depth_unit_m: 0.001");
+  const auto opened = open_depth(file("box.png", images::encode_png(box)), camera, *surface::surface_settings("fast"));
+  ASSERT_TRUE(opened.ok()) << to_string(opened.error());
+  std::vector<Waypoint> sideways;
+  for (int i = 0; i <= 200; ++i) sideways.push_back({0.001 * i, {-0.25 + 0.00125 * i, 0.0, 0.95}});
+  const std::vector<Felt> felt = touch_along(*opened->snapshot, sideways, 500.0);
+  const auto without =
+      std::count_if(felt.begin(), felt.end(), [](const Felt& one) { return std::isnan(one.distance_m); });
+  EXPECT_GT(without, 50) << "inside the box, behind its front";
+  EXPECT_NE(in_words(felt).find("nothing is felt at " + std::to_string(without) + " waypoints"), std::string::npos)
+      << in_words(felt);
+  EXPECT_EQ(in_words(touch_along(*opened->snapshot, {{0.0, {0.25, 0.0, 0.98}}}, 500.0)).find("nothing is felt"),
+            std::string::npos);
+}
 
 TEST_F(Probe, TheProgramsRefuseACloudThatCannotBeTouchedAndTouchItAnyway) {
   const fs::path out = folder_.path() / "path.csv";
