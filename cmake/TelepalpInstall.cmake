@@ -17,6 +17,17 @@ install(FILES deploy/service/telepalp-server.service deploy/service/telepalp-sta
   DESTINATION lib/systemd/system)
 install(FILES deploy/service/telepalp.sysusers.conf DESTINATION lib/sysusers.d RENAME telepalp.conf)
 
+# pam_limits reads /etc alone, so a package (prefix /usr) puts the file there; another prefix has its own etc.
+install(CODE "
+  cmake_path(GET CMAKE_INSTALL_PREFIX PARENT_PATH root)
+  if(NOT CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
+    set(root \${CMAKE_INSTALL_PREFIX})
+  elseif(root STREQUAL \"/\")
+    set(root \"\")
+  endif()
+  file(INSTALL ${PROJECT_SOURCE_DIR}/deploy/service/telepalp.limits.conf RENAME telepalp.conf
+    DESTINATION \${root}/etc/security/limits.d)")
+
 # Man pages and completion are written from each program's own --help, so that they cannot differ from it.
 get_property(programs GLOBAL PROPERTY TELEPALP_PROGRAMS)
 list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE program_files)
@@ -46,6 +57,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "bash, util-linux, coreutils")
-set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/service/postinst ${PROJECT_SOURCE_DIR}/deploy/service/prerm)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/deploy/service/postinst ${PROJECT_SOURCE_DIR}/deploy/service/prerm
+    ${PROJECT_SOURCE_DIR}/deploy/service/conffiles)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

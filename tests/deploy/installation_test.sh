@@ -20,6 +20,15 @@ for unit in server station; do
   grep -q '^ProtectSystem=strict' "$prefix/lib/systemd/system/telepalp-$unit.service" || fail "no hardened unit for the $unit"
 done
 [ -s "$prefix/lib/sysusers.d/telepalp.conf" ] || fail "no sysusers entry"
+limits=$prefix/etc/security/limits.d/telepalp.conf
+grep -q '^@telepalp - rtprio [0-9]' "$limits" && grep -q '^@telepalp - memlock unlimited' "$limits" ||
+  fail "no real-time limits for members of the group telepalp"
+grep -q '^LimitRTPRIO=' "$prefix/lib/systemd/system/telepalp-station.service" &&
+  grep -q '^LimitMEMLOCK=infinity' "$prefix/lib/systemd/system/telepalp-station.service" || fail "the station's unit has no real-time limits"
+"$cmake" --install "$build" --prefix "$work/root/usr" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "cmake --install to usr"; }
+[ -s "$work/root/etc/security/limits.d/telepalp.conf" ] || fail "a package would put the limits elsewhere than in /etc"
+[ "$("$prefix/bin/telepalp-demo" --version)" = "$("$prefix/bin/telepalp-server" --version | sed 's/telepalp-server/telepalp-demo/')" ] ||
+  fail "telepalp-demo --version tells another version than its programs"
 if grep -rlF -e "$source" -e "$build" "$prefix" >"$work/leaks"; then
   fail "paths of the build are in: $(cat "$work/leaks")"
 fi

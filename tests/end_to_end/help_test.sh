@@ -49,6 +49,10 @@ case $(tail -n 1 <<<"$demo") in "example: deploy/demo"*) ;; *) failed "deploy/de
 
 grep -q 'is given twice' <<<"$("$source_dir/deploy/demo" --seconds 2 --seconds 3 2>&1)" || failed "deploy/demo takes --seconds twice"
 
+[ "$(TELEPALP_BIN=$bin "$source_dir/deploy/demo" --version)" = "$("$bin/telepalp-server" --version | sed 's#telepalp-server#deploy/demo#')" ] ||
+  failed "deploy/demo --version tells another version than its programs"
+grep -q -- '--version' <<<"$demo" || failed "deploy/demo --help lacks --version"
+
 # One place holds the default ports; scripts and documents agree with it.
 port() { sed -n "s/.*$1 = \"\([0-9]*\)\".*/\1/p" "$source_dir/support/program/default_ports.h"; }
 grep -q "http_port:=$(port kViewerPort)}" "$source_dir/deploy/demo" || failed "deploy/demo has another port for browsers"
