@@ -21,8 +21,8 @@ for unit in server station; do
 done
 [ -s "$prefix/lib/sysusers.d/telepalp.conf" ] || fail "no sysusers entry"
 limits=$prefix/etc/security/limits.d/telepalp.conf
-grep -q '^@telepalp - rtprio [0-9]' "$limits" && grep -q '^@telepalp - memlock unlimited' "$limits" ||
-  fail "no real-time limits for members of the group telepalp"
+grep -q '^@telepalp-realtime - rtprio [0-9]' "$limits" && grep -q '^@telepalp-realtime - memlock unlimited' "$limits" &&
+  grep -q '^g telepalp-realtime ' "$prefix/lib/sysusers.d/telepalp.conf" || fail "no group with real-time limits"
 grep -q '^LimitRTPRIO=' "$prefix/lib/systemd/system/telepalp-station.service" &&
   grep -q '^LimitMEMLOCK=infinity' "$prefix/lib/systemd/system/telepalp-station.service" || fail "the station's unit has no real-time limits"
 "$cmake" --install "$build" --prefix "$work/root/usr" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "cmake --install to usr"; }

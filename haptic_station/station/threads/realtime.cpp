@@ -33,13 +33,12 @@ Result<RealtimeGrant> enter_realtime(Realtime wanted) {
   const int locking = mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? 0 : errno;
   const RealtimeGrant grant{.priority = scheduling == 0, .locked_memory = locking == 0};
   if (grant.both() || wanted == Realtime::Prefer) return grant;
-  return Error{
-      .what = said("real-time priority", scheduling) + (grant.priority || grant.locked_memory ? "" : ", ") +
-              said("locked memory", locking),
-      .where = "telepalp-station",
-      .fix =
-          "use the package's telepalp-station.service, or run sudo adduser NAME telepalp (NAME: your user) and "
-          "sign in again, or start with --realtime prefer"};
+  return Error{.what = said("real-time priority", scheduling) + (grant.priority || grant.locked_memory ? "" : ", ") +
+                       said("locked memory", locking),
+               .where = "telepalp-station",
+               .fix =
+                   "use the package's telepalp-station.service, or run sudo adduser NAME telepalp-realtime (NAME: your "
+                   "user) and sign in again, or start with --realtime prefer"};
 }
 
 }  // namespace telepalp::station
