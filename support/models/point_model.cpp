@@ -60,7 +60,7 @@ std::string fix_of(double size_m, double unit_m) {
   std::string units, first;
   for (const double factor : {1e-3, 1e3, 1e-2, 1e-1, 1e2, 1e1, 1e-6, 1e6}) {
     if (size_m * factor < kOrgan_m || size_m * factor > kPerson_m) continue;
-    const std::string unit = rounded(unit_m * factor);
+    const std::string unit = number_text(std::stod(rounded(unit_m * factor)));
     units += (units.empty() ? "" : " or ") + unit + " (then the points span " + rounded(size_m * factor) + " m)";
     if (first.empty()) first = unit;
   }

@@ -333,13 +333,13 @@ TEST(ModelUnit, TheFixNamesTheUnitThatGivesTheSizeOfAPatient) {
     double radius, unit_m;
     const char* fix;
   };
-  for (const Row& row : {Row{100.0, 1.0, "unit_m=0.001,"},   // millimetres
-                         Row{0.0001, 0.001, "unit_m=1,"},    // metres, and 0.001 was given
-                         Row{0.00001, 0.001, "unit_m=10,"},  // ten metres a unit, and 0.001 was given
-                         Row{850.0, 1.0, "unit_m=0.001,"},   // a person in millimetres
-                         Row{85.0, 1.0, "unit_m=0.01,"},     // a person in centimetres
-                         Row{10.0, 1.0, "unit_m=0.01,"},     // an organ in centimetres
-                         Row{0.1, 1000.0, "unit_m=1,"},      // metres, and 1000 was given
+  for (const Row& row : {Row{100.0, 1.0, "unit_m=0.001,"},                     // millimetres
+                         Row{0.1, 0.001, "unit_m=1,"},                         // metres, and 0.001 was given
+                         Row{0.0001, 1.0, "unit_m=1000,"},                     // kilometres
+                         Row{850.0, 1.0, "unit_m=0.001,"},                     // a person in millimetres
+                         Row{85.0, 1.0, "0.01 (then the points span 1.7 m)"},  // a person in centimetres
+                         Row{10.0, 1.0, "unit_m=0.01,"},                       // an organ in centimetres
+                         Row{0.1, 1000.0, "unit_m=1,"},                        // metres, and 1000 was given
                          Row{1e9, 1.0, "no usual unit of its coordinates"}}) {
     models::PointModel mesh = ball(row.radius * row.unit_m, {0, 0, 0}, false);
     const std::optional<Error> error = models::unit_error(mesh, row.unit_m);
@@ -348,7 +348,7 @@ TEST(ModelUnit, TheFixNamesTheUnitThatGivesTheSizeOfAPatient) {
   }
   const std::optional<Error> either = models::unit_error(ball(8.5, {0, 0, 0}, false), 1.0);
   ASSERT_TRUE(either);
-  EXPECT_NE(either->fix.find("0.01 (then the points span 0.169 m) or 0.1 (then the points span 1.69 m)"),
+  EXPECT_NE(either->fix.find("0.01 (then the points span 0.17 m) or 0.1 (then the points span 1.7 m)"),
             std::string::npos)
       << either->fix;
   EXPECT_FALSE(models::unit_error(ball(0.1, {0, 0, 0}, false), 1.0));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -193,6 +194,14 @@ TEST(ReplayCell, ASessionGivesItsFramesAndItsHandAndSoTheSameForces) {
   write_session(folder.path() / "camera.mcap", 1.0, {});
   EXPECT_TRUE(read_session_hand(folder.path() / "camera.mcap")->empty());
   EXPECT_FALSE(read_session_hand(folder.path() / "none.mcap").ok());
+  auto cut = std::find_if(station.begin(), station.end(),
+                          [](const wire::Message& message) { return message.topic.name == wire::kStationTicks.name; });
+  ASSERT_NE(cut, station.end());
+  cut->payload = std::make_shared<const std::string>(cut->payload->substr(0, cut->payload->size() / 2));
+  write_session(folder.path() / "cut.mcap", 1.0, {*cut});
+  const Result<RecordedHand> damaged = read_session_hand(folder.path() / "cut.mcap");
+  ASSERT_FALSE(damaged.ok()) << "a hand with a gap would be replayed without a word";
+  EXPECT_NE(damaged.error().what.find("damaged message on /station/ticks"), std::string::npos);
 }
 
 TEST(ReplayCell, ASourceWithoutAPatientIsRefused) {
