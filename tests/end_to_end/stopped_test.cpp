@@ -66,7 +66,7 @@ const Stopped kRows[] = {
      "stopped by Ctrl-C or by another program",
      1},
     {"link",
-     {"telepalp-link", "--listen", "127.0.0.1:0", "--server", "127.0.0.1:9", "--quiet"},
+     {"telepalp-link", "--listen", "127.0.0.1:0", "--connect", "127.0.0.1:9", "--quiet"},
      "listens at",
      "stopping: Ctrl-C or another program stopped it",
      0},
