@@ -28,6 +28,7 @@ void log_each_second(boost::asio::steady_timer& timer, link_proxy::LinkProxy& pr
 
 int run(const program::Arguments& arguments, const link_proxy::ProxyOptions& options, double seconds) {
   boost::asio::io_context io(1);
+  boost::asio::signal_set signals(io, SIGINT, SIGTERM);  // from now on, a signal waits until the proxy can say its end
   const auto started = link_proxy::LinkProxy::start(io, options);
   if (!started) return program::fail(started.error());
   link_proxy::LinkProxy& proxy = **started;
@@ -39,7 +40,6 @@ int run(const program::Arguments& arguments, const link_proxy::ProxyOptions& opt
 
   boost::asio::steady_timer each_second(io);
   boost::asio::steady_timer end(io);
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
   std::string reason = "the time of --seconds is over";
   signals.async_wait([&](const error_code& cancelled, int) {
     if (cancelled) return;
