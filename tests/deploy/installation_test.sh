@@ -39,4 +39,4 @@ unset TELEPALP_HOME
 "$prefix/bin/telepalp-station" --check >"$work/check" 2>&1 || { cat "$work/check" >&2; fail "the station's default scene"; }
 timeout 30 "$prefix/bin/telepalp-server" --source synthetic --port 0 --http-port 0 --seconds 1 >"$work/server" 2>&1 ||
   { cat "$work/server" >&2; fail "the server with the synthetic patient and the viewer"; }
-echo "installation: 9 programs, man pages, completion, units, data: found from /"
+echo "installation: 12 programs, man pages, completion, units, limits, data: found from /"
