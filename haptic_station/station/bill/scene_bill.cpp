@@ -97,7 +97,7 @@ Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::pat
                           const std::function<void(int done, int all)>& begun) {
   const Result<SceneParts> parts = read_parts(scene, file, true);
   if (!parts) return parts.error();
-  const SeenBody body;
+  static const SeenBody body;  // takes half a second to make
   const BodyStream stream(body, seconds + 2.0 + kPaced_s);
   const std::vector<Without> without = scenes_without(scene, detail);
   Result<std::vector<Session>> sessions = sessions_of(scene, without, file, *parts, stream);

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using station::Part;
 
-constexpr double kSeconds = 12.0;
+constexpr double kSeconds = 8.0;
 
 /// An effect of a shipped scene, and its name in the table.
 struct Priced {

@@ -36,7 +36,7 @@ std::shared_ptr<const surface::SurfaceSnapshot> Feed::step(double time_s, const 
     const Frame& frame = on_the_way_.front();
     newest_captured_s_ = std::max(newest_captured_s_, frame.captured_s);
     if (auto snapshot = builder_.add(frame.depth, settings_.patient->settings().camera, at_time(frame.captured_s),
-                                     surface::Reach{device, kReach_m}))
+                                     surface::Reach{device, surface::kReach_m}))
       newest = std::move(snapshot);
     on_the_way_.pop_front();
   }

@@ -26,15 +26,24 @@ constexpr double kSeconds = 12.0;  // of the measured session; a trial lasts 11 
 constexpr double kLeastOff = 0.5;  // % of a core
 constexpr double kOff = 0.2;       // of the measured value
 
-/// Processor time that all threads of a process have used [ns], from the kernel's scheduler.
-double spent_ns(pid_t pid) {
-  double sum = 0.0;
+/// Processor time of a station's threads so far [ns], from the kernel's scheduler.
+struct Spent {
+  double surface_ns = 0.0;  ///< of the surface thread, the first that a station starts
+  double others_ns = 0.0;
+};
+
+Spent spent_by(pid_t pid) {
+  std::vector<std::pair<int, double>> threads;
   std::error_code code;
   for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(pid) + "/task", code)) {
     double ns = 0.0;
-    if (std::ifstream(thread.path() / "schedstat") >> ns) sum += ns;
+    if (std::ifstream(thread.path() / "schedstat") >> ns)
+      threads.emplace_back(std::atoi(thread.path().filename().c_str()), ns);
   }
-  return sum;
+  std::ranges::sort(threads);
+  Spent spent;
+  for (std::size_t i = 0; i < threads.size(); ++i) (i == 1 ? spent.surface_ns : spent.others_ns) += threads[i].second;
+  return spent;
 }
 
 /// A server and the station that it serves, as real programs.
@@ -62,7 +71,7 @@ class Site {
     }
     return false;
   }
-  [[nodiscard]] double spent() const { return spent_ns(station_->pid()); }
+  [[nodiscard]] Spent spent() const { return spent_by(station_->pid()); }
 
   /// Ends the station. Returns the number of images of which it made a surface; 0: it touches a model.
   [[nodiscard]] double stop() {
@@ -92,28 +101,29 @@ struct Shares {
   double without = 0.0;
 };
 
-/// Share of a core [%] of a station that keeps up with its camera. A station on a busy computer drops images, so its
-/// processor time is taken for each image that it used, at 30 images a second.
-double share_of(Site& site, double before_ns, std::chrono::steady_clock::time_point start) {
+/// Share of a core [%] of a station that keeps up with its camera. A station on a busy computer drops images, so the
+/// surface thread's time is taken for each image that it used, at 30 images a second.
+double share_of(Site& site, const Spent& before, std::chrono::steady_clock::time_point start) {
   constexpr double kImages_per_s = 30.0;
-  const double spent = site.spent() - before_ns;
+  const Spent after = site.spent();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double images = site.stop();
-  return images > 0.0 ? 1e-7 * spent * kImages_per_s / images : 1e-7 * spent / seconds;
+  const double surface_s = images > 0.0 ? images / kImages_per_s : seconds;
+  return 1e-7 * ((after.surface_ns - before.surface_ns) / surface_s + (after.others_ns - before.others_ns) / seconds);
 }
 
 std::optional<Shares> measured_pair(const UsersPlace& place, const fs::path& with, const fs::path& without) {
   Site first(place, with, "with");
   if (!first.runs()) return std::nullopt;
   const auto first_start = std::chrono::steady_clock::now();
-  const double first_ns = first.spent();
+  const Spent first_spent = first.spent();
   Site second(place, without, "without");
   if (!second.runs()) return std::nullopt;
   const auto second_start = std::chrono::steady_clock::now();
-  const double second_ns = second.spent();
+  const Spent second_spent = second.spent();
   std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
-  const double with_share = share_of(first, first_ns, first_start);
-  return Shares{with_share, share_of(second, second_ns, second_start)};
+  const double with_share = share_of(first, first_spent, first_start);
+  return Shares{with_share, share_of(second, second_spent, second_start)};
 }
 
 double median(std::vector<double> values) {
