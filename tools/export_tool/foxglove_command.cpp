@@ -94,10 +94,12 @@ int foxglove_command(const std::string& session, const program::Arguments& asked
   if (!size) return program::fail(size.error());
   program::log(kProgram, announced(session, out, *size));
   if (const Result<void> room = has_room(out, *size); !room) return program::fail(room.error());
-  const Result<std::uint64_t> messages = write_foxglove(session, out, *parts);
-  if (!messages) return program::fail(messages.error());
+  const Result<Exported> made = write_foxglove(session, out, *parts);
+  if (!made) return program::fail(made.error());
+  if (const std::string left_out = left_out_in_words(made->left_out, session); !left_out.empty())
+    program::log(kProgram, left_out);
   std::error_code unknown;
-  program::log(kProgram, "wrote " + counted(*messages, "message", "messages") + ", " +
+  program::log(kProgram, "wrote " + counted(made->written, "message", "messages") + ", " +
                              megabytes(fs::file_size(out, unknown)) + ", to " + out);
   return program::kDone;
 }

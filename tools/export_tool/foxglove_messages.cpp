@@ -23,30 +23,39 @@ class StationViews {
     const std::string_view topic = message.topic.name;
     if (topic == wire::kStationUltrasound.name) return add_ultrasound(message);
     if (topic == wire::kStationInside.name) return add_inside(message);
-    if (topic == wire::kStationCompensation.name) (void)compensation_.ParseFromString(*message.payload);
+    if (topic == wire::kStationCompensation.name) (void)read(message, compensation_);
     const Result<void> copied = take_(message);
     return copied && topic == wire::kStationState.name ? add_state(message) : copied;
   }
 
+  /// Number of messages that are not of their topic's type.
+  [[nodiscard]] std::uint64_t unreadable() const noexcept { return unreadable_; }
+
  private:
+  template <class Proto>
+  bool read(const wire::Message& message, Proto& proto) {
+    const bool readable = proto.ParseFromString(*message.payload);
+    unreadable_ += readable ? 0 : 1;
+    return readable;
+  }
   template <class Proto>
   Result<void> give(const wire::Topic& topic, SessionTime at, const Proto& proto) {
     return take_(wire::make_message(topic, at, proto));
   }
   Result<void> add_ultrasound(const wire::Message& message) {
     msg::UltrasoundImage image;
-    const auto view = image.ParseFromString(*message.payload) ? views::ultrasound_view(image) : std::nullopt;
+    const auto view = read(message, image) ? views::ultrasound_view(image) : std::nullopt;
     return view ? give(views::kUltrasoundView, message.published, *view) : Result<void>{};
   }
   Result<void> add_inside(const wire::Message& message) {
     msg::InnerStructures inside;
-    if (!inside.ParseFromString(*message.payload) || !wire::is_valid(inside)) return {};
+    if (!read(message, inside) || !wire::is_valid(inside)) return {};
     inside_ = std::move(inside);
     return give(views::kInsideView, message.published, views::inside_view(inside_));
   }
   Result<void> add_state(const wire::Message& message) {
     msg::StationState state;
-    if (!state.ParseFromString(*message.payload)) return {};
+    if (!read(message, state)) return {};
     foxglove::FrameTransforms transforms = views::transforms_view(state, message.published);
     views::add_inside_transforms(transforms, inside_, compensation_, message.published);
     Result<void> given = give(views::kTransformsView, message.published, transforms);
@@ -59,6 +68,7 @@ class StationViews {
   const TakeMessage& take_;
   msg::InnerStructures inside_;
   msg::StationCompensation compensation_;
+  std::uint64_t unreadable_ = 0;
 };
 
 bool is_of_camera(std::string_view topic) { return topic.starts_with("/camera/"); }
@@ -90,18 +100,21 @@ bool Thinning::takes(SessionTime captured) {
   return std::exchange(last_, place) != place;
 }
 
-Result<void> give_station_and_color(wire::McapReader& session, const FoxgloveParts& parts, const TakeMessage& take) {
+Result<std::uint64_t> give_station_and_color(wire::McapReader& session, const FoxgloveParts& parts,
+                                             const TakeMessage& take) {
   session.select({.topics = topics_of(parts)});
   const auto begin = static_cast<std::int64_t>(session.summary().statistics.message_start_time);
   Thinning thinning(session_time(begin), parts.images_per_s);
   StationViews station(take);
+  std::uint64_t damaged_chunks = 0;
   for (;;) {
     const Result<std::optional<wire::Message>> message = session.next();
+    damaged_chunks += message ? 0 : 1;
     if (!message) continue;  // the reader continues after the damaged chunk
-    if (!*message) return {};
+    if (!*message) return damaged_chunks + station.unreadable();
     if (is_thinned_out(**message, thinning)) continue;
     const Result<void> given = is_of_camera((*message)->topic.name) ? take(**message) : station.add(**message);
-    if (!given) return given;
+    if (!given) return given.error();
   }
 }
 

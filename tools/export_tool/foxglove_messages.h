@@ -33,10 +33,10 @@ class Thinning {
   std::int64_t last_ = INT64_MIN;  // place in the grid of the image that was taken last
 };
 
-/// Gives the messages of station and colour camera to `take`, in order of time. Damaged messages are left out. Error:
-/// the error of `take`.
-[[nodiscard]] Result<void> give_station_and_color(wire::McapReader& session, const FoxgloveParts& parts,
-                                                  const TakeMessage& take);
+/// Gives the messages of station and colour camera to `take`, in order of time. Damaged ones are left out; returns the
+/// number of damaged chunks and messages. Error: the error of `take`.
+[[nodiscard]] Result<std::uint64_t> give_station_and_color(wire::McapReader& session, const FoxgloveParts& parts,
+                                                           const TakeMessage& take);
 
 /// The messages of one frame: depth image and cloud, each if it is among the `parts`.
 [[nodiscard]] std::vector<wire::Message> frame_messages(const RgbdFrame& frame, const FoxgloveParts& parts);

@@ -47,24 +47,26 @@ class FoxgloveFile {
   std::uint64_t messages_ = 0;
 };
 
-Result<void> add_frames(const std::filesystem::path& file, SessionTime begin, const FoxgloveParts& parts,
-                        FoxgloveFile& out) {
-  if (!parts.depth && !parts.points) return {};
+/// Adds depth images and clouds. Returns the number of damaged parts that are left out.
+Result<std::uint64_t> add_frames(const std::filesystem::path& file, SessionTime begin, const FoxgloveParts& parts,
+                                 FoxgloveFile& out) {
+  if (!parts.depth && !parts.points) return std::uint64_t{0};
   Result<Frames> frames = Frames::open(file);
   if (!frames) return frames.error();
   Thinning thinning(begin, parts.images_per_s);
-  return frames->for_each([&](const RgbdFrame& frame) -> Result<bool> {
+  const Result<void> done = frames->for_each([&](const RgbdFrame& frame) -> Result<bool> {
     if (!thinning.takes(frame.captured)) return true;
     for (const wire::Message& message : frame_messages(frame, parts))
       if (const Result<void> added = out.add(message); !added) return added.error();
     return true;
   });
+  return done ? Result<std::uint64_t>(frames->damaged()) : Result<std::uint64_t>(done.error());
 }
 
 }  // namespace
 
-Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out,
-                                     const FoxgloveParts& parts) {
+Result<Exported> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out,
+                                const FoxgloveParts& parts) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return reader.error();
   const Result<wire::SessionInfo> session = reader->session();
@@ -73,10 +75,13 @@ Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const st
   if (!writer) return writer.error();
   FoxgloveFile made(std::move(*writer));
   const auto begin = static_cast<std::int64_t>(reader->summary().statistics.message_start_time);
-  Result<void> done =
+  const Result<std::uint64_t> station =
       give_station_and_color(*reader, parts, [&](const wire::Message& message) { return made.add(message); });
-  if (done) done = add_frames(file, session_time(begin), parts, made);
-  return made.close(done);
+  const Result<std::uint64_t> frames =
+      station ? add_frames(file, session_time(begin), parts, made) : Result<std::uint64_t>(station.error());
+  const Result<std::uint64_t> written = made.close(frames ? Result<void>{} : Result<void>(frames.error()));
+  if (!written) return written.error();
+  return Exported{.written = *written, .left_out = *station + *frames};
 }
 
 }  // namespace telepalp::export_tool

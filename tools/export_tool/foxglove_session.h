@@ -5,6 +5,7 @@
 
 #include "proto/words/result.h"
 #include "tools/export_tool/foxglove_messages.h"
+#include "tools/export_tool/frames.h"
 
 namespace telepalp::export_tool {
 
@@ -12,7 +13,7 @@ namespace telepalp::export_tool {
 /// without an extension: colour and camera models as recorded; depth as an image and a coloured cloud; the station as
 /// transforms, as a scene with the force as an arrow, and as recorded numbers; the layers inside the body as triangles;
 /// ultrasound images. Returns the number of messages.
-[[nodiscard]] Result<std::uint64_t> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out,
-                                                   const FoxgloveParts& parts = {});
+[[nodiscard]] Result<Exported> write_foxglove(const std::filesystem::path& file, const std::filesystem::path& out,
+                                              const FoxgloveParts& parts = {});
 
 }  // namespace telepalp::export_tool

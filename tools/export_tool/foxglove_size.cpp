@@ -88,10 +88,11 @@ Result<FoxgloveSize> estimated_size(const std::filesystem::path& file, const Fox
   size.depth *= times.size();
   size.points *= times.size();
   ChunkedSize color, station;
-  const Result<void> read = give_station_and_color(*reader, parts, [&](const wire::Message& message) -> Result<void> {
-    (message.topic.name.starts_with("/camera/") ? color : station).add(message);
-    return {};
-  });
+  const Result<std::uint64_t> read =
+      give_station_and_color(*reader, parts, [&](const wire::Message& message) -> Result<void> {
+        (message.topic.name.starts_with("/camera/") ? color : station).add(message);
+        return {};
+      });
   if (!read) return read.error();
   size.color = color.finish();
   size.station = station.finish();

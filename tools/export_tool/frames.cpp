@@ -7,6 +7,7 @@
 #include "messages/camera.pb.h"
 #include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::export_tool {
 namespace {
@@ -26,6 +27,12 @@ Error no_frame(const std::string& what) {
 }
 
 }  // namespace
+
+std::string left_out_in_words(std::uint64_t left_out, const std::string& session) {
+  if (left_out == 0) return {};
+  return counted(left_out, "damaged message or part", "damaged messages or parts") + " of " + session +
+         (left_out == 1 ? " is" : " are") + " left out. fix: telepalp-record verify " + session + " names the damage";
+}
 
 Result<Frames> Frames::open(const std::filesystem::path& file) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);

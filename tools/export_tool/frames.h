@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "codec/depth_stream.h"
 #include "foxglove/CompressedImage.pb.h"
@@ -16,6 +17,9 @@ struct Exported {
   std::uint64_t written = 0;
   std::uint64_t left_out = 0;
 };
+
+/// The line that says what is left out of an export of `session`; empty for 0.
+[[nodiscard]] std::string left_out_in_words(std::uint64_t left_out, const std::string& session);
 
 /// Decodes the frames of a session in order: each depth image with the colour image of equal capture time and the last
 /// camera model before it.

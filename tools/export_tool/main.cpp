@@ -66,10 +66,8 @@ Result<void> put(const program::Arguments& asked, const std::string& bytes) {
 
 /// Tells that parts of the session are not in the export.
 void say_left_out(std::uint64_t count, const std::string& file) {
-  if (count == 0) return;
-  program::log(kProgram, counted(count, "damaged message or part", "damaged messages or parts") + " of " + file +
-                             (count == 1 ? " is" : " are") + " left out. fix: telepalp-record verify " + file +
-                             " names the damage");
+  if (const std::string words = export_tool::left_out_in_words(count, file); !words.empty())
+    program::log(kProgram, words);
 }
 
 int run_images(const std::string& file, const std::string& folder) {
