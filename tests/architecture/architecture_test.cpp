@@ -35,7 +35,7 @@ const std::vector<Rule> kRules{
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},
     {"haptic_station/surface", {"proto/words", "codec/levels", "support/models", "haptic_station/surface"}},
     {"haptic_station/ports", {"proto/words", "haptic_station/ports"}},
-    {"haptic_station/solids", {"proto/words", "haptic_station/solids"}},
+    {"haptic_station/solids", {"proto/words", "support/isosurface", "haptic_station/solids"}},
     {"haptic_station/effects",
      {"proto/words", "haptic_station/ports", "haptic_station/solids", "haptic_station/effects"}},
     {"haptic_station/ultrasound",

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/solids/solid_mesh.h"
 #include "haptic_station/station/bill/scene_bill.h"
+#include "haptic_station/station/commands/scene_mesh.h"
 #include "haptic_station/station/picture/scene_picture.h"
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/ultrasound/b_mode.h"
@@ -40,13 +40,15 @@ program::Usage usage() {
                    "0"},
                   {"layer", "NAME", "for 'mesh': name of the layer; default: the scene's first layer"},
                   {"seconds", "S", "for 'bill': session time that is measured, in seconds", "12"},
-                  {"cell-mm", "MM", "for 'mesh': side of a cell of the marching-cubes grid, in millimetres", "2"}},
+                  {"cell-mm", "MM",
+                   "for 'mesh': side of the smallest cells, in millimetres; they are used only where thin walls, gaps "
+                   "or bends need them; default: 1/12 000 of the layer's longest side"}},
       .example = "telepalp-station scene show ribs-ultrasound --out ribs.png",
       .commands = {{"check", "SCENE", "check the scene and list its effects"},
                    {"bill", "SCENE", "measure what the station costs with and without each effect"},
                    {"show", "SCENE", "write a picture of what lies under the skin"},
                    {"image", "SCENE", "write the ultrasound image under a probe on the skin"},
-                   {"mesh", "SCENE", "write a layer's surface as a watertight mesh"}},
+                   {"mesh", "SCENE", "write a layer's surface as a watertight mesh, or say why there is none"}},
       .needs_command = true};
 }
 
@@ -175,32 +177,17 @@ Result<void> image(const ReadScene& read, const program::Arguments& arguments) {
   return write(images::encode_png(color), arguments.text("out"));
 }
 
-Result<double> cell_mm_of(const program::Arguments& arguments) { return arguments.number("cell-mm", 0.1, 100.0); }
-
 Result<void> check_mesh(const program::Arguments& arguments) {
   if (const auto out = check_out(arguments, {".ply", ".obj"}); !out) return out;
-  if (const auto cell_mm = cell_mm_of(arguments); !cell_mm) return cell_mm.error();
+  if (const auto cell_m = smallest_cell_m(arguments); !cell_m) return cell_m.error();
   return {};
 }
 
 Result<void> mesh(const ReadScene& read, const program::Arguments& arguments) {
-  const scenes::Scene& scene = read.scene;
   const std::string out = arguments.text("out");
-  const std::string name = arguments.text("layer");
-  const auto layer =
-      std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
-  if (layer == scene.layers.end())
-    return Error{
-        .what = name.empty() ? "the scene has no layer" : "the scene has no layer '" + name + "'",
-        .where = name.empty() ? scene.name : "--layer",
-        .fix =
-            "name a scene with a layer, and one of its layers; telepalp-station scene check SCENE lists all effects, "
-            "layers by their names"};
-  const Result<solids::SolidMesh> made = solids::mesh_of(*layer->solid->tree, 1e-3 * *cell_mm_of(arguments));
+  const Result<solids::CheckedMesh> made = mesh_of_layer(read.scene, arguments);
   if (!made) return made.error();
-  std::printf("mesh of layer %s: %zu points, %zu triangles, %zu open edges\n", layer->solid->name.c_str(),
-              made->points.size(), made->triangles.size(), solids::open_edges(*made));
-  return write(out.ends_with(".obj") ? solids::to_obj(*made) : solids::to_ply(*made), out);
+  return write(out.ends_with(".obj") ? solids::to_obj(made->mesh) : solids::to_ply(made->mesh), out);
 }
 
 struct Task {

@@ -166,7 +166,7 @@ void measure_image(const scenes::Scene& scene, Report& report) {
 void measure_mesh(const SolidTree& ribs, Report& report) {
   const auto mesh = solids::mesh_of(ribs, 0.003);
   report.rows.push_back(at_most("number of open edges of the ribs' mesh",
-                                mesh ? static_cast<double>(solids::open_edges(*mesh)) : HUGE_VAL, "", 0.0));
+                                mesh ? static_cast<double>(isosurface::facts_of(*mesh).open_edges) : HUGE_VAL, "", 0.0));
 }
 
 }  // namespace
