@@ -22,7 +22,8 @@ struct PictureView {
   int side_px = 512;
 };
 
-/// A square picture of solids by sphere tracing (Hart 1996): each ray advances by the distance to the nearest solid.
+/// A square picture of solids by sphere tracing (Hart 1996): each ray advances by the distance to the nearest solid,
+/// and neighbouring rays advance together while the nearest solid is farther away than they are from each other.
 /// The light comes from the eye. White where a ray meets no solid within two picture widths in front of and behind
 /// `center`.
 [[nodiscard]] ColorImage picture_of(std::span<const PaintedSolid> solids, const PictureView& view);

@@ -61,7 +61,29 @@ void write_letter(ColorImage& image, int x, int y, char letter, const Rgb& rgb, 
         fill(image, {x + column * dot_px, y + row * dot_px, dot_px, dot_px}, rgb);
 }
 
+/// Bytes of the text's first `letters` letters.
+std::size_t bytes_of(std::string_view text, std::size_t letters) noexcept {
+  std::size_t bytes = 0;
+  while (bytes < text.size() && (!begins_letter(text[bytes]) || letters > 0))
+    if (begins_letter(text[bytes++])) --letters;
+  return bytes;
+}
+
 }  // namespace
+
+std::vector<std::string> lines_of(std::string_view text, int width_px, int dot_px) {
+  const auto most = static_cast<std::size_t>(std::max(1, width_px / (kLetterWidth_dots * dot_px)));
+  std::vector<std::string> lines;
+  while (static_cast<std::size_t>(width_of(text, 1)) > most * kLetterWidth_dots) {
+    const std::size_t fits = bytes_of(text, most);
+    const std::size_t space = text.substr(0, fits + 1).rfind(' ');
+    const bool broken = space == std::string_view::npos || space == 0;
+    lines.emplace_back(text.substr(0, broken ? fits : space));
+    text.remove_prefix(broken ? fits : space + 1);
+  }
+  lines.emplace_back(text);
+  return lines;
+}
 
 void fill(ColorImage& image, const Rectangle& where, const Rgb& rgb) {
   for (int y = where.y; y < where.y + where.height; ++y)

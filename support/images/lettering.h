@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "proto/words/rgbd_frame.h"
 
@@ -30,5 +32,9 @@ void write_text(ColorImage& image, int x, int y, std::string_view text, const Rg
 
 /// Width [px] of the line that write_text() writes.
 [[nodiscard]] int width_of(std::string_view text, int dot_px) noexcept;
+
+/// The text in lines of at most `width_px`, broken between words; a word that is wider is broken anywhere. At least one
+/// line.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view text, int width_px, int dot_px);
 
 }  // namespace telepalp::images

@@ -1,7 +1,9 @@
 #include "haptic_station/solids/solid_picture.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace telepalp::solids {
 namespace {
@@ -26,39 +28,77 @@ Met nearest(std::span<const PaintedSolid> solids, const Vector3d& p) noexcept {
   return met;
 }
 
-std::array<std::uint8_t, 3> seen_along(std::span<const PaintedSolid> solids, Vector3d p, const PictureView& view) {
-  const double on_m = 1e-4 * view.width_m;
-  double gone_m = 0.0;
-  for (int i = 0; i < kMostSteps && gone_m < 4.0 * view.width_m; ++i) {
-    const Met met = nearest(solids, p);
-    if (met.at.m <= on_m) {
-      const double facing = std::max(0.0, -met.at.gradient.normalized().dot(view.towards));
-      std::array<std::uint8_t, 3> rgb = solids[met.solid].rgb;
-      for (std::uint8_t& one : rgb)
-        one = static_cast<std::uint8_t>(std::lround(one * (kAmbient + (1.0 - kAmbient) * facing)));
-      return rgb;
-    }
-    p += met.at.m * view.towards;
-    gone_m += met.at.m;
+/// Traces the rays of a square picture tile by tile: the middle ray of a tile advances while the nearest solid is
+/// farther away than the tile's rays, then the four quarters of the tile go on from there.
+class Tracer {
+ public:
+  Tracer(std::span<const PaintedSolid> solids, const PictureView& view)
+      : solids_(solids), view_(view), right_(view.towards.cross(view.up)), pixel_m_(view.width_m / view.side_px) {
+    image_ = {.width = view.side_px, .height = view.side_px, .rgb = {}};
+    image_.rgb.assign(3 * static_cast<std::size_t>(view.side_px) * static_cast<std::size_t>(view.side_px), 255);
   }
-  return {255, 255, 255};
-}
+
+  ColorImage trace() {
+    int side = 1;
+    while (side < view_.side_px) side *= 2;
+    tile(0, 0, side, 0.0);
+    return std::move(image_);
+  }
+
+ private:
+  [[nodiscard]] Vector3d eye(double u, double v) const {
+    const double x = (u - 0.5 * view_.side_px) * pixel_m_;
+    const double y = (0.5 * view_.side_px - v) * pixel_m_;
+    return view_.center + x * right_ + y * view_.up - 2.0 * view_.width_m * view_.towards;
+  }
+
+  /// `gone_m`: no ray of the tile meets a solid before it.
+  void tile(int left, int top, int side, double gone_m) {
+    if (left >= view_.side_px || top >= view_.side_px) return;
+    if (side == 1) return pixel(left, top, gone_m);
+    const double reach_m = 0.5 * side * pixel_m_ * std::numbers::sqrt2;
+    const Vector3d from = eye(left + 0.5 * side, top + 0.5 * side);
+    for (int i = 0; i < kMostSteps; ++i) {
+      if (gone_m >= 4.0 * view_.width_m) return;
+      const double free_m = nearest(solids_, from + gone_m * view_.towards).at.m;
+      if (free_m < 1.05 * reach_m) break;
+      gone_m += std::sqrt(free_m * free_m - reach_m * reach_m);
+    }
+    const int half = side / 2;
+    for (int quarter = 0; quarter < 4; ++quarter)
+      tile(left + half * (quarter % 2), top + half * (quarter / 2), half, gone_m);
+  }
+
+  void pixel(int u, int v, double gone_m) {
+    const double on_m = 1e-4 * view_.width_m;
+    const Vector3d from = eye(u + 0.5, v + 0.5);
+    for (int i = 0; i < kMostSteps && gone_m < 4.0 * view_.width_m; ++i) {
+      const Met met = nearest(solids_, from + gone_m * view_.towards);
+      if (met.at.m <= on_m) return paint(u, v, met);
+      gone_m += met.at.m;
+    }
+  }
+
+  void paint(int u, int v, const Met& met) {
+    const double facing = std::max(0.0, -met.at.gradient.normalized().dot(view_.towards));
+    const auto first =
+        3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(view_.side_px) + static_cast<std::size_t>(u));
+    for (std::size_t i = 0; i < 3; ++i)
+      image_.rgb[first + i] =
+          static_cast<std::uint8_t>(std::lround(solids_[met.solid].rgb[i] * (kAmbient + (1.0 - kAmbient) * facing)));
+  }
+
+  std::span<const PaintedSolid> solids_;
+  const PictureView& view_;  // borrowed
+  Vector3d right_;
+  double pixel_m_;
+  ColorImage image_;
+};
 
 }  // namespace
 
 ColorImage picture_of(std::span<const PaintedSolid> solids, const PictureView& view) {
-  ColorImage image{.width = view.side_px, .height = view.side_px, .rgb = {}};
-  const Vector3d right = view.towards.cross(view.up);
-  const double pixel_m = view.width_m / view.side_px;
-  for (int v = 0; v < view.side_px; ++v)
-    for (int u = 0; u < view.side_px; ++u) {
-      const double x = (u + 0.5 - 0.5 * view.side_px) * pixel_m;
-      const double y = (0.5 * view.side_px - v - 0.5) * pixel_m;
-      const Vector3d eye = view.center + x * right + y * view.up - 2.0 * view.width_m * view.towards;
-      const auto rgb = seen_along(solids, eye, view);
-      image.rgb.insert(image.rgb.end(), rgb.begin(), rgb.end());
-    }
-  return image;
+  return Tracer(solids, view).trace();
 }
 
 }  // namespace telepalp::solids

@@ -17,8 +17,9 @@ using images::Rgb;
 constexpr int kSide_px = 512;
 constexpr int kSamples = 2;  // per pixel and axis, against jagged edges
 constexpr int kMargin_px = 16;
-constexpr int kTitle_px = 48;
+constexpr int kCanvas_px = kSide_px + 2 * kMargin_px;  // width
 constexpr int kLine_px = 22;
+constexpr int kSmallLine_px = 12;
 constexpr double kSkinOverObject = 0.2;  // share of the skin's colour in that of an object below it
 
 /// Colours that colour-blind people can tell apart (Okabe and Ito 2008).
@@ -92,13 +93,60 @@ std::vector<LegendLine> legend_of(const scenes::Scene& scene, const std::vector<
   return lines;
 }
 
-void draw_legend(ColorImage& canvas, const std::vector<LegendLine>& lines, int y) {
-  constexpr int kSwatch_px = 14;
-  for (const LegendLine& line : lines) {
+constexpr int kSwatch_px = 14;
+constexpr int kLegendLeft_px = kMargin_px + kSwatch_px + 8;
+
+/// The legend's text, broken into lines as wide as the canvas.
+std::vector<std::vector<std::string>> broken(const std::vector<LegendLine>& legend) {
+  std::vector<std::vector<std::string>> texts;
+  for (const LegendLine& line : legend)
+    texts.push_back(images::lines_of(line.text, kCanvas_px - kLegendLeft_px - kMargin_px, 2));
+  return texts;
+}
+
+void draw_legend(ColorImage& canvas, const std::vector<LegendLine>& legend, int y) {
+  const auto texts = broken(legend);
+  for (std::size_t i = 0; i < legend.size(); ++i) {
     images::fill(canvas, {kMargin_px, y, kSwatch_px, kSwatch_px}, kInk);
-    images::fill(canvas, {kMargin_px + 1, y + 1, kSwatch_px - 2, kSwatch_px - 2}, line.rgb);
-    images::write_text(canvas, kMargin_px + kSwatch_px + 8, y, line.text, kInk, 2);
+    images::fill(canvas, {kMargin_px + 1, y + 1, kSwatch_px - 2, kSwatch_px - 2}, legend[i].rgb);
+    for (const std::string& text : texts[i]) {
+      images::write_text(canvas, kLegendLeft_px, y, text, kInk, 2);
+      y += kLine_px;
+    }
+  }
+}
+
+int height_of_legend(const std::vector<LegendLine>& legend) {
+  std::size_t lines = 0;
+  for (const auto& texts : broken(legend)) lines += texts.size();
+  return kLine_px * static_cast<int>(lines);
+}
+
+/// The scene's name and purpose above the picture, in as many lines as they need.
+struct Title {
+  std::vector<std::string> name;
+  std::vector<std::string> purpose;
+
+  [[nodiscard]] int height_px() const {
+    return 8 + kLine_px * static_cast<int>(name.size()) + kSmallLine_px * static_cast<int>(purpose.size()) + 6;
+  }
+};
+
+Title title_of(const scenes::Scene& scene, const Directions& directions) {
+  const int width_px = kCanvas_px - 2 * kMargin_px;
+  return {images::lines_of(scene.name + ", " + directions.name, width_px, 2),
+          images::lines_of(scene.message.purpose(), width_px, 1)};
+}
+
+void draw_title(ColorImage& canvas, const Title& title) {
+  int y = 8;
+  for (const std::string& line : title.name) {
+    images::write_text(canvas, kMargin_px, y, line, kInk, 2);
     y += kLine_px;
+  }
+  for (const std::string& line : title.purpose) {
+    images::write_text(canvas, kMargin_px, y, line, kInk, 1);
+    y += kSmallLine_px;
   }
 }
 
@@ -121,12 +169,12 @@ ColorImage picture_of_scene(const scenes::Scene& scene, std::span<const SkinPoin
   draw_scale(picture, view);
   draw_directions(picture, directions);
   const std::vector<LegendLine> legend = legend_of(scene, objects, !skin.empty());
-  ColorImage canvas = blank(kSide_px + 2 * kMargin_px,
-                            kTitle_px + kSide_px + kMargin_px + kLine_px * static_cast<int>(legend.size()), kWhite);
-  images::write_text(canvas, kMargin_px, 8, scene.name + ", " + directions.name, kInk, 2);
-  images::write_text(canvas, kMargin_px, 30, scene.message.purpose(), kInk, 1);
-  place(canvas, picture, kMargin_px, kTitle_px);
-  draw_legend(canvas, legend, kTitle_px + kSide_px + kMargin_px / 2);
+  const Title title = title_of(scene, directions);
+  const int below_px = title.height_px() + kSide_px;
+  ColorImage canvas = blank(kCanvas_px, below_px + kMargin_px + height_of_legend(legend), kWhite);
+  draw_title(canvas, title);
+  place(canvas, picture, kMargin_px, title.height_px());
+  draw_legend(canvas, legend, below_px + kMargin_px / 2);
   return canvas;
 }
 

@@ -48,5 +48,16 @@ TEST(Lettering, LeavesOutDotsBeyondTheImageAndShowsOtherLettersAsOneQuestionMark
   EXPECT_EQ(drawn(umlaut), drawn(asked));
 }
 
+TEST(Lettering, BreaksLinesBetweenWordsAndWideWordsAnywhere) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(lines_of("skin of belly", 6 * 7, 1), (Lines{"skin of", "belly"}));
+  EXPECT_EQ(lines_of("skin", 6 * 4, 1), (Lines{"skin"}));
+  EXPECT_EQ(lines_of("", 60, 1), (Lines{""}));
+  EXPECT_EQ(lines_of("a sternocleid", 6 * 5, 1), (Lines{"a", "stern", "oclei", "d"}));
+  EXPECT_EQ(lines_of("\xc3\xbc\xc3\xbc\xc3\xbc", 6 * 2, 1), (Lines{"\xc3\xbc\xc3\xbc", "\xc3\xbc"}))
+      << "no letter is cut in two";
+  EXPECT_EQ(lines_of("ab", 1, 1), (Lines{"a", "b"})) << "a line has a letter, however narrow it is";
+}
+
 }  // namespace
 }  // namespace telepalp::images
