@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "messages/scene.pb.h"
 #include "proto/words/error_line.h"
@@ -59,10 +60,16 @@ class FieldCheck {
   /// Records an error about the message that in() named.
   void complain(std::string what, std::string fix) { complain(std::move(what), std::move(fix), place()); }
 
+  /// Adds a warning: a valid value that is hardly meant.
+  void warn(std::string what, std::string fix, std::string where) {
+    warnings_.push_back({.what = std::move(what), .where = std::move(where), .fix = std::move(fix)});
+  }
+
   /// Place of the message that in() named; the file's name alone before the first in().
   [[nodiscard]] std::string place() const { return part_ == nullptr ? file_ : places_.where(file_, *part_); }
 
   [[nodiscard]] const std::optional<Error>& error() const noexcept { return error_; }
+  [[nodiscard]] const std::vector<Error>& warnings() const noexcept { return warnings_; }
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   [[nodiscard]] const program::NumberPlaces& places() const noexcept { return places_; }
 
@@ -74,6 +81,7 @@ class FieldCheck {
   program::NumberPlaces places_;
   const google::protobuf::Message* part_ = nullptr;  // borrowed
   std::optional<Error> error_;
+  std::vector<Error> warnings_;
 };
 
 /// Reads three numbers of one range; a number out of range is read as 0. `field`: their common name, for errors.

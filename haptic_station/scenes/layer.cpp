@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "haptic_station/organs/organ_shape.h"
+#include "haptic_station/scenes/layer_warnings.h"
 #include "haptic_station/scenes/solid_text.h"
 #include "haptic_station/solids/polish.h"
 
@@ -143,6 +144,7 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
     check.complain("the layer has no name", "give the effect solid a name, as in name: \"ribs\"");
   if (check.error()) return effects::Solid(settings);
   Result<solids::Solid> solid = tree_of(message, check, folder);
+  if (solid) warn_about_solid(check, message, *solid);
   if (solid && message.has_haptic_from_solid()) solid = placed(message.haptic_from_solid(), std::move(solid).value());
   const auto tree =
       solid ? solids::build_tree(*solid) : Result<std::shared_ptr<const solids::SolidTree>>(solid.error());

@@ -4,6 +4,7 @@
 
 #include "haptic_station/scenes/field_check.h"
 #include "haptic_station/scenes/read_effects.h"
+#include "haptic_station/scenes/scene_warnings.h"
 #include "support/program/files/shipped.h"
 #include "support/program/text_format.h"
 
@@ -122,10 +123,9 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
   scene.message = message;
   scene.name = message.name().empty() ? name.stem().string() : message.name();
   if (!message.has_haptic_from_camera())
-    check.complain(
-        "haptic_from_camera is missing",
-        "give the pose of the camera in the haptic base's frame; an example is in palpation.scene.textproto, one "
-        "of the scenes that telepalp installs");
+    check.complain("haptic_from_camera, the pose of the camera in the haptic base's frame, is missing",
+                   "for a camera 0.8 m above the patient that looks straight down, add haptic_from_camera { "
+                   "translation_m { y: 0.8 } rotation_vector_rad { x: 1.5708 } }");
   scene.haptic_from_camera.iso = read_transform(check, "haptic_from_camera", message.haptic_from_camera());
   scene.center_on_surface = message.center_on_surface();
   read_model(check, message.patient_surface(), name.parent_path());
@@ -141,6 +141,8 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
   read_probe(check, message, scene);
   read_simulation(check, message, name.parent_path(), scene);
   if (check.error()) return *check.error();
+  warn_about_scene(check, message, scene);
+  scene.warnings = check.warnings();
   return scene;
 }
 

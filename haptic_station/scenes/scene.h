@@ -51,6 +51,7 @@ struct Scene {
   std::optional<std::filesystem::path> hand_trace;  ///< file of a recorded hand, which replaces the trial
   double trace_deepest_m = 0.04;                    ///< how far the recorded hand's lowest point is below H's origin
   msg::Scene message;
+  std::vector<Error> warnings;  ///< what is valid and yet hardly meant, such as a ball 5 m away
 
   /// The solids of `layers`.
   [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;

@@ -19,7 +19,7 @@ Node node(std::string_view word, std::array<double, 7> numbers) {
 SceneObject object(std::string name, const Solid& solid) {
   auto tree = solids::build_tree(solid);
   demand(tree.ok(), "the numbers of a scene are checked when it is read");
-  return {std::move(name), std::move(tree).value()};
+  return {.name = std::move(name), .tree = std::move(tree).value()};
 }
 
 SceneObject cylinder(const msg::CylinderEffect& message) {
@@ -62,13 +62,15 @@ std::vector<SceneObject> objects_of(const Scene& scene) {
   for (int i = 0; i < scene.message.effects_size(); ++i) {
     const msg::Effect& effect = scene.message.effects(i);
     const auto index = static_cast<std::uint32_t>(i);
+    const std::size_t before = objects.size();
     if (effect.has_cylinder()) objects.push_back(cylinder(effect.cylinder()));
     if (effect.has_sphere()) objects.push_back(sphere(effect.sphere()));
     for (const msg::RegionsEffect::Region& given : effect.regions().region()) objects.push_back(region(given));
     for (const SceneOrgan& given : scene.organs)
       if (given.effect == index) objects.push_back(organ(given));
     for (const SceneLayer& layer : scene.layers)
-      if (layer.effect == index) objects.push_back({layer.solid->name, layer.solid->tree});
+      if (layer.effect == index) objects.push_back({.name = layer.solid->name, .tree = layer.solid->tree});
+    for (std::size_t k = before; k < objects.size(); ++k) objects[k].effect = index;
   }
   return objects;
 }

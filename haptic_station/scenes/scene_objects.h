@@ -13,6 +13,7 @@ namespace telepalp::scenes {
 struct SceneObject {
   std::string name;
   std::shared_ptr<const solids::SolidTree> tree;  // of a layer: shared with its effect
+  std::uint32_t effect = 0;                       ///< index of its effect in Scene::effects
 };
 
 /// The objects of the scene for pictures, in the order of the effects: layers, cylinders, spheres, organs, and the

@@ -114,6 +114,7 @@ Result<scenes::Scene> read_calibrated(const std::filesystem::path& scene_file, c
 
 int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene_file, bool anyway) {
   if (!scene) return program::fail(scene.error());
+  station::print_warnings(*scene);
   const Result<station::SceneParts> parts = station::read_parts(*scene, scene_file, anyway);
   if (!parts) return program::fail(parts.error());
   const std::optional<station::StaticPatient>& model = parts->model;
@@ -141,6 +142,7 @@ Result<station::LoadedScene> load(const std::filesystem::path& scene_file, const
                                   bool anyway) {
   Result<scenes::Scene> scene = read_calibrated(scene_file, arguments);
   if (!scene) return scene.error();
+  station::print_warnings(*scene);
   Result<station::SceneParts> parts = station::read_parts(*scene, scene_file, anyway);
   if (!parts) return parts.error();
   return station::LoadedScene{std::move(scene).value(), std::move(parts).value()};

@@ -218,6 +218,7 @@ int scene_command(int argc, const char* const* argv) {
     return program::fail(options.error(), program::kAskedWrongly);
   const Result<ReadScene> scene = read_scene_named(words.back());
   if (!scene) return program::fail(scene.error());
+  print_warnings(scene->scene);
   const Result<void> done = task->run(*scene, arguments);
   return done ? program::kDone : program::fail(done.error());
 }

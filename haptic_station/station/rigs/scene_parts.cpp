@@ -1,5 +1,10 @@
 #include "haptic_station/station/rigs/scene_parts.h"
 
+#include <cstdio>
+
+#include "support/program/log.h"
+#include "support/program/terminal.h"
+
 namespace telepalp::station {
 
 Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file, bool anyway) {
@@ -20,6 +25,13 @@ Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem:
     parts.model = std::move(model).value();
   }
   return parts;
+}
+
+void print_warnings(const scenes::Scene& scene) {
+  const bool colour = program::takes_colour(stderr);
+  for (const Error& warning : scene.warnings)
+    std::fprintf(stderr, "%swarning:%s %s\n", colour ? "\x1b[33m" : "", colour ? "\x1b[0m" : "",
+                 program::escaped(to_string(warning)).c_str());
 }
 
 std::string validity_in_words(const scenes::Scene& scene) {

@@ -23,6 +23,9 @@ struct SceneParts {
 [[nodiscard]] Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file,
                                             bool anyway);
 
+/// Prints the scene's warnings to stderr, each on one line: `warning: FILE:LINE:COLUMN: WHAT. fix: FIX`.
+void print_warnings(const scenes::Scene& scene);
+
 /// "palpation: the scene is valid; PURPOSE; effects: skin, cylinder", without a line break.
 [[nodiscard]] std::string validity_in_words(const scenes::Scene& scene);
 

@@ -13,7 +13,8 @@ namespace telepalp::station {
 namespace {
 
 /// Line 1; the layer that is tested begins on line 2.
-const std::string kBegin = "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\n";
+const std::string kBegin =
+    "haptic_from_camera { translation_m { y: 0.8 } rotation_vector_rad { x: 1.5708 } } effects { skin {} }\n";
 
 class BadScene : public ::testing::Test {
  protected:
@@ -119,7 +120,7 @@ TEST_F(BadScene, TwoLayersOfTheSameNameAreRefused) {
   const std::string ball = "polish: \"sphere 1\"";
   expect_place(said_about_layer(ball + "} }\neffects { solid { name: \"ribs\" " + ball),
                ":3:11: ", "an earlier layer has the name ribs");
-  EXPECT_EQ(said_about_layer(ball + "} }\neffects { solid { name: \"liver\" " + ball), "");
+  EXPECT_EQ(said_about_layer(ball + "} }\neffects { solid { name: \"liver\" polish: \"sphere 0.9\""), "");
 }
 
 TEST_F(BadScene, ATransformThatShearsOrMirrorsIsRefused) {
@@ -175,7 +176,7 @@ struct DecimalComma : std::numpunct<char> {
 TEST_F(BadScene, ADecimalCommaIsRefusedAndADecimalPointReadInEveryLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
   (void)std::setlocale(LC_ALL, "de_DE.UTF-8");  // fails on a computer without it; the C++ locale remains
-  const std::string point = said_about_layer("polish: \"sphere 0.5\" stiffness_N_per_m: 0.5");
+  const std::string point = said_about_layer("polish: \"sphere 0.5\" stiffness_N_per_m: 12.5");
   const std::string range = said_about_layer("polish: \"sphere 0.5\"\nstiffness_N_per_m: -0.5");
   std::setlocale(LC_ALL, "C");
   std::locale::global(before);

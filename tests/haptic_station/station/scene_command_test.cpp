@@ -16,7 +16,7 @@ namespace telepalp::station {
 namespace {
 
 const std::string kScenes = TELEPALP_SOURCE_DIR "/haptic_station/scenes/";
-const std::string kCamera = "haptic_from_camera { translation_m { y: 0.8 } } ";
+const std::string kCamera = "haptic_from_camera { translation_m { y: 0.8 } rotation_vector_rad { x: 1.5708 } } ";
 const std::string kMass = kScenes + "mass-search.scene.textproto";
 
 struct Outcome {
