@@ -27,7 +27,7 @@ Boxes halved(const Field& field, Boxes boxes) {
     for (int half = 0; half < 2; ++half) {
       AlignedBox3d part = box;
       (half == 0 ? part.max() : part.min())[axis] = box.center()[axis];
-      const double m = field.at(part.center()).m;
+      const double m = field.m_at(part.center());
       if (std::abs(m) <= 0.5 * field.steepest * part.diagonal().norm())
         kept.push_back(part);
       else if (m < 0.0)
@@ -47,7 +47,7 @@ Volume sampled(const Field& field, const Boxes& boxes) {
     int inside = 0;
     for (int i = 0; i < kPoints; ++i) {
       const Vector3d at(share(random), share(random), share(random));
-      inside += field.at(box.min() + at.cwiseProduct(box.sizes())).m < 0.0 ? 1 : 0;
+      inside += field.m_at(box.min() + at.cwiseProduct(box.sizes())) < 0.0 ? 1 : 0;
     }
     const double part = static_cast<double>(inside) / kPoints;
     volume.m3 += part * box.volume();

@@ -29,6 +29,9 @@ struct Field {
   std::function<FieldAt(const Eigen::Vector3d&)> at;
   double steepest = 1.0;
   std::vector<Feature> features{};
+  std::function<double(const Eigen::Vector3d&)> value{};  ///< at().m alone, if that costs less
+
+  [[nodiscard]] double m_at(const Eigen::Vector3d& point) const { return value ? value(point) : at(point).m; }
 };
 
 /// Where and how finely the surface is looked for.

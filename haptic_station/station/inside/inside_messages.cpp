@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostPoints = 36'000;  // of all layers: 0.65 MB, drawn by any computer
 constexpr double kFinestGrid_m = 0.002;
-constexpr double kCellsPerGrid = 0.6;  // side of a marching cube / side of a grid cell; below 1, so that no hole opens
+constexpr double kCellsPerGrid = 0.6;  // side of a cube of the surface / side of a grid cell; below 1, so that no hole opens
 constexpr int kJpegQuality = 80;
 
 void append_u16(std::string& bytes, std::uint32_t value) {

@@ -19,7 +19,7 @@ struct InnerSurfaces {
   std::vector<std::string> left_out;  ///< layers that are not drawn: "layer liver: the solid has no bounds …"
 };
 
-/// The surfaces of the layers by marching cubes, thinned to one point in each cell of a grid; each point is then moved
+/// The surfaces of the layers by dual contouring, thinned to one point in each cell of a grid; each point is then moved
 /// onto the layer's surface. A layer's cells grow until it has at most its equal share of 36 000 points. A layer
 /// without bounds or surface, or with too many points after six attempts, is left out. Blocks for up to some seconds.
 [[nodiscard]] InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers);

@@ -5,7 +5,7 @@ namespace telepalp::isosurface {
 const FieldAt& Sampler::at(const Eigen::Vector3i& node) {
   if (known_.size() >= kMost) known_ = {};
   const auto [found, added] = known_.insert(key_of(node));
-  if (added) *found = field_.at(lattice_.at(node));
+  if (added) *found = gradients_ ? field_.at(lattice_.at(node)) : FieldAt{.m = field_.m_at(lattice_.at(node))};
   return *found;
 }
 

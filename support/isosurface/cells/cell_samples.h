@@ -29,7 +29,9 @@ struct CellSamples {
 /// Samples a field and remembers up to kMost samples, which neighbouring cells share.
 class Sampler {
  public:
-  Sampler(const Field& field, const Lattice& lattice) : field_(field), lattice_(lattice) {}
+  /// `gradients`: false: the samples' gradients are zero.
+  Sampler(const Field& field, const Lattice& lattice, bool gradients)
+      : field_(field), lattice_(lattice), gradients_(gradients) {}
 
   [[nodiscard]] const FieldAt& at(const Eigen::Vector3i& node);
   [[nodiscard]] CellSamples of_cell(const Eigen::Vector3i& low, int side);
@@ -38,6 +40,7 @@ class Sampler {
   static constexpr std::size_t kMost = 500'000;
   const Field& field_;      // borrowed
   const Lattice& lattice_;  // borrowed
+  bool gradients_;
   KeyMap<FieldAt> known_;
 };
 

@@ -17,7 +17,11 @@ using Features = std::vector<const Feature*>;
 class Refiner {
  public:
   Refiner(const Field& field, const Grid& grid, const Lattice& lattice)
-      : field_(field), grid_(grid), lattice_(lattice), sampler_(field, lattice), out_{.tree = CellTree(lattice)} {}
+      : field_(field),
+        grid_(grid),
+        lattice_(lattice),
+        sampler_(field, lattice, grid.examine),
+        out_{.tree = CellTree(lattice)} {}
 
   bool run(const Vector3i& cells) {
     cells_in_all_ = cells.cast<double>().prod();
@@ -43,7 +47,7 @@ class Refiner {
   bool block(const Vector3i& low, const Vector3i& high, const Features& features) {
     const int side = lattice_.side(0);
     const Eigen::AlignedBox3d box = box_of(side * low, side * high);
-    if (std::abs(field_.at(box.center()).m) > 0.5 * field_.steepest * box.diagonal().norm()) return done(low, high);
+    if (std::abs(field_.m_at(box.center())) > 0.5 * field_.steepest * box.diagonal().norm()) return done(low, high);
     const Features near = within(features, box);
     int axis = 0;
     const int longest = (high - low).maxCoeff(&axis);

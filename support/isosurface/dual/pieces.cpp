@@ -98,7 +98,7 @@ class Joiner {
       return std::atan2(from[v], from[u]);
     };
     std::ranges::sort(sides, {}, angle);
-    const bool middle_inside = field_.at(face.middle).m < 0.0;
+    const bool middle_inside = field_.m_at(face.middle) < 0.0;
     const Vector3d from = from_middle(sides[0]);
     const Vector3d& outwards = polygons_[sides[0].number / 4].outwards;
     const bool then_outside = from[u] * outwards[v] - from[v] * outwards[u] > 0.0;

@@ -16,22 +16,17 @@ Plane crossing_of(const Field& field, const Vector3d& inside, const Vector3d& ou
   const Vector3d along = outside - inside;
   const double close_m = kOnSurface * along.norm();
   double low = 0.0, high = 1.0;
-  double low_m = field.at(inside).m, high_m = field.at(outside).m;
+  double low_m = field.m_at(inside), high_m = field.m_at(outside);
   double share = 0.5;
-  FieldAt at;
   for (int round = 0; round < kMostRounds; ++round) {
     share = low - low_m * (high - low) / (high_m - low_m);
-    at = field.at(inside + share * along);
-    if (std::abs(at.m) <= close_m) break;
-    (at.m < 0.0 ? low : high) = share;
-    if (at.m < 0.0) {
-      low_m = at.m;
-      high_m *= 0.5;
-    } else {
-      high_m = at.m;
-      low_m *= 0.5;
-    }
+    const double m = field.m_at(inside + share * along);
+    if (std::abs(m) <= close_m) break;
+    (m < 0.0 ? low : high) = share;
+    (m < 0.0 ? low_m : high_m) = m;
+    (m < 0.0 ? high_m : low_m) *= 0.5;
   }
+  FieldAt at = field.at(inside + share * along);
   constexpr double kTie = 0.3;  // a shorter gradient: opposite parts of the solid give the value together
   if (at.gradient.norm() < kTie) at = field.at(inside + (share + 1e-3) * along);
   const double slope = at.gradient.norm();
