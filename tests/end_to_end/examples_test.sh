@@ -58,6 +58,7 @@ cp "$source_dir/deploy/demo_data/calibration/pairs.csv" pairs.csv
 cp "$source_dir/deploy/demo_data/oni/3dj_test.oni" recording.oni
 cp "$source_dir/tests/data/pcd/person.pcd" torso.pcd
 cp "$source_dir/tests/data/images_rgb_depth/depth/$(ls "$source_dir/tests/data/images_rgb_depth/depth" | head -n 1)" frame.png
+awk '/^```textproto/ {inside = 1; next} /^```/ {inside = 0} inside' "$source_dir/docs/scenes.md" >my.scene.textproto
 cat >camera.textproto <<'CAMERA'
 depth { fx: 525 fy: 525 cx: 319.5 cy: 239.5 width: 640 height: 480 }
 depth_unit_m: 0.001
