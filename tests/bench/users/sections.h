@@ -17,4 +17,7 @@ namespace telepalp::bench {
 /// Whether verify and repair of telepalp-record say so when a session is damaged.
 [[nodiscard]] Result<std::vector<Row>> run_records_section(const UsersPlace& place);
 
+/// Whether `telepalp-station scene mesh` gives the right mesh of solids that are known from geometry, or refuses them.
+[[nodiscard]] Result<std::vector<Row>> run_solids_section(const UsersPlace& place);
+
 }  // namespace telepalp::bench

@@ -13,6 +13,7 @@ const std::vector<UsersSection> kSections{
     {"page", "a server that is silent, and a played session that is moved image by image", run_page_section},
     {"layout", "the patient's share of the page", run_layout_section},
     {"records", "damaged sessions, and whether verify and repair say so", run_records_section},
+    {"solids", "meshes of twenty solids that are known from geometry", run_solids_section},
 };
 
 Result<std::vector<UsersSection>> sections_of(const program::Arguments& arguments) {
