@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "haptic_station/tracking/hand_axes.h"
+#include "proto/words/number_word.h"
 
 namespace telepalp::tracking {
 namespace {
@@ -49,14 +49,10 @@ Columns find_columns(std::string_view header) {
   return columns;
 }
 
-/// The field as a finite number. from_chars ignores the locale, so a comma is never a decimal point.
+/// The field as a finite number.
 std::optional<double> number(const std::vector<std::string_view>& row, std::optional<std::size_t> column) {
   if (!column || *column >= row.size()) return std::nullopt;
-  const std::string_view text = row[*column];
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  return finite_number_of(row[*column]);
 }
 
 struct ParsedRow {

@@ -1,7 +1,8 @@
 #include "server/pipeline/depth_options.h"
 
-#include <charconv>
 #include <optional>
+
+#include "proto/words/number_word.h"
 
 namespace telepalp::pipeline {
 namespace {
@@ -13,11 +14,8 @@ std::string option_name(std::string_view option) { return "--" + std::string(opt
 
 /// Parses a number from 0 to `most`; nullopt for any other text.
 std::optional<double> read_mm(std::string_view text, double most) {
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size() || !(value >= 0.0) || !(value <= most))
-    return std::nullopt;
-  return value;
+  const std::optional<double> value = number_of(text);
+  return value && *value >= 0.0 && *value <= most ? value : std::nullopt;
 }
 
 }  // namespace

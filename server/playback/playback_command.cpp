@@ -1,10 +1,10 @@
 #include "server/playback/playback_command.h"
 
 #include <boost/algorithm/string.hpp>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "proto/words/number_word.h"
 #include "support/program/message_json.h"
 
 namespace telepalp::playback {
@@ -17,18 +17,11 @@ constexpr const char* kExample = "send JSON such as {\"seek_s\": 12.5, \"speed\"
 
 Error wrong(std::string what) { return {.what = std::move(what), .where = "playback", .fix = kExample}; }
 
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 bool is_speed(double speed) { return speed >= kSlowest && speed <= kFastest; }
 bool is_position(double seconds) { return seconds >= 0.0 && seconds <= kLongest_s; }
 
 bool set(PlaybackSpec& spec, std::string_view key, std::string_view value) {
-  const std::optional<double> given = number(value);
+  const std::optional<double> given = number_of(value);
   if (key == "from_s" && given && is_position(*given)) {
     spec.from_s = *given;
   } else if (key == "speed" && given && is_speed(*given)) {

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
+
+#include "proto/words/number_word.h"
 
 namespace telepalp::models {
 
@@ -43,11 +44,7 @@ class TextCursor {
 
   template <class Number>
   static std::optional<Number> number(std::string_view word) noexcept {
-    Number value{};
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    return value;
+    return signed_number_of<Number>(word);
   }
 
  private:

@@ -1,11 +1,11 @@
 #include "haptic_station/solids/polish.h"
 
-#include <charconv>
 #include <fstream>
 #include <sstream>
 
 #include "haptic_station/solids/text/rigid_matrix.h"
 #include "haptic_station/solids/text/tokens.h"
+#include "proto/words/number_word.h"
 
 namespace telepalp::solids {
 namespace {
@@ -58,9 +58,10 @@ class PolishReader {
                                                         " of " + std::string(missing.of);
     const std::string found = "expected " + wanted + ", found " + quoted(token.text);
     if (token.text.starts_with("...")) return error(token, found, "write out the solids that the dots stand for");
-    if (missing.of == "sc" && number_of(token.text))
+    if (missing.of == "sc" && signed_number_of(token.text))
       return error(token, found, "give sc one number, which scales all three axes alike");
-    if (number_of(token.text)) return error(token, found, "remove the number, or put a word such as sphere before it");
+    if (signed_number_of(token.text))
+      return error(token, found, "remove the number, or put a word such as sphere before it");
     return error(token, found, "use one of: " + all_words());
   }
 
@@ -107,7 +108,7 @@ class PolishReader {
 
   Result<double> read_number(std::string_view of, std::string_view kind, Token& place) {
     place = tokens_.next();
-    if (const auto value = number_of(place.text)) return *value;
+    if (const auto value = signed_number_of(place.text)) return *value;
     const std::string wanted = "expected " + std::string(kind) + " of " + std::string(of);
     const bool comma = place.text.find(',') != std::string_view::npos;
     return error(place, wanted + ", found " + quoted(place.text),

@@ -1,7 +1,5 @@
 #include "haptic_station/solids/text/tokens.h"
 
-#include <charconv>
-
 namespace telepalp::solids {
 namespace {
 
@@ -36,14 +34,6 @@ Token Tokens::next() noexcept {
   while (at_ < text_.size() && !is_space(text_[at_]) && text_[at_] != '#') advance();
   token.text = text_.substr(first, at_ - first);
   return token;
-}
-
-std::optional<double> number_of(std::string_view word) noexcept {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
 }
 
 }  // namespace telepalp::solids

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,8 +28,5 @@ class Tokens {
   int line_ = 1;
   int column_ = 1;
 };
-
-/// The number that the whole word spells, with a decimal point in every locale; nullopt: the word is not a number.
-[[nodiscard]] std::optional<double> number_of(std::string_view word) noexcept;
 
 }  // namespace telepalp::solids

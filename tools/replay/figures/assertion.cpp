@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <utility>
+
+#include "proto/words/number_word.h"
 
 namespace telepalp::replay {
 namespace {
@@ -56,11 +57,12 @@ Result<Assertion> parse_one(std::string_view text) {
   if (assertion.metric == nullptr) return unknown_metric(name);
   assertion.comparison = text[at] == '<' ? (or_equal ? Comparison::AtMost : Comparison::Less)
                                          : (or_equal ? Comparison::AtLeast : Comparison::More);
-  const auto [end, code] = std::from_chars(limit.data(), limit.data() + limit.size(), assertion.limit);
-  if (code != std::errc{} || end != limit.data() + limit.size() || !std::isfinite(assertion.limit))
+  const std::optional<double> number = finite_number_of(limit);
+  if (!number)
     return Error{.what = "'" + std::string(limit) + "' in '" + std::string(text) + "' is not a number",
                  .where = kWhere,
                  .fix = "give a finite number after the comparison"};
+  assertion.limit = *number;
   return assertion;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "proto/words/number_word.h"
 #include "tools/replay/words/network_options.h"
 #include "tools/replay/words/words.h"
 
@@ -54,19 +54,12 @@ Error refused(std::string_view word, const std::string& what) {
                  axis_names()};
 }
 
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// The numbers in `text`, which `separator` divides; nullopt if one of the parts is not a number.
 std::optional<std::vector<double>> numbers(std::string_view text, char separator) {
   std::vector<double> values;
   for (std::string_view rest = text; values.size() <= kMostValues;) {
     const std::size_t end = rest.find(separator);
-    const std::optional<double> value = number(rest.substr(0, end));
+    const std::optional<double> value = finite_number_of(rest.substr(0, end));
     if (!value) return std::nullopt;
     values.push_back(*value);
     if (end == std::string_view::npos) return values;

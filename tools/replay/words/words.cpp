@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
+
+#include "proto/words/number_word.h"
 
 namespace telepalp::replay {
 namespace {
@@ -14,13 +15,6 @@ constexpr std::array<std::string_view, 3> kHandScripts{"examine", "tap", "search
 constexpr std::size_t kMostWindows = 64;
 constexpr double kLongest_s = 86400.0;
 constexpr double kFarthest_mm = 1000.0;
-
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 Error refused(std::string_view text, std::string_view option, std::string_view form) {
   return {.what = "'" + std::string(text) + "' is not valid",
@@ -71,7 +65,7 @@ Result<WindowWithValue> parse_with_value(std::string_view text, std::string_view
 
 Result<double> parse_share(std::string_view text, std::string_view option) {
   const bool percent = text.ends_with('%');
-  const std::optional<double> value = number(percent ? text.substr(0, text.size() - 1) : text);
+  const std::optional<double> value = finite_number_of(percent ? text.substr(0, text.size() - 1) : text);
   const double share = value ? (percent ? *value / 100.0 : *value) : -1.0;
   if (share < 0.0 || share > 1.0) return refused(text, option, "a share from 0% to 100%, such as 5% or 0.05");
   return share;
@@ -80,7 +74,7 @@ Result<double> parse_share(std::string_view text, std::string_view option) {
 Result<Nanoseconds> parse_span(std::string_view text, std::string_view option) {
   const bool milliseconds = text.ends_with("ms");
   const std::size_t unit = milliseconds ? 2 : (text.ends_with('s') ? 1 : 0);
-  const std::optional<double> value = number(text.substr(0, text.size() - unit));
+  const std::optional<double> value = finite_number_of(text.substr(0, text.size() - unit));
   const double span_s = value ? *value * (milliseconds ? 1e-3 : 1.0) : kLongest_s + 1.0;
   if (unit == 0 || std::abs(span_s) > kLongest_s)
     return refused(text, option, "a time of at most 86400s, such as 500ms or 1.5s");
@@ -105,7 +99,7 @@ Result<std::vector<EncoderGlitch>> parse_glitches(std::string_view text, std::st
   const Result<void> parsed = for_each_part(text, option, [&](std::string_view part) -> Result<void> {
     const Result<WindowWithValue> glitch = parse_with_value(part, option, kForm);
     if (!glitch) return glitch.error();
-    const std::optional<double> off_mm = number(glitch->value);
+    const std::optional<double> off_mm = finite_number_of(glitch->value);
     if (!off_mm || std::abs(*off_mm) > kFarthest_mm) return refused(part, option, kForm);
     glitches.push_back({glitch->window, *off_mm * 1e-3});
     return {};

@@ -1,20 +1,14 @@
 #include "server/capture/synthetic/source/synthetic_spec.h"
 
-#include <charconv>
 #include <optional>
 #include <string_view>
+
+#include "proto/words/number_word.h"
 
 namespace telepalp::capture {
 namespace {
 
 constexpr double kMm = 0.001;
-
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 bool set_switch(std::string_view text, bool& target) {
   if (text != "on" && text != "off") return false;
@@ -24,7 +18,7 @@ bool set_switch(std::string_view text, bool& target) {
 
 /// Sets `target` when `text` is a number of `unit` within the bounds, given in `unit`.
 bool set_number(std::string_view text, double least, double most, double unit, double& target) {
-  const std::optional<double> value = number(text);
+  const std::optional<double> value = number_of(text);
   if (!value || !(*value >= least && *value <= most)) return false;
   target = *value * unit;
   return true;
@@ -40,8 +34,9 @@ bool set_noise(std::string_view text, SyntheticSettings& settings) {
 }
 
 bool set_seed(std::string_view text, std::uint64_t& seed) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  return code == std::errc{} && end == text.data() + text.size();
+  const std::optional<std::uint64_t> value = number_of<std::uint64_t>(text);
+  if (value) seed = *value;
+  return value.has_value();
 }
 
 bool set_motion(std::string_view text, SyntheticSettings& settings) {
@@ -53,7 +48,7 @@ bool set_motion(std::string_view text, SyntheticSettings& settings) {
 /// Sets a Kinect's camera with this many columns, the same field of view, and the aspect ratio 4:3.
 bool set_width(std::string_view text, SyntheticSettings& settings) {
   constexpr double kMostWidth = 640.0;
-  const std::optional<double> width = number(text);
+  const std::optional<double> width = number_of(text);
   if (!width || (*width != 160.0 && *width != 320.0 && *width != kMostWidth)) return false;
   const Intrinsics whole = SyntheticSettings{}.camera;
   const double share = *width / kMostWidth;
