@@ -89,7 +89,7 @@ TEST(Page, ItsCommitsExist) {
   if (!std::filesystem::exists(TELEPALP_SOURCE_DIR "/.git")) GTEST_SKIP() << "not a checkout";
   std::ifstream in(TELEPALP_SOURCE_DIR "/docs/accuracy.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
-  const std::regex words(", at commit ([0-9a-f]{8,40})");
+  const std::regex words(", at commit ([0-9a-f]{7,40})");
   int commits = 0;
   for (std::sregex_iterator at(page.begin(), page.end(), words), end; at != end; ++at, ++commits) {
     const std::string known = "git -C " TELEPALP_SOURCE_DIR " cat-file -e " + (*at)[1].str() + "^{commit} 2>&1";
