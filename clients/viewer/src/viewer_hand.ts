@@ -72,6 +72,7 @@ export class ViewerHandInput {
     for (const moved of ['pointermove', 'pointerdown', 'pointerup'] as const)
       canvas.addEventListener(moved, ({clientX, clientY, buttons}) => {
         this.pointer = {x: clientX, y: clientY, press: (buttons & 1) === 1 ? 1 : 0};
+        if (this.pointer.press === 0) this.pressEnded = false;  // also when it is down again before the next step
       });
     for (const gone of ['pointerleave', 'pointercancel'] as const)
       canvas.addEventListener(gone, () => (this.pointer = undefined));

@@ -14,7 +14,8 @@ import {forcesOf, type Instant, type Light} from './present/instant';
 import {accountFor, type FrameTimes, type TimeAccount, total_ms, WorstOfSecond} from './present/time_account';
 
 const UNTAKEN_MS = 2500;
-const STALE_MS = 1000;   // an older picture is stale, also on a path with longer gaps
+const STALE_MS = 1000;   // a picture that is older by this than its path always needs is stale; on an irregular path, by more
+const DRAWING_MS = 400;  // to decode and draw without a graphics card
 const SILENT_MS = 850;   // a station that sent nothing for this long counts as gone; the page shows it within 1 s
 const OLD_NUMBERS_MS = 250;
 const UNSTEADY_MS = 2000;
@@ -128,7 +129,7 @@ export class ViewerState {
     const silence_ms = !connected || rests || news?.silentSince_ms === undefined ? undefined : now_ms - news.silentSince_ms;
     const picture_ms = this.pictureAge_ms(now_ms);
     const age_ms = account === undefined ? picture_ms : total_ms(account);
-    const stale = connected && !rests && age_ms !== undefined && (silence_ms !== undefined || age_ms > STALE_MS);
+    const stale = connected && !rests && age_ms !== undefined && (silence_ms !== undefined || age_ms > oldestFresh_ms(news));
     const station_ms = news?.stationHeard_ms === undefined ? undefined : now_ms - news.stationHeard_ms;
     const presence = presenceOf(news, now_ms);
     return {
@@ -234,6 +235,10 @@ export class ViewerState {
     return accountFor({shown, next: this.coming?.times ?? newer, heard}, now_ms);
   }
 }
+
+/** The greatest age of a picture that its path explains: what each image needs, and what some wait for a lost packet. */
+const oldestFresh_ms = (news: News | undefined) =>
+    (news?.leastAge_ms ?? 0) + Math.max(STALE_MS, (news?.silenceLimit_ms ?? 0) + DRAWING_MS);
 
 /** It is not known who is here while the server is silent. */
 function presenceOf(news: News | undefined, now_ms: number): Presence {

@@ -7,6 +7,7 @@ import {bundled} from './bundled.mjs';
 import {imageArrivals, watchWith} from './image_arrivals.mjs';
 
 const {ImageGaps} = await bundled('link/image_gaps.ts');
+const {LeastAge} = await bundled('link/least_age.ts');
 const {SilenceWatch} = await bundled('link/silence_watch.ts');
 const arrivals = process.argv[4];
 
@@ -98,4 +99,13 @@ test('a page that was held up looks again once the waiting images have been read
   assert.equal(seen.due_ms, 21_010, 'behind the messages that have arrived');
   image(21_005);
   assert.deepEqual(seen.marks, []);
+});
+
+test('the delay of a path is the least of a minute: a queue does not raise it, another path does', () => {
+  const least = new LeastAge();
+  assert.equal(least.value_ms, 0);
+  for (let at_ms = 0; at_ms < 20_000; at_ms += 33) least.note(20 + at_ms / 10, at_ms);
+  assert.equal(least.value_ms, 20);
+  for (let at_ms = 20_000; at_ms < 90_000; at_ms += 33) least.note(330, at_ms);
+  assert.equal(least.value_ms, 330);
 });

@@ -138,6 +138,10 @@ test('the last picture of a recording that has ended stays as it is', () => {
   assert.equal(page({capture: {state: 4, source: 'a.oni'}}).read(60_000).stale, false);
 });
 
-test('a picture of more than a second is stale, however regular its images are', () => {
+test('a picture is stale that is a second older than its path always needs, however regular its images are', () => {
   assert.equal(page().read(2100).stale, true);
+  const far = page({leastAge_ms: 330, silenceLimit_ms: 270});
+  assert.deepEqual([far.read(2300).stale, far.read(2400).stale], [false, true]);
+  const lossy = page({leastAge_ms: 330, silenceLimit_ms: 850});
+  assert.deepEqual([lossy.read(2550).stale, lossy.read(2650).stale], [false, true]);
 });

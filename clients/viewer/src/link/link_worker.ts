@@ -13,6 +13,7 @@ import {LONGEST_WAIT_MS} from '../present/presented_instant';
 import {StationPast} from '../present/station_past';
 import {type CompressedImage, isAtRest, type StationState} from './messages';
 import {milliseconds, now_ms, SessionClock} from './session_clock';
+import {LeastAge} from './least_age';
 import {SilenceWatch} from './silence_watch';
 import {SiteFacts} from './site_facts';
 import {Stream} from './stream';
@@ -22,6 +23,7 @@ const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
 
 const clock = new SessionClock();
 const facts = new SiteFacts();
+let leastAge = new LeastAge();
 const past = new StationPast();
 const device = new DeviceWatch();
 const taker = new TouchTaker((touches) => post({touches}));
@@ -112,6 +114,8 @@ const stream = new Stream(
       '/camera/depth': (image, published_ns) => {
         facts.depthCame(image);
         silence.imageCame();
+        const captured_ms = local_ms(image.capturedNs);
+        if (captured_ms !== undefined) leastAge.note(now_ms() - captured_ms, now_ms());
         instants.depthCame({bytes: image.data, captured_ns: image.capturedNs, published_ns});
         clearTimeout(waitEnds);
         waitEnds = setTimeout(() => instants.timePassed(), LONGEST_WAIT_MS + 1);
@@ -157,6 +161,7 @@ const stream = new Stream(
         taker.inUse = undefined;
         instants.restart();
         silence.restart();
+        leastAge = new LeastAge();
       },
       warned: (text) => {
         console.warn('server:', text);
@@ -180,6 +185,7 @@ function news(): News {
     silentSince_ms: silence.since_ms,
     silenceLimit_ms: silence.limit_ms,
     imageGap_ms: silence.usual_ms,
+    leastAge_ms: leastAge.value_ms,
     motion: device.motion,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,

@@ -26,6 +26,7 @@ export interface News {
   silentSince_ms: number | undefined;  // when the last image came, while no newer one has come for too long for this path
   silenceLimit_ms: number;             // a longer silence is not explained by this path's gaps
   imageGap_ms: number | undefined;     // during 99 % of the time, the gap between images is shorter; undefined: not known yet
+  leastAge_ms: number;                 // of an image on its arrival, in the last minute: what this path always needs
   waiting: FrameTimes | undefined;
   capture: CaptureStatus | undefined;
   depth: DepthFidelity | undefined;
