@@ -55,7 +55,7 @@ program::Usage usage() {
             "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
            {"held-out", "SET,SET…",
             "depth: also the mean compression ratio of these inputs, as for --input, which training did not use"},
-           {"part", "NAME", "accuracy, users: only this part of the benchmark; a wrong name lists the parts"},
+           {"part", "NAME", "accuracy, users: only this part; a wrong name lists them"},
            {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
            {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
            {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
