@@ -127,6 +127,15 @@ std::string motion_sections(const Session& session, const Summary& summary) {
                        stacked(timeline(session)));
 }
 
+/// What it means that the skin above an inner object showed no slide; empty if it always did.
+std::string smooth_skin_words(const Summary& summary) {
+  if (!(summary.object_slide_unseen_share > 0.0)) return "";
+  return " For " + number(100.0 * summary.object_slide_unseen_share, 0) +
+         " % of the time, the objects inside the body followed the skin only up and down: depth does not show whether "
+         "smooth skin, such as a belly's, slides along itself. If the patient moved sideways then, the objects were "
+         "felt where they lay before.";
+}
+
 std::string energy_sections(const Session& session, const Summary& summary) {
   std::string out;
   if (const std::vector<plot::Chart> ledgers = energy(session); !ledgers.empty())
@@ -165,7 +174,8 @@ std::string timing_sections(const Session& session, const Summary& summary) {
     out += section(
         "Compensation of delay",
         "The station predicts from the motion of hand and surface where they are now, and changes gradually to a newer "
-        "surface. While the uncertainty is larger than the predicted motion, the place of the felt skin is uncertain.",
+        "surface. While the uncertainty is larger than the predicted motion, the place of the felt skin is uncertain." +
+            smooth_skin_words(summary),
         stacked(done));
   out += energy_sections(session, summary);
   if (summary.bill.empty()) return out;

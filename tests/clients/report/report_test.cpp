@@ -50,6 +50,18 @@ TEST(Verdict, ARunWithinEveryBudgetIsCalledGood) {
   EXPECT_NE(verdict.account.find("2 times"), std::string::npos) << verdict.account;
 }
 
+TEST(ReportHtml, SmoothSkinIsExplainedInTheDetailsAndIsNoVerdict) {
+  Session session = session_of({});
+  if (session.compensations.empty()) session.compensations.resize(10);
+  for (msg::StationCompensation& sample : session.compensations) sample.add_objects()->set_slide_unseen(true);
+  const Verdict verdict = judge(summarise(session));
+  EXPECT_TRUE(verdict.good) << verdict.headline;
+  const std::string html = html_of(session);
+  EXPECT_NE(html.find("For 100 % of the time, the objects inside the body followed the skin only up and down"),
+            std::string::npos);
+  EXPECT_EQ(html_of(session_of({})).find("only up and down"), std::string::npos);
+}
+
 TEST(Summary, TheForceInContactIsSeparateFromTheOneThatMovesTheFreeDevice) {
   Session session = session_of({.seconds = 2.0});
   session.ticks.force[0][0] = 7.0F;  // at the start the hand is outside the body

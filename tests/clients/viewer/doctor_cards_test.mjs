@@ -44,10 +44,20 @@ test('the parts of a frame\'s way add up to the whole', () => {
   assert.equal(delayRows({capturedNs: 1n, touchableNs: 0n})[0].value, '–');
 });
 
+test('smooth skin that shows no slide is told of once, in the details, with what it means', () => {
+  const still = {stampNs: 0n, support: 1, slewedM: 0, dampingN: 0};
+  const object = {effect: 1, unseen: false, slideUnseen: true};
+  const rows = compensationRows({...still, objects: [object, object]}, undefined).filter(({name}) => name === 'Inner objects');
+  assert.deepEqual(rows.map(({value, level}) => [value, level]), [['follow up and down', undefined]]);
+  assert.match(rows[0].says, /smooth skin.*sideways/);
+  for (const objects of [[], [{...object, slideUnseen: false}], [{...object, unseen: true}]])
+    assert.equal(valueOf(compensationRows({...still, objects}, undefined), 'Inner objects'), undefined);
+});
+
 test('hand and skin are told with two standard deviations, and damping that acts is marked', () => {
   const still = {
     stampNs: 0n, handAgeS: 0.01, handCarriedM: 0.0042, handSigmaM: 0.0005, surfaceAgeS: 0.05, surfaceCarriedM: -0.00001,
-    surfaceSigmaM: 0.0003, slewedM: 0, support: 1, shownOffsetM: 0.02, dampingN: 0, handExcessJ: 0.0011, driveJ: 0,
+    surfaceSigmaM: 0.0003, slewedM: 0, support: 1, shownOffsetM: 0.02, dampingN: 0, handExcessJ: 0.0011, driveJ: 0, objects: [],
   };
   const rows = compensationRows(still, {passivityJ: -0.00001});
   assert.equal(valueOf(rows, 'Hand predicted'), '4.2 ± 1.0 mm');

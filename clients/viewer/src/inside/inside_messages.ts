@@ -33,6 +33,8 @@ export interface InnerStructures {
 export interface ObjectPlacement {
   effect: number;
   moved?: Vec3;
+  unseen: boolean;       // the skin above it is hidden
+  slideUnseen: boolean;  // the skin above it is too smooth to show whether it slides
 }
 
 /** The image that the link worker drew last, without its pixels: from the link worker to the page. */

@@ -62,6 +62,13 @@ export function compensationRows(
       says: 'Share of the contact force that the device gives. It is below 100 % where the surface is old or ends.',
       level: 'warn',
     });
+  if (compensation.objects.some(({unseen, slideUnseen}) => slideUnseen && !unseen))
+    rows.push({
+      name: 'Inner objects',
+      value: 'follow up and down',
+      says: 'Depth does not show whether smooth skin, such as a belly’s, slides along itself. If the patient moves ' +
+          'sideways, the objects below this skin are felt where they lay before.',
+    });
   rows.push(
       {
         name: 'Hand: excess work',
