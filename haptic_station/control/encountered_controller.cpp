@@ -15,7 +15,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const std::optional<ControlInput> blank =
       stands == FaultCause::NotFinite ? std::optional(blank_input(given, target_)) : std::nullopt;
   const ControlInput& in = blank ? *blank : given;
-  plane_.move(in.device, in.contact, dt_s);
+  plane_.move(in.device, in.contact, in.wait_at_m, dt_s);
   force_control_.release(hand_is_lost(in, settings_.ages.tracker_in_contact_s), settings_.transitions.contact_release_s,
                          dt_s);
   // Decide.

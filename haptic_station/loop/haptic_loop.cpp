@@ -25,6 +25,7 @@ void HapticLoop::hand_sampled(const ports::HandSample& sample) noexcept {
   if (taken != tracking::Taken::Used && taken != tracking::Taken::Restarted) return;
   hand_sampled_ = sample.at;
   newest_hand_ = sample.hand;
+  wait_at_m_ = sample.wait_at_m;
   if (sample.attitude) (void)attitude_.update(sample.at, *sample.attitude);
 }
 
@@ -88,6 +89,7 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
                                  .interacts = indexed.interacts,
                                  .recall = indexed.recall,
                                  .reindexed = indexed.moved,
+                                 .wait_at_m = wait_at_m_,
                                  .rearm = given.rearm};
   last_touch_ = touch;
   last_hand_ = hand;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/loop/body_frame.h"
 #include "haptic_station/loop/compensation.h"
@@ -86,6 +88,7 @@ class HapticLoop {
   SessionTime last_tick_{};
   bool has_surface_ = false;
   bool ticked_ = false;
+  std::optional<double> wait_at_m_;  ///< of the newest sample of the hand
 };
 
 }  // namespace telepalp::loop

@@ -22,6 +22,8 @@ struct HandSample {
   /// Rotation from the hand's axes (tracking/hand_axes.h) to the haptic base's frame; nullopt: the tracker does not
   /// measure it.
   std::optional<Eigen::Quaterniond> attitude = {};
+  /// Height y at which the free end-effector waits under this hand [m]; nullopt: the scene's plane decides.
+  std::optional<double> wait_at_m = {};
 };
 
 }  // namespace telepalp::ports

@@ -96,6 +96,15 @@ void Station::end_threads() {
   worker_.reset();
 }
 
+/// A browser's hand must know what it flies over; no other tracker needs the images.
+decltype(SurfaceWorker::Handlers::on_image) Station::image_handler() {
+  if (viewer_hand_tracker_ == nullptr) return nullptr;
+  return [this](const DepthImage& depth, const Intrinsics& camera,
+                const Transform<HapticBase, DepthCamera>& haptic_from_camera) {
+    viewer_hand_tracker_->see(tracking::heights_of(depth, camera, haptic_from_camera));
+  };
+}
+
 void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     const auto haptic_from_camera = placed(scene_, depth, camera);
@@ -114,7 +123,8 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
           .request_key_frame =
               [this](const wire::Message& unreadable) {
                 boost::asio::post(io_, [this, unreadable] { link_.request_key_frame(unreadable); });
-              }},
+              },
+          .on_image = image_handler()},
       in_tick_ ? surfaces_ : slow_surfaces_, device_to_surface_, scene_.effects);
 }
 
@@ -256,6 +266,7 @@ void Station::on_viewer_hand(const wire::Message& message) {
   const std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(*message.payload);
   if (!hand) return on_unreadable(message);
   if (viewer_hand_tracker_ == nullptr || !haptic_from_camera_) return;
+  if (hand->rearm()) return faults_.rearm_for("viewer " + std::to_string(hand->viewer()));
   const Point<HapticBase> in_haptic = *haptic_from_camera_ * Point<DepthCamera>{wire::vector_of(hand->hand_camera())};
   const auto taken = viewer_hand_tracker_->hear(*hand, in_haptic, std::chrono::steady_clock::now());
   if (std::exchange(hand_taken_, taken) != taken)

@@ -77,6 +77,7 @@ class Station {
   void look_inside();
   void touch_model();
   void start_surface_thread(const surface::SurfaceSettings& surface);
+  [[nodiscard]] decltype(SurfaceWorker::Handlers::on_image) image_handler();
   void start_haptic_thread();
   void end_threads();
   void every_10_ms();

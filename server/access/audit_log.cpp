@@ -78,6 +78,8 @@ std::string_view name(AuditEvent event) noexcept {
       return "offered-touch";
     case AuditEvent::GaveTouch:
       return "gave-touch";
+    case AuditEvent::Rearmed:
+      return "rearmed";
     case AuditEvent::Refused:
       return "refused";
     case AuditEvent::SignedIn:

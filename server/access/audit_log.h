@@ -24,6 +24,7 @@ enum class AuditEvent {
   TookTouch,
   OfferedTouch,
   GaveTouch,
+  Rearmed,
   Refused,
   SignedIn,
   SignedOut

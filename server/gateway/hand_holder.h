@@ -25,6 +25,9 @@ class HandHolder {
   /// `to` has not requested it in the last 3 s; nothing changes.
   [[nodiscard]] bool hand_over(std::uint64_t viewer, std::uint64_t to, SessionTime now);
 
+  /// True if `viewer` may re-arm the station: it has control, or no viewer has.
+  [[nodiscard]] bool may_rearm(std::uint64_t viewer) const noexcept { return holder_ == 0 || holder_ == viewer; }
+
   /// The controlling and the requesting viewers, if they changed since the last call; otherwise nullopt.
   [[nodiscard]] std::optional<msg::HandHolder> news(SessionTime now);
 

@@ -50,6 +50,11 @@ std::optional<std::uint64_t> ViewerCommands::hands_over_to(std::string_view byte
   return hand->hand_over_to();
 }
 
+bool ViewerCommands::asks_to_rearm(std::string_view bytes) const {
+  const std::optional<msg::ViewerHand> hand = read(bytes);
+  return hand && hand->rearm();
+}
+
 Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now) {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
@@ -57,7 +62,9 @@ Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes
   if (!channels_.contains(data->channel))
     return refused("channel " + std::to_string(data->channel) + " was not advertised");
   std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
-  if (!hand) return refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");
+  if (!hand || !hand->has_hand_camera())
+    return refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");
+  hand->set_rearm(false);  // only a message of its own re-arms
   if (last_ && now >= *last_ && now - *last_ < kShortestPeriod) return std::optional<wire::Message>();
   last_ = now;
   hand->set_viewer(viewer);

@@ -13,8 +13,8 @@
 
 namespace telepalp::gateway {
 
-/// Accepts the messages of one viewer. Only /viewer/hand is allowed: the position of the hand, letting it go, and
-/// handing it over to another viewer. Pure; owner: the server's network thread.
+/// Accepts the messages of one viewer. Only /viewer/hand is allowed: the position of the hand, letting it go, handing
+/// it over to another viewer, and asking the station to re-arm. Pure; owner: the server's network thread.
 class ViewerCommands {
  public:
   /// Error: a topic other than /viewer/hand, an encoding other than protobuf, or more channels than a viewer may have.
@@ -26,6 +26,9 @@ class ViewerCommands {
 
   /// The viewer to which the viewer's binary message hands over the hand; nullopt: it does not.
   [[nodiscard]] std::optional<std::uint64_t> hands_over_to(std::string_view bytes) const;
+
+  /// True if the viewer's binary message asks the station to re-arm after a fault.
+  [[nodiscard]] bool asks_to_rearm(std::string_view bytes) const;
 
   /// Converts a viewer's binary message to one of /viewer/hand with a time stamp and the id `viewer`. nullopt: the
   /// last one came less than 2 ms ago. Error: an unknown channel, no ViewerHand, or a hand over 10 m from the camera.

@@ -177,6 +177,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       return publish_holder();
     }
     if (const auto to = commands_.hands_over_to(bytes)) return hand_over(*to);
+    if (commands_.asks_to_rearm(bytes)) return rearm();
     const auto message = commands_.hear(bytes, *subscriber_, context()->now());
     if (!message) return warn(to_string(message.error()));
     if (!*message) return;
@@ -185,6 +186,22 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     note_hand(holds);
     if (holds) context()->hub.publish(**message);
     publish_holder();
+  }
+
+  /// Asks the station that follows the hand of a viewer to re-arm. A station of another tracker does not hear of it: a
+  /// person holds its device, and only its own operator sees that person.
+  void rearm() {
+    if (!context()->holder.may_rearm(*subscriber_))
+      return warn("the station is not re-armed: another viewer holds the hand. fix: ask that viewer to re-arm");
+    msg::ViewerHand asked;
+    asked.set_viewer(*subscriber_);
+    asked.set_rearm(true);
+    if (!context()->hub.is_taken(wire::kViewerHand.name, kSubscriberName)) return warn_untaken();
+    context()->hub.publish(wire::make_message(wire::kViewerHand, context()->now(), asked));
+    if (visitor_)
+      context()->options.access->note(
+          access::AuditEvent::Rearmed,
+          "who=" + describe(visitor_->who) + " program=browser viewer=" + std::to_string(number_));
   }
 
   void hand_over(std::uint64_t to) {

@@ -232,6 +232,22 @@ function handMessage() {
   return Buffer.concat([Buffer.from([1, 1, 0, 0, 0, 0x1a, vector.length]), vector]);
 }
 
+test('only who may touch re-arms the station from a page, and the audit log says who', async () => {
+  const advertise = frame(1, Buffer.from(JSON.stringify({op: 'advertise', channels: [
+    {id: 1, topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'}]})));
+  const rearm = frame(2, Buffer.from([1, 1, 0, 0, 0, 0x38, 1]));  // field 7: true
+  for (const name of ['vera', 'dora']) {
+    const open = await upgrade({origin, cookie: cookieOf(await signIn(tokenOf(name)))});
+    open.socket.write(advertise);
+    open.socket.write(rearm);
+    await until('the request is handled', () => new RegExp(`event=(refused|rearmed) who=\\w+ ${name} program=browser`).test(audit()));
+    open.socket.destroy();
+  }
+  assert.match(audit(), /event=refused who=viewer vera program=browser/);
+  assert.match(audit(), /event=rearmed who=doctor dora program=browser viewer=\d+/);
+  assert.doesNotMatch(audit(), /event=rearmed who=viewer/);
+});
+
 test('a token that is revoked while its doctor holds the hand ends the stream, and the hand is free', async () => {
   const cookie = cookieOf(await signIn(tokenOf('dora')));
   const open = await upgrade({origin, cookie});

@@ -8,13 +8,10 @@ import test from 'node:test';
 import {fileURLToPath} from 'node:url';
 
 import {openBrowser, status, untilStatus} from './browser.mjs';
+import {connect} from './hand_client.mjs';
 import {sleep, until, Workplace} from './running_program.mjs';
 
 const borrowed = createRequire(new URL('../npm/package.json', import.meta.url));
-const {FoxgloveClient} = borrowed('@foxglove/ws-protocol');
-const {WebSocket} = borrowed('ws');
-const protobuf = borrowed('protobufjs');
-const descriptor = borrowed('protobufjs/ext/descriptor');
 const [server, station, viewer] = process.argv.slice(2);
 
 /**
@@ -60,6 +57,10 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
     const pressed = await untilStatus(page, 'the skin is pressed', (now) => touches(now) && now.force_N > 0.2);
     assert.ok(pressed.force_N <= 10.001, 'the limiter holds');
     await page.mouse.up();
+    const other = await connect(http_port);
+    await page.evaluate(() => document.getElementById('rearm').click());
+    await until('the page asks to re-arm', () => other.heard.hands.some(({rearm}) => rearm));
+    other.client.close();
     await untilStatus(page, 'the hand has risen', (now) => now.force_N === 0 || !touches(now));
     await page.click('#hold-hand');
     await untilStatus(page, 'the station lets go', (now) => now.phase === 'Force paused' && now.force_N === 0);
@@ -191,45 +192,6 @@ test('deploy/demo --hand browser: the page says that there is no hand, and a mou
     await workplace.end();
   }
 });
-
-/** Foxglove's client, which holds a hand. */
-async function connect(port) {
-  const client = new FoxgloveClient({
-    ws: new WebSocket(`ws://127.0.0.1:${port}/`, [FoxgloveClient.SUPPORTED_SUBPROTOCOL]),
-  });
-  const heard = {channels: [], info: undefined, warnings: [], phase: undefined, states: [], hands: [], holder: undefined};
-  client.on('serverInfo', (info) => (heard.info = info));
-  client.on('advertise', (channels) => heard.channels.push(...channels));
-  client.on('status', ({message}) => heard.warnings.push(message));
-  await until('the topics are advertised', () => heard.channels.length > 0);
-  const channel = (topic) => heard.channels.find((one) => one.topic === topic);
-  const type = (topic) => {
-    const {schema, schemaName} = channel(topic);
-    const set = descriptor.FileDescriptorSet.decode(Buffer.from(schema, 'base64'));
-    return protobuf.Root.fromDescriptor(set).lookupType(schemaName);
-  };
-  const take = {
-    '/station/state': (state) => {
-      heard.phase = state.phase;
-      heard.states.push(state);
-    },
-    '/viewer/hand': (hand) => heard.hands.push(hand),
-    '/viewer/hand_holder': (holder) => (heard.holder = holder),
-  };
-  const subscriptions = new Map(Object.keys(take).map((topic) =>
-    [client.subscribe(channel(topic).id), {topic, type: type(topic)}]));
-  client.on('message', ({subscriptionId, data}) => {
-    const {topic, type: message} = subscriptions.get(subscriptionId);
-    take[topic](message.decode(new Uint8Array(data.buffer, data.byteOffset, data.byteLength)));
-  });
-  const id = client.advertise({topic: '/viewer/hand', encoding: 'protobuf', schemaName: 'telepalp.msg.ViewerHand'});
-  const hands = type('/viewer/hand');
-  const sendHand = (x, y, z, extra = {}) => client.sendMessage(id, hands.encode(hands.fromObject({
-    sampled_us: Math.round(1000 * performance.now()), hand_camera: {x, y, z}, ...extra,
-  })).finish());
-  const letGo = () => client.sendMessage(id, hands.encode(hands.fromObject({let_go: true})).finish());
-  return {client, heard, sendHand, letGo, id, number: Number(heard.info.metadata.viewer)};
-}
 
 /** Holds a hand for `ms`, as often as a tracker would. */
 async function hold(ms, sendHand) {

@@ -135,6 +135,28 @@ TEST(ViewerCommands, HandingOverNamesAViewer) {
   EXPECT_FALSE(viewer.hands_over_to(data(std::string(1000, '\xff'))));
 }
 
+TEST(ViewerCommands, ReArmingIsAMessageOfItsOwn) {
+  gateway::ViewerCommands viewer = voice();
+  msg::ViewerHand hand;
+  hand.set_rearm(true);
+  EXPECT_TRUE(viewer.asks_to_rearm(data(hand.SerializeAsString())));
+  EXPECT_FALSE(viewer.asks_to_rearm(data(hand.SerializeAsString(), std::string("\x01\x06\0\0\0", 5))));
+  EXPECT_FALSE(viewer.asks_to_rearm(data(hand_at(0, 0, 1))));
+  EXPECT_FALSE(viewer.hear(data(hand.SerializeAsString()), 3, session_time(1'000))) << "it is no hand";
+  hand.mutable_hand_camera()->set_z(0.8);
+  const auto heard = viewer.hear(data(hand.SerializeAsString()), 3, session_time(1'000));
+  ASSERT_TRUE(heard && *heard);
+  EXPECT_FALSE(wire::read_viewer_hand(*(*heard)->payload)->rearm()) << "a hand never re-arms";
+}
+
+TEST(HandHolder, OnlyTheHolderReArmsWhileThereIsOne) {
+  gateway::HandHolder holder;
+  EXPECT_TRUE(holder.may_rearm(2));
+  EXPECT_TRUE(holder.moves(1, session_time(0)));
+  EXPECT_TRUE(holder.may_rearm(1));
+  EXPECT_FALSE(holder.may_rearm(2));
+}
+
 TEST(HandHolder, ARequestIsPublishedOnceAndForgottenAfterThreeSeconds) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);

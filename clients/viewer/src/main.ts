@@ -9,6 +9,7 @@ import {SiteLink} from './link/site_link';
 import type {Extra} from './link/worker_messages';
 import {DoctorPanel} from './panel/doctor/doctor_panel';
 import {QaPanel} from './panel/qa/qa_panel';
+import {element} from './page';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {PlaybackLink} from './playback/playback_link';
@@ -53,6 +54,7 @@ if (new URLSearchParams(location.search).get('mesh') === 'off') view.surface.hid
 const viewerHand = new ViewerHandInput(view, canvas, (hand) => link.publishHand(hand));
 const steering = new HandSteering(canvas, () => viewerHand.held, () => document.getElementById('hold-hand')?.click());
 viewerHand.steering = steering;
+element('rearm').addEventListener('click', () => viewerHand.rearm());
 view.headset.onHand = (at) => (viewerHand.tracked = at);
 
 function openView(): SceneView {

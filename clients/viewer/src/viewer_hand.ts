@@ -1,6 +1,6 @@
 import type {Vector3} from 'three';
 
-import type {HandHolder, HandOver, LetGo, ViewerHand} from './link/messages';
+import type {HandHolder, HandOver, LetGo, Rearm, ViewerHand} from './link/messages';
 import {toCamera} from './scene/frames';
 import type {SceneView} from './scene/scene_view';
 import type {HandSteering} from './touch/hand_steering';
@@ -11,10 +11,11 @@ const HOVER_M = 0.05;     // height over the skin, towards the camera
 const PRESSED_M = -0.04;  // height of a pressing hand: below the skin
 const SINKS_M_PER_S = 0.1;
 const RISES_M_PER_S = 0.25;
-const FASTEST_M_PER_S = 0.5;
 const REST_PX = 3;
 const REST_MS = 1200;
-const LONGEST_STEP_S = 0.05;  // after a longer pause of the browser the hand does not jump
+const LONGEST_STEP_S = 0.05;  // after a longer pause of the browser the hand does not sink further
+const REARM_TIMES = 5;        // a message may be lost
+const REARM_EVERY_MS = 100;
 
 /** The text that tells the user who holds the hand; empty if only this page does. */
 class HolderNotice {
@@ -42,15 +43,14 @@ class HolderNotice {
 
 /**
  * A hand that follows the pointer, keys, a gamepad, or the hand that a headset tracks. It hovers over the skin, and it
- * presses slowly in while the first button or a finger is down. Its position is sent about 100 times a second. When the
- * pointer leaves the picture or the browser is busy, nothing is sent: the station releases, but this viewer still holds
- * the hand. The button, a hidden page or the end of the connection gives up the hand, and *Hand over* passes it to a
+ * presses slowly in while the first button or a finger is down. The station limits its speed, and flies it over the
+ * patient while nothing presses. Its position is sent about 100 times a second. When the pointer leaves the picture or
+ * the browser is busy, nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of the connection gives up the hand, and *Hand over* passes it to a
  * viewer that asks; until then, other viewers can only ask for it.
  */
 export class ViewerHandInput {
   private pointer: Pointer | undefined;
   private skin: Vector3 | undefined;
-  private at: Vector3 | undefined;
   private height_m = HOVER_M;
   private timer: number | undefined;
   private stepped_ms = 0;
@@ -67,7 +67,7 @@ export class ViewerHandInput {
   constructor(
       private readonly view: SceneView,
       private readonly canvas: HTMLCanvasElement,
-      private readonly publish: (hand: ViewerHand | LetGo | HandOver) => void,
+      private readonly publish: (hand: ViewerHand | LetGo | HandOver | Rearm) => void,
   ) {
     for (const moved of ['pointermove', 'pointerdown', 'pointerup'] as const)
       canvas.addEventListener(moved, ({clientX, clientY, buttons}) => {
@@ -118,7 +118,7 @@ export class ViewerHandInput {
     const now_ms = performance.now();
     const step_s = Math.min(LONGEST_STEP_S, (now_ms - this.stepped_ms) / 1000);
     this.stepped_ms = now_ms;
-    if (this.tracked !== undefined) return this.send(this.movedTowards(this.tracked.clone(), step_s), now_ms);
+    if (this.tracked !== undefined) return this.send(this.tracked, now_ms, false);
     this.pointer = this.steering?.move(step_s) ?? this.pointer;
     if (this.pointer === undefined) return this.rest();
     this.noteRest(this.pointer, now_ms);
@@ -129,11 +129,16 @@ export class ViewerHandInput {
     const way_m = (press > 0 ? -SINKS_M_PER_S * press : RISES_M_PER_S) * step_s;
     this.height_m = Math.min(HOVER_M, Math.max(PRESSED_M, this.height_m + way_m));
     const towardsCamera = this.skin.clone().multiplyScalar(-1).normalize();
-    this.send(this.movedTowards(this.skin.clone().addScaledVector(towardsCamera, this.height_m), step_s), now_ms);
+    this.send(this.skin.clone().addScaledVector(towardsCamera, this.height_m), now_ms, press === 0);
   }
 
-  private send(at: Vector3, now_ms: number): void {
-    this.publish({sampledUs: BigInt(Math.round(1000 * now_ms)), handCamera: toCamera(at)});
+  private send(at: Vector3, now_ms: number, hovers: boolean): void {
+    this.publish({sampledUs: BigInt(Math.round(1000 * now_ms)), handCamera: toCamera(at), hovers});
+  }
+
+  /** Asks the station to re-arm after a fault. */
+  rearm(): void {
+    for (let time = 0; time < REARM_TIMES; ++time) setTimeout(() => this.publish({rearm: true}), time * REARM_EVERY_MS);
   }
 
   /** `me`: this viewer's number at the server. When this viewer gets the hand, the hand starts over the skin. */
@@ -164,13 +169,7 @@ export class ViewerHandInput {
   }
 
   private rest(): void {
-    this.at = this.rested = undefined;
+    this.rested = undefined;
     this.height_m = HOVER_M;
-  }
-
-  /** Limits the speed to that of a hand, because a pointer can jump. */
-  private movedTowards(wanted: Vector3, step_s: number): Vector3 {
-    this.at ??= wanted.clone();
-    return this.at.add(wanted.sub(this.at).clampLength(0, FASTEST_M_PER_S * step_s));
   }
 }

@@ -263,7 +263,6 @@ function touchOf(station: StationState | undefined) {
     handShown: station && shownHand(station) !== undefined,
     unmodelled: (station?.unmodelled ?? 0) > 0.5,
     objectUnseen: station?.objectUnseen ?? false,
-    objectSlideUnseen: station?.objectSlideUnseen ?? false,
     surface_ms: station && station.surfaceCapturedNs !== 0n
         ? Number(station.stampNs - station.surfaceCapturedNs) / 1e6
         : undefined,

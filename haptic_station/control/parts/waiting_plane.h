@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "haptic_station/control/values/encountered_settings.h"
 #include "haptic_station/ports/surface_contact.h"
 
@@ -14,15 +17,21 @@ class WaitingPlane {
 
   /// Moves the plane for one tick, to the skin's height plus the clearance, but at least to PlaneSettings::height_m;
   /// without a skin, to height_m. The first call sets it at once; later calls move it by at most speed_m_per_s * dt_s.
-  void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact, double dt_s) noexcept;
+  /// `wait_at_m`: the end-effector waits at this height instead, twice as fast, under a hand that a person points with.
+  /// The plane is then 2 cm lower, so that an end-effector that lags behind its target is not below the plane, which
+  /// would end its control.
+  void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact,
+            const std::optional<double>& wait_at_m, double dt_s) noexcept;
 
   [[nodiscard]] double height_m() const noexcept { return height_m_; }
-  /// Height at which position control holds the end-effector: the plane's height plus delta_o of S1 eq. (5).
-  [[nodiscard]] double target_height_m() const noexcept { return height_m_ + settings_.offset_m; }
+  /// Height at which position control holds the end-effector: the plane's height plus delta_o of S1 eq. (5), or the
+  /// demanded height.
+  [[nodiscard]] double target_height_m() const noexcept { return std::max(height_m_, raised_m_) + settings_.offset_m; }
 
  private:
   PlaneSettings settings_;
   double height_m_ = 0.0;
+  double raised_m_ = 0.0;  ///< of the demanded target; height_m_ without a demand
   bool placed_ = false;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/ports/surface_contact.h"
 #include "proto/words/frames.h"
@@ -23,7 +25,8 @@ struct ControlInput {
   bool interacts = true;               ///< false: the hand is beyond the touch cylinder, so the body gives no force
   Force<HapticBase> recall;            ///< force of workspace indexing; added to the force of the phase
   Vector<HapticBase> reindexed;  ///< shift by workspace indexing in this tick, contained in the motion of `device` [m]
-  bool rearm = false;            ///< true on the tick at which an operator asks to re-arm
+  std::optional<double> wait_at_m;  ///< height y at which the free end-effector waits; nullopt: on the scene's plane
+  bool rearm = false;               ///< true on the tick at which an operator asks to re-arm
 };
 
 }  // namespace telepalp::control

@@ -86,6 +86,10 @@ void FaultMonitor::on_command(const std::string& command, const ControlSocket::R
   reply("'" + command + "' is not a command. fix: send rearm, offer NAME, withdraw or accept");
 }
 
+void FaultMonitor::rearm_for(const std::string& who) {
+  if (is_faulted()) rearm([who](const std::string& outcome) { say(who + " asks to re-arm: " + outcome); });
+}
+
 void FaultMonitor::rearm(const ControlSocket::Reply& reply) {
   if (!is_faulted()) return reply("there is no fault to re-arm from. fix: none is needed");
   handlers_.rearm();

@@ -40,6 +40,9 @@ class FaultMonitor {
   /// file shows how the force ended. If `ending` (the station stops): at once, and waits for the file.
   void look(bool ending);
 
+  /// Re-arms after a fault for a person at another computer, `who`, and logs the outcome. Does nothing without a fault.
+  void rearm_for(const std::string& who);
+
   void stop();
 
  private:

@@ -106,6 +106,7 @@ Result<msg::SurfaceReport> SurfaceWorker::build(const Work& work, const msg::Dep
         .what = "fewer than half of the pixels around the image's centre, where the patient should be, are measured",
         .where = "/camera/depth, image " + std::to_string(message.sequence()),
         .fix = "aim the camera at the patient, from a distance at which it measures"};
+  if (handlers_.on_image) handlers_.on_image(depth, work.camera, *haptic_from_camera_);
   const SessionTime captured = session_time(static_cast<std::int64_t>(message.captured_ns()));
   const SessionTime begun = handlers_.now();
   begin_anew_if_clock_went_back(captured, begun);

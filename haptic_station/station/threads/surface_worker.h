@@ -39,6 +39,8 @@ class SurfaceWorker {
     std::function<void(const Error&)> on_bad_frame;            ///< called on the surface thread
     /// Called on the surface thread when `unreadable` and the frames after it cannot be decoded without a key frame.
     std::function<void(const wire::Message& unreadable)> request_key_frame;
+    /// Called on the surface thread with each decoded image, before its surface is built; may be empty.
+    std::function<void(const DepthImage&, const Intrinsics&, const Transform<HapticBase, DepthCamera>&)> on_image{};
   };
 
   /// `device`: its position in H. `effects`: the scene's; the motion of the skin above each inner object is tracked.

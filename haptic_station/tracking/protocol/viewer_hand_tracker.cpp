@@ -24,13 +24,21 @@ ViewerHandTracker::Taken ViewerHandTracker::hear(const msg::ViewerHand& hand, co
   // About a century, so that the clock of a viewer cannot overflow session time.
   constexpr std::uint64_t kLatest_us = 3'200'000'000'000'000;
   const std::chrono::microseconds sampled(static_cast<std::int64_t>(std::min(hand.sampled_us(), kLatest_us)));
-  latest_hand_.put(Clock::time_point(viewers_clock_.map(sampled, now.time_since_epoch())), at);
+  latest_hand_.put(Clock::time_point(viewers_clock_.map(sampled, now.time_since_epoch())), at, std::nullopt,
+                   {hand.hovers()});
   return Taken::Followed;
 }
 
-std::optional<ports::HandSample> ViewerHandTracker::sample(SessionTime now, const ports::DeviceReading&) noexcept {
+std::optional<ports::HandSample> ViewerHandTracker::sample(SessionTime now,
+                                                           const ports::DeviceReading& device) noexcept {
+  (void)skin_.take();
   const auto seen = latest_hand_.take(now);
-  return seen ? std::optional(ports::HandSample{seen->at, seen->hand, std::nullopt}) : std::nullopt;
+  if (!seen) return std::nullopt;
+  const double since_s = sampled_ ? to_seconds(seen->at - *sampled_) : 0.0;
+  sampled_ = seen->at;
+  const GuidedHand::Guided guided =
+      guided_.follow({seen->hand, seen->more.hovers}, device.at, skin_.current(), since_s);
+  return ports::HandSample{.at = seen->at, .hand = guided.hand, .wait_at_m = guided.wait_at_m};
 }
 
 const char* in_words(ViewerHandTracker::Taken taken) noexcept {

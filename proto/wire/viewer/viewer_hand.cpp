@@ -13,9 +13,9 @@ bool is_near(double coordinate_m) noexcept {
 
 std::optional<msg::ViewerHand> read_viewer_hand(const std::string& payload) {
   msg::ViewerHand hand;
-  if (payload.size() > kMaxViewerHandBytes || !hand.ParseFromString(payload) || !hand.has_hand_camera())
-    return std::nullopt;
+  if (payload.size() > kMaxViewerHandBytes || !hand.ParseFromString(payload)) return std::nullopt;
   hand.DiscardUnknownFields();
+  if (!hand.has_hand_camera()) return hand.rearm() ? std::optional(hand) : std::nullopt;
   const msg::Vec3& at = hand.hand_camera();
   if (!is_near(at.x()) || !is_near(at.y()) || !is_near(at.z())) return std::nullopt;
   return hand;

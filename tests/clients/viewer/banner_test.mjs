@@ -38,6 +38,16 @@ test('a fault comes before a slow picture', () => {
   assert.equal(banner({phase: 9, stale: true, account: {...WELL.account, computer: 5000}}).title, 'Station faulted');
 });
 
+test('a fault is ended in the page by whoever moves the station\'s hand there, and else at its terminal', () => {
+  const moves = {phase: 9, holdsHand: true};
+  assert.equal(banner(moves).rearms, true);
+  assert.doesNotMatch(banner(moves).text, /terminal/);
+  for (const other of [{phase: 9}, {...moves, untaken: true}, {...moves, role: 'qa'}]) {
+    assert.notEqual(banner(other).rearms, true, JSON.stringify(other));
+    assert.match(banner(other).text, /telepalp-station rearm/);
+  }
+});
+
 test('lost graphics are said, though numbers go on', () => {
   assert.equal(banner({graphicsLost: true}).title, 'No picture');
   assert.equal(banner({graphicsLost: true, phase: 9}).title, 'Station faulted');

@@ -76,7 +76,7 @@ test('hand and skin are told with two standard deviations, and damping that acts
 test('an uncertainty that is wider than the value is said, not a value of 0.0', () => {
   const lost = {
     stampNs: 0n, handAgeS: 2, handCarriedM: 0, handSigmaM: 0.0555, surfaceAgeS: 0.05, surfaceCarriedM: 0.00001,
-    surfaceSigmaM: 0.0555, slewedM: 0, support: 1, shownOffsetM: 0, dampingN: 0, handExcessJ: 0, driveJ: 0,
+    surfaceSigmaM: 0.0555, slewedM: 0, support: 1, shownOffsetM: 0, dampingN: 0, handExcessJ: 0, driveJ: 0, objects: [],
   };
   for (const name of ['Hand predicted', 'Skin predicted']) {
     const row = compensationRows(lost, undefined).find((one) => one.name === name);

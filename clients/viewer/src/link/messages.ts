@@ -118,7 +118,6 @@ export interface StationState {
   unmodelled: number;          // 1: the patient just moved unlike in the seconds before; then falls to 0 within 1 s
   indexing?: boolean;          // the device is beyond the cylinder of workspace indexing: the body gives no force
   objectUnseen: boolean;       // an object inside the body stays put: the skin above it is not seen
-  objectSlideUnseen: boolean;  // an object does not follow the body along its skin
   passivityJ: number;          // energy taken from the hand less energy stored
   sender: number;              // number of the station at the server; 0: unknown
   yieldsInS: number;  // until warm motors lower the force; infinite: they do not; 0 of a station that does not tell
@@ -198,6 +197,12 @@ export interface Clock {
 export type ViewerHand = {
   sampledUs: bigint;
   handCamera: Vec3;
+  hovers: boolean;  // the pointer points at a place and does not press: the station's hand flies there over the patient
+};
+
+/** Asks the station to re-arm after a fault. */
+export type Rearm = {
+  rearm: true;
 };
 
 /** Gives up the hand. Without it the viewer holds the hand even if it sends nothing. */
@@ -218,7 +223,7 @@ export interface HandHolder {
 
 /** The topics that the viewer publishes: topic name -> fields of its messages. */
 export interface OwnTopics {
-  '/viewer/hand': ViewerHand | LetGo | HandOver;
+  '/viewer/hand': ViewerHand | LetGo | HandOver | Rearm;
 }
 
 /** Topic name -> fields of its messages. */

@@ -1,7 +1,7 @@
 import type {Touch} from '../calibration/offset_fit';
 import type {InnerStructures, ProbeView} from '../inside/inside_messages';
 import type {Instant} from '../present/instant';
-import type {HandOver, LetGo, ViewerHand} from './messages';
+import type {OwnTopics} from './messages';
 import {linkWorker} from './early_worker';
 import type {Asked, Extra, FromWorker, News, ToWorker} from './worker_messages';
 
@@ -40,7 +40,7 @@ export class SiteLink {
     this.say({ask: what});
   }
 
-  publishHand(hand: ViewerHand | LetGo | HandOver): void {
+  publishHand(hand: OwnTopics['/viewer/hand']): void {
     this.say({hand});
   }
 

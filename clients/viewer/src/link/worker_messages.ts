@@ -9,7 +9,7 @@ import type {FrameTimes} from '../present/time_account';
 import type {DeviceMotion} from '../present/device_watch';
 import type {Instant, Light} from '../present/instant';
 import type {
-  CaptureStatus, HandHolder, HandOver, LetGo, Phase, ServerStats, StationEvent, SurfaceReport, Topics, ViewerHand,
+  CaptureStatus, HandHolder, OwnTopics, Phase, ServerStats, StationEvent, SurfaceReport, Topics,
 } from './messages';
 
 /** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
@@ -57,7 +57,7 @@ export interface Extra {
 }
 
 export type Asked = 'instant' | 'news' | 'probe';
-export type ToWorker = {ask: Asked} | {hand: ViewerHand | LetGo | HandOver} | {extra: Extra} |
+export type ToWorker = {ask: Asked} | {hand: OwnTopics['/viewer/hand']} | {extra: Extra} |
     {ultrasound: OffscreenCanvas} | {takePlace: number | undefined};
 /**
  * An answer to each request. The layers below the skin come without a request, once for a station; so do the touches of

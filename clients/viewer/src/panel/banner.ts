@@ -1,6 +1,6 @@
 import {CaptureState, type CaptureStatus, Phase} from '../link/messages';
 import {type Place, slowest, type TimeAccount, total_ms} from '../present/time_account';
-import {touchAdvice, type TouchHealth} from './touch_advice';
+import {movesAHand, touchAdvice, type TouchHealth} from './touch_advice';
 
 /** The values on which the banner depends. Ages are in milliseconds; undefined: no message yet. */
 export interface Health extends TouchHealth {
@@ -31,6 +31,7 @@ export interface Banner {
   level: 'wait' | 'warn' | 'alarm';
   title: string;
   text: string;
+  rearms?: boolean;  // with a button that re-arms the station
 }
 
 const RECENT_MS = 1000;
@@ -49,7 +50,7 @@ export function bannerFor(health: Health): Banner | undefined {
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
   if (health.phase === Phase.Faulted && isRecent(health.station_ms))
-    return {level: 'alarm', title: 'Station faulted', text: 'No force. Remove the cause that the station’s terminal names, then run on its machine: telepalp-station rearm'};
+    return {level: 'alarm', title: 'Station faulted', ...afterFault(health)};
   if (health.graphicsLost)
     return {
       level: 'alarm',
@@ -94,6 +95,13 @@ export function bannerFor(health: Health): Banner | undefined {
       text: `Hand and force come ${seconds(health.late_ms)} after the picture, and are not shown in it.`,
     };
   return touchAdvice(health);
+}
+
+/** A browser re-arms only the station whose hand it moves: beside any other device, an operator must look first. */
+function afterFault(health: Health): Pick<Banner, 'text' | 'rearms'> {
+  if (movesAHand(health)) return {text: 'No force. Take the hand off the patient, then re-arm.', rearms: true};
+  return {text: 'No force. Remove the cause that the station’s terminal names, then run on its machine: telepalp-station rearm. ' +
+      'If a browser’s hand moves this station: press Touch (T), then Re-arm.'};
 }
 
 const BLAME: Record<Place, (part: string) => string> = {

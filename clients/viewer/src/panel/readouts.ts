@@ -137,6 +137,7 @@ export class Readouts {
     element('banner').dataset['level'] = banner.level;
     setText('banner-title', banner.title);
     setText('banner-text', banner.text);
+    element('rearm').hidden = banner.rearms !== true;
   }
 }
 

@@ -20,10 +20,12 @@ export interface TouchHealth {
   untaken: boolean;                // the server reports that no station uses this page's hand
   unmodelled: boolean;             // the patient just moved unlike in the seconds before: the station predicts less
   objectUnseen: boolean;           // an object inside the body stays put: the skin above it is not seen
-  objectSlideUnseen: boolean;      // an object does not follow the body along its skin
 }
 
 const MAY_TOUCH = ['', 'local', 'doctor'];  // local: on the machine of a server without keys
+
+/** True if this page may touch, and a station uses its hand. */
+export const movesAHand = ({holdsHand, role, untaken}: TouchHealth) => holdsHand && !untaken && MAY_TOUCH.includes(role);
 
 /** What a user who wants to touch should do next; undefined when there is nothing to say. */
 export function touchAdvice(health: TouchHealth): Banner | undefined {
@@ -50,10 +52,8 @@ function motionAdvice({unmodelled}: TouchHealth): Banner | undefined {
 }
 
 /** How well the place of the objects inside the body is known; undefined while it is. */
-function placementAdvice({objectUnseen, objectSlideUnseen}: TouchHealth): Banner | undefined {
-  if (objectUnseen)
-    return {level: 'warn', title: 'Inner object not seen', text: 'The skin above it is hidden. The object is shown where it last was.'};
-  if (objectSlideUnseen)
-    return {level: 'wait', title: 'Sideways motion not seen', text: 'Inner objects follow the skin only up and down.'};
-  return undefined;
+function placementAdvice({objectUnseen}: TouchHealth): Banner | undefined {
+  return objectUnseen
+      ? {level: 'warn', title: 'Inner object not seen', text: 'The skin above it is hidden. The object is shown where it last was.'}
+      : undefined;
 }
