@@ -11,7 +11,7 @@ import {promisify} from 'node:util';
 
 import {violations} from './accessibility.mjs';
 import {openBrowser, status, untilStatus} from './browser.mjs';
-import {until, Workplace} from './running_program.mjs';
+import {sleep, until, Workplace} from './running_program.mjs';
 
 const borrowed = createRequire(new URL('../npm/package.json', import.meta.url));
 const IWER = readFileSync(join(borrowed.resolve('iwer'), '../../build/iwer.min.js'), 'utf8');
@@ -48,31 +48,28 @@ const playback = async () => (await fetch(`${address}playback`)).json();
 const cardTitles = () => page.evaluate(() => [...document.querySelectorAll('#side h2')]
     .filter((title) => title.offsetParent !== null).map((title) => title.textContent));
 
-async function keepPicture(name) {
+/** Keeps a picture that is not stale and for which `holds(status)`: until this is so before and after it is taken. */
+async function keepPicture(name, holds = () => true) {
   if (pictures === undefined) return;
   mkdirSync(pictures, {recursive: true});
-  const {frames} = await status(page);
-  if ((await playback()).playing)
-    await untilStatus(page, 'the page draws in time', (now) => now.frames > frames + 1 && now.pictureAge_ms < 500);
-  await page.screenshot({path: join(pictures, `${name}.jpg`), type: 'jpeg', quality: 72, timeout: 120_000});
+  const isFresh = async () => (await page.getAttribute('body', 'data-old')) !== 'true' && holds(await status(page));
+  for (let tries = 0; tries < 100; ++tries) {
+    await until(`a picture for ${name}`, isFresh, 120_000);
+    await sleep(400);  // a picture that was stale brightens in 0.3 s
+    if (!(await isFresh())) continue;
+    await page.screenshot({path: join(pictures, `${name}.jpg`), type: 'jpeg', quality: 72, timeout: 120_000});
+    if (await isFresh()) return;
+  }
+  assert.fail(`no picture for ${name}: this computer draws too slowly`);
 }
 
-/** Keeps a picture in which the hand presses: until this is so before and after the picture is taken. */
-async function keepPictureOfContact(name) {
-  const presses = (now) => now.force_N > 0.3 && now.indentation_m > 0.005 && now.handPosition_m !== undefined;
-  for (let tries = 0; pictures !== undefined && tries < 20; ++tries) {
-    await untilStatus(page, 'the hand presses', (now) => presses(now) && now.pictureAge_ms < 1000);
-    await keepPicture(name);
-    if (presses(await status(page))) return;
-  }
-  assert.equal(pictures, undefined, 'no picture shows the hand in contact');
-}
+const presses = (now) => now.force_N > 0.3 && now.indentation_m > 0.005 && now.handPosition_m !== undefined;
 
 test('the doctor sees the recorded station, and what it compensated', async () => {
   await until('the station is named', async () => /Recorded station/.test(await text('presence')));
   await until('the way of a frame has its stages', async () => /Network to station\d/.test(await text('delay')));
   await until('hand and skin are compensated', async () => /Hand predicted[\d.]+ ± [\d.]+ mm/.test(await text('compensated')));
-  await keepPictureOfContact('doctor');
+  await keepPicture('doctor', presses);
 });
 
 test('the technician sees the state of the picture, and the depth under the pointer', async () => {
