@@ -7,6 +7,7 @@
 #include "proto/words/error_line.h"
 #include "proto/words/frames.h"
 #include "proto/words/latest_value.h"
+#include "proto/words/number_word.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 #include "proto/words/rotation_vector.h"
@@ -37,6 +38,19 @@ TEST(ErrorLine, ANumberIsShownWithAllItsDigitsAndWithoutAnExponent) {
   EXPECT_EQ(number_text(0.0), "0");
   EXPECT_EQ(number_text(1e300), "1e+300");
   EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "inf");
+}
+
+TEST(NumberWord, TheWholeTextSpellsTheNumber) {
+  EXPECT_EQ(number_of("-2.5e3"), -2500.0);
+  EXPECT_EQ(number_of<std::uint64_t>("18446744073709551615"), std::numeric_limits<std::uint64_t>::max());
+  for (const char* text : {"", " 1", "1 ", "1,5", "1m", "+1", "0x10", "1e999"}) EXPECT_FALSE(number_of(text)) << text;
+  EXPECT_FALSE(number_of<int>("1.5"));
+  EXPECT_TRUE(number_of("inf"));
+  EXPECT_FALSE(finite_number_of("inf"));
+  EXPECT_FALSE(finite_number_of("nan"));
+  EXPECT_EQ(finite_number_of("7"), 7.0);
+  EXPECT_EQ(signed_number_of("+1.5"), 1.5);
+  EXPECT_FALSE(signed_number_of("++1"));
 }
 
 TEST(Result, AnErrorSaysWhatWhereAndHowToFix) {
