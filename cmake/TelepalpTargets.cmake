@@ -120,7 +120,7 @@ add_custom_target(telepalp_commit BYPRODUCTS ${TELEPALP_COMMIT_FILE}
   VERBATIM COMMENT "Asking git for the commit that --version prints")
 
 # telepalp_program(NAME SOURCES main.cpp … LINKS targets …): a program. Users' programs, which are those outside of
-# tests/, are installed.
+# tests/, are installed: TelepalpInstall.cmake names the package of each.
 function(telepalp_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES} ${TELEPALP_COMMIT_FILE})
@@ -130,7 +130,6 @@ function(telepalp_program name)
     return()
   endif()
   set_property(GLOBAL APPEND PROPERTY TELEPALP_PROGRAMS ${name})
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
 # telepalp_test(NAME [SERIAL] [WHOLE] [OPTIMISED] SOURCES a_test.cpp … LINKS targets … [NEEDS fixtures …]): one GoogleTest binary, one ctest

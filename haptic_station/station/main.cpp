@@ -13,6 +13,7 @@
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/station/signals/station_signals.h"
 #include "haptic_station/station/station.h"
+#include "haptic_station/surface/pcl_search/pcl_indexes.h"
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
 #include "support/program/address.h"
@@ -181,6 +182,7 @@ int run(const station::StationOptions& options, const station::StationSignals::R
 
 int main(int argc, char** argv) {
   program::say_when_stopped("telepalp-station: stopped: no file was written");
+  surface::use_pcl_indexes();
   if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);

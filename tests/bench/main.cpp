@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <string>
 
+#include "haptic_station/surface/pcl_search/pcl_indexes.h"
 #include "support/program/ending.h"
 #include "tests/bench/accuracy/accuracy_bench.h"
 #include "tests/bench/benches.h"
@@ -88,6 +89,7 @@ int run(const bench::Bench& bench, const program::Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  surface::use_pcl_indexes();
   const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;

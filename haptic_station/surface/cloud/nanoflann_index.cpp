@@ -88,15 +88,19 @@ class NanoflannIndex final : public NeighborIndex {
   nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointsView>, PointsView, 3> tree_;
 };
 
+PclIndexes pcl_indexes;  // written by main() before any other thread begins
+
 }  // namespace
 
 std::shared_ptr<const NeighborIndex> make_nanoflann_index(const IndexedPoints& points) {
   return std::make_shared<const NanoflannIndex>(points);
 }
 
+void set_pcl_indexes(const PclIndexes& indexes) noexcept { pcl_indexes = indexes; }
+
 std::shared_ptr<const NeighborIndex> make_index(Index kind, const IndexedPoints& points) {
-  if (kind == Index::PclOrganized && points.width > 0) return make_pcl_organized_index(points);
-  return kind == Index::Nanoflann ? make_nanoflann_index(points) : make_pcl_kdtree_index(points);
+  if (kind == Index::Nanoflann || pcl_indexes.kdtree == nullptr) return make_nanoflann_index(points);
+  return kind == Index::PclOrganized && points.width > 0 ? pcl_indexes.organized(points) : pcl_indexes.kdtree(points);
 }
 
 }  // namespace telepalp::surface

@@ -7,6 +7,7 @@
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
 #include "haptic_station/surface/paper/paper_surface.h"
+#include "haptic_station/surface/pcl_search/pcl_indexes.h"
 #include "haptic_station/surface/touch/touch.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 
@@ -34,7 +35,11 @@ std::vector<float> nearest_by_hand(const IndexedPoints& points, const Vector3f& 
   return squared;
 }
 
-class EveryIndex : public ::testing::TestWithParam<Index> {};
+class EveryIndex : public ::testing::TestWithParam<Index> {
+ protected:
+  void SetUp() override { use_pcl_indexes(); }
+  void TearDown() override { set_pcl_indexes({}); }
+};
 
 TEST_P(EveryIndex, FindsWhatASearchByHandFinds) {
   const IndexedPoints points = random_points(11, 3000);
@@ -83,6 +88,16 @@ TEST_P(EveryIndex, OverNoPointsFindsNone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryIndex, ::testing::Values(Index::PclKdTree, Index::Nanoflann, Index::PclOrganized));
+
+TEST(WithoutPcl, AnIndexOfPclIsMadeByNanoflann) {
+  for (const Index kind : {Index::PclKdTree, Index::PclOrganized})
+    EXPECT_STREQ(make_index(kind, random_points(3, 100))->name(), "nanoflann KD-tree");
+}
+
+TEST_P(EveryIndex, HasTheNameOfItsLibrary) {
+  const bool is_ours = GetParam() == Index::Nanoflann;
+  EXPECT_EQ(std::string(make_index(GetParam(), random_points(3, 100))->name()).starts_with("PCL"), !is_ours);
+}
 
 TEST(PaperSurface, OnAPlaneFIsTheDistance) {
   const auto surface = testing::plane({0, 0, 0.8}, {0.1, 0.2, -1.0});

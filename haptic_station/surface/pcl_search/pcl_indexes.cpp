@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "haptic_station/surface/cloud/kdtree_index.h"
+#include "haptic_station/surface/pcl_search/pcl_indexes.h"
 
 namespace telepalp::surface {
 namespace {
@@ -91,8 +92,6 @@ class PclOrganizedIndex final : public NeighborIndex {
   bool usable_ = false;
 };
 
-}  // namespace
-
 std::shared_ptr<const NeighborIndex> make_pcl_kdtree_index(const IndexedPoints& points) {
   return std::make_shared<const PclKdTreeIndex>(points);
 }
@@ -101,6 +100,12 @@ std::shared_ptr<const NeighborIndex> make_pcl_organized_index(const IndexedPoint
   auto index = std::make_shared<const PclOrganizedIndex>(points);
   if (index->usable()) return index;  // else the projection could not be estimated from the points
   return make_pcl_kdtree_index(points);
+}
+
+}  // namespace
+
+void use_pcl_indexes() noexcept {
+  set_pcl_indexes({.kdtree = make_pcl_kdtree_index, .organized = make_pcl_organized_index});
 }
 
 }  // namespace telepalp::surface
