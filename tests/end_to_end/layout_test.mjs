@@ -77,7 +77,7 @@ test('the tones under the plots are explained, and both plots have an axis of ti
   const bands = await page.evaluate(() => [...document.querySelectorAll('.tones i')].map(({dataset}) => dataset.tone).sort());
   assert.deepEqual(bands, ['alarm', 'between', 'contact', 'free', 'inner', 'quiet']);
   for (const plot of ['#force-plot', '#indentation-plot'])
-    assert.equal(await page.locator(`${plot} .u-axis`).first().isVisible(), true, plot);
+    await page.locator(`${plot} .u-axis`).first().waitFor({state: 'visible'});  // the plots are drawn 5 times a second
 });
 
 test('the details leave phase and alarm of a phone free', async () => {
