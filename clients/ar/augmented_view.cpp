@@ -3,18 +3,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "clients/ar/canvas.h"
 #include "clients/ar/depth_mesh.h"
 #include "clients/ar/hand_avatar.h"
 #include "clients/ar/shapes.h"
+#include "clients/ar/view_choice.h"
 #include "proto/words/drawn_sizes.h"
 
 namespace telepalp::ar {
 namespace {
 
-constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
 constexpr Ink kProxyInk{0, 158, 115}, kDeviceInk{0, 114, 178}, kForceInk{240, 228, 66};
 
 Eigen::Vector3f linear(const Ink& ink) { return linear_from_srgb(ink.red, ink.green, ink.blue); }
@@ -67,17 +66,6 @@ Mesh cleared(Mesh mesh, const ViewCamera& camera, const Eigen::Vector3f& target)
   const float gain = std::clamp(kMidGrey / std::max(*half, 1e-3F), 1.0F, kMostGain);
   for (Mesh::Vertex& vertex : mesh.vertices) vertex.color *= gain;
   return mesh;
-}
-
-/// From the patient's side, above and behind the doctor's hand: a three-quarter view of what the camera sees from
-/// straight above.
-ViewCamera three_quarter_view(const Eigen::Vector3f& target, float distance_m, int width_px, int height_px) {
-  const Eigen::Matrix3f tilt = (Eigen::AngleAxisf(-28.0F * kDegree, Eigen::Vector3f::UnitY()) *
-                                Eigen::AngleAxisf(42.0F * kDegree, Eigen::Vector3f::UnitX()))
-                                   .toRotationMatrix();
-  const Eigen::Vector3f away = tilt * Eigen::Vector3f(0.0F, 0.0F, -1.0F);
-  return look_at(target + distance_m * away, target, tilt * Eigen::Vector3f(0.0F, -1.0F, 0.0F), 40.0F * kDegree,
-                 width_px, height_px);
 }
 
 /// Places the avatar on the surface. Its fingers point up in the image. Its back points halfway between the surface's
@@ -135,8 +123,9 @@ ColorImage draw(const AugmentedView& view) {
   const Eigen::Vector3f middle = middle_of(body);
   const Touch* const touch = view.touch && is_finite(*view.touch) ? &*view.touch : nullptr;
   const Eigen::Vector3f target = touch ? Eigen::Vector3f(touch->proxy.m.cast<float>()) : middle;
-  const ViewCamera camera = three_quarter_view(
-      target, touch ? std::clamp(0.85F * target.z(), 0.6F, 1.1F) : 0.95F * target.z(), view.width_px, view.height_px);
+  const ViewCamera camera =
+      chosen_view(body, target, touch ? std::clamp(0.85F * target.z(), 0.6F, 1.1F) : 0.95F * target.z(), view.width_px,
+                  view.height_px);
   const Lights lights{Eigen::Vector3f(-0.45F, -0.30F, -0.84F).normalized(), Eigen::Vector3f(0.0F, 0.0F, -1.0F)};
   ShadowMap shadow(target, lights.key, 0.5F);
   Canvas canvas(view.width_px, view.height_px, linear_from_srgb(226, 233, 240), linear_from_srgb(150, 163, 177));

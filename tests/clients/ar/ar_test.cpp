@@ -12,6 +12,7 @@
 #include "clients/ar/messages/from_messages.h"
 #include "clients/ar/shapes.h"
 #include "clients/ar/text.h"
+#include "clients/ar/view_choice.h"
 #include "support/images/image_file.h"
 
 namespace telepalp::ar {
@@ -181,6 +182,39 @@ TEST(AugmentedView, OfASceneWithoutASingleMeasurementIsStillAPicture) {
   std::fill(frame.depth.samples.begin(), frame.depth.samples.end(), std::uint16_t{0});
   EXPECT_TRUE(is_well_formed(draw(small_view(frame, touch_at(0.8)))));
   EXPECT_TRUE(is_well_formed(draw(small_view(frame, std::nullopt))));
+}
+
+/// A square of vertices around `middle`, each `step_m` from the next, that faces the depth camera.
+void add_board(Mesh& mesh, const Eigen::Vector3f& middle, float half_m, float step_m) {
+  for (float x = -half_m; x <= half_m; x += step_m)
+    for (float y = -half_m; y <= half_m; y += step_m)
+      mesh.vertices.push_back({middle + Eigen::Vector3f(x, y, 0.0F), {0.0F, 0.0F, -1.0F}, {0.5F, 0.5F, 0.5F}});
+}
+
+TEST(ViewChoice, LooksPastAnObstacleThatHidesTheHandFromTheUsualSide) {
+  const Eigen::Vector3f target(0.0F, 0.0F, 1.0F);
+  Mesh body;
+  add_board(body, target, 0.8F, 0.006F);
+  const ViewCamera usual = chosen_view(body, target, 0.85F, 320, 240);
+  EXPECT_TRUE(quality_of(usual, body, target).is_good());
+  EXPECT_GT((usual.eye - target).y(), 0.4F) << "a three-quarter view";
+
+  add_board(body, target + 0.4F * (usual.eye - target), 0.12F, 0.004F);
+  EXPECT_LT(quality_of(usual, body, target).seen, 0.3F) << "the board hides the hand";
+  const ViewCamera chosen = chosen_view(body, target, 0.85F, 320, 240);
+  EXPECT_TRUE(quality_of(chosen, body, target).is_good());
+}
+
+TEST(ViewChoice, DoesNotLookAlongASheetWithAnEdge) {
+  const Eigen::Vector3f target(0.0F, 0.0F, 1.0F);
+  Mesh sheet;  // a narrow one, whose normal points down in the image: from below it is seen, from above edge on
+  for (float x = -0.1F; x <= 0.1F; x += 0.004F)
+    for (float along = -0.5F; along <= 0.5F; along += 0.004F)
+      sheet.vertices.push_back({target + Eigen::Vector3f(x, -0.6F * along, 0.8F * along),
+                                Eigen::Vector3f(0.0F, -0.8F, -0.6F),
+                                {0.5F, 0.5F, 0.5F}});
+  const ViewCamera chosen = chosen_view(sheet, target, 0.85F, 320, 240);
+  EXPECT_GT(quality_of(chosen, sheet, target).facing, 0.5F);
 }
 
 TEST(AugmentedView, AForceOfZeroHasNoArrowAndNoTrouble) {
