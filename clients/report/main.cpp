@@ -1,9 +1,11 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "clients/record/unfinished.h"
 #include "clients/report/compare/comparison_html.h"
+#include "clients/report/compare/gate.h"
 #include "clients/report/figures/report_html.h"
 #include "clients/report/figures/view.h"
 #include "clients/report/session/session_file.h"
@@ -18,12 +20,23 @@ using namespace telepalp;
 
 namespace {
 
-const program::Usage kUsage{
-    .program = "telepalp-report",
-    .purpose = "writes report.html, report.json and view.png about a session, or comparison.html about two sessions",
-    .positional = "SESSION.mcap [OTHER.mcap]",
-    .options = {{.name = "out", .argument = "DIR", .help = "folder for the files; created if missing", .initial = "."}},
-    .example = "telepalp-report out/session.mcap --out out"};
+program::Usage usage() {
+  static const std::string tolerances =
+      "of two sessions: exit code 1 if B differs from A by more than a tolerance. LIST is same, or replaces some of " +
+      report::default_tolerances_in_words();
+  return {
+      .program = "telepalp-report",
+      .purpose = "writes report.html, report.json and view.png about a session, or comparison.html about two sessions",
+      .positional = "SESSION.mcap [OTHER.mcap]",
+      .options =
+          {{.name = "out", .argument = "DIR", .help = "folder for the files; created if missing", .initial = "."},
+           {.name = "path",
+            .argument = "NAME",
+            .help = "judge the latency by the limits of lan, lte, hostile or satellite",
+            .initial = report::kPaths.front().name},
+           {.name = "assert", .argument = "LIST", .help = tolerances}},
+      .example = "telepalp-report out/session.mcap --out out"};
+}
 
 /// A report shows a patient, so only the file's owner and group may read it.
 Result<void> write_file(const std::filesystem::path& file, const std::string& bytes) {
@@ -41,7 +54,8 @@ Result<std::filesystem::path> finished(const std::filesystem::path& asked) {
   return report->file;
 }
 
-Result<void> write_report(const std::filesystem::path& asked, const std::filesystem::path& folder) {
+Result<void> write_report(const std::filesystem::path& asked, const std::filesystem::path& folder,
+                          const report::PathLimits& path) {
   const Result<std::filesystem::path> whole = finished(asked);
   if (!whole) return whole.error();
   const std::filesystem::path& file = *whole;
@@ -53,7 +67,7 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
 
   const report::Summary summary = report::summarise(*session);
-  const report::Verdict verdict = report::judge(summary);
+  const report::Verdict verdict = report::judge(summary, path);
   const std::int64_t moment_ns = report::deepest_moment_ns(*session);
   const auto frame = report::read_frame(file, *session, moment_ns);
   if (!frame) return frame.error();
@@ -69,7 +83,11 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
     std::cerr << "view.png is not drawn: the session holds no depth image that can be decoded, or no calibration of "
                  "its camera\n";
   }
-  std::cout << verdict.headline << "\n" << verdict.account << "\n" << (folder / "report.html").string() << "\n";
+  std::cout << verdict.headline << "\n";
+  for (std::size_t i = 0; i < verdict.causes.size(); ++i)
+    std::cout << "  " << i + 1 << ". " << verdict.causes[i].what << ".\n     What to do: " << verdict.causes[i].to_do
+              << ".\n";
+  std::cout << verdict.account << "\n" << (folder / "report.html").string() << "\n";
   return {};
 }
 
@@ -80,13 +98,15 @@ Result<std::string> picture(const report::Run& run, std::int64_t at_ns) {
   return *frame ? images::encode_png(report::draw_view(run.session, **frame, at_ns)) : std::string();
 }
 
-Result<void> write_comparison(const std::vector<std::string>& asked, const std::filesystem::path& folder) {
+/// True unless `tolerances` are given and do not hold.
+Result<bool> write_comparison(const std::vector<std::string>& asked, const std::filesystem::path& folder,
+                              const std::optional<std::vector<report::Tolerance>>& tolerances) {
   const Result<std::filesystem::path> a = finished(asked[0]), b = finished(asked[1]);
   if (!a) return a.error();
   if (!b) return b.error();
   const Result<report::Comparison> comparison = report::compare(*a, *b);
   if (!comparison) return comparison.error();
-  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
+  if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made.error();
   const report::Origins origins = report::common_origins(comparison->a.session, comparison->b.session);
   const std::int64_t since_ns = std::llround(1e9 * report::pictured_s(*comparison));
   Result<std::string> first = picture(comparison->a, origins.a_ns + since_ns);
@@ -94,30 +114,64 @@ Result<void> write_comparison(const std::vector<std::string>& asked, const std::
   Result<std::string> second = picture(comparison->b, origins.b_ns + since_ns);
   if (!second) return second.error();
   const std::string page = report::comparison_html(*comparison, {std::move(*first), std::move(*second)});
-  if (auto done = write_file(folder / "comparison.html", page); !done) return done;
+  if (auto done = write_file(folder / "comparison.html", page); !done) return done.error();
   std::cout << report::headline(*comparison) << "\n"
             << report::account(*comparison) << "\n"
             << (folder / "comparison.html").string() << "\n";
-  return {};
+  if (!tolerances) return true;
+  const report::GateOutcome outcome = report::judge_against(*comparison, *tolerances);
+  std::cout << report::in_words(outcome);
+  return outcome.holds();
+}
+
+/// The tolerances of --assert; nullopt: the option is not given.
+Result<std::optional<std::vector<report::Tolerance>>> read_tolerances(const program::Arguments& given) {
+  if (!given.has("assert")) return std::optional<std::vector<report::Tolerance>>();
+  Result<std::vector<report::Tolerance>> tolerances = report::parse_tolerances(given.text("assert"), "--assert");
+  if (!tolerances) return tolerances.error();
+  return std::optional(std::move(*tolerances));
+}
+
+int run(const program::Arguments& given) {
+  const std::vector<std::string>& sessions = given.positional();
+  const std::filesystem::path out = given.text("out");
+  if (sessions.size() == 1) {
+    const std::optional<report::PathLimits> path = report::path_named(given.text("path"));
+    if (!path)
+      return program::fail({.what = "'" + given.text("path") + "' is not a network path",
+                            .where = "--path",
+                            .fix = "give lan, lte, hostile or satellite (docs/report.md)"},
+                           program::kAskedWrongly);
+    const Result<void> done = write_report(sessions.front(), out, *path);
+    return done ? program::kDone : program::fail(done.error());
+  }
+  const auto tolerances = read_tolerances(given);
+  if (!tolerances) return program::fail(tolerances.error(), program::kAskedWrongly);
+  const Result<bool> holds = write_comparison(sessions, out, *tolerances);
+  // A gate must tell sessions that cannot be compared from sessions that differ.
+  if (!holds) return program::fail(holds.error(), *tolerances ? program::kAskedWrongly : program::kFailed);
+  return *holds ? program::kDone : program::kFailed;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto arguments = program::read_arguments(kUsage, argc, argv);
+  const auto arguments = program::read_arguments(usage(), argc, argv);
   if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
   if (!*arguments) return program::kDone;
-  const auto& given = **arguments;
-  const std::vector<std::string>& sessions = given.positional();
+  const std::vector<std::string>& sessions = (**arguments).positional();
   if (sessions.empty() || sessions.size() > 2)
     return program::fail(
         {.what = "one or two session files are needed, but " + std::to_string(sessions.size()) + " are named",
          .where = "telepalp-report",
          .fix = "name one session file to report on, or two to compare: telepalp-report SESSION.mcap [OTHER.mcap]"},
         program::kAskedWrongly);
-  program::say_when_stopped("telepalp-report: stopped: the report in " + given.text("out") +
+  if (sessions.size() == 1 && (**arguments).has("assert"))
+    return program::fail({.what = "one session alone cannot be compared",
+                          .where = "--assert",
+                          .fix = "name the baseline and the run: telepalp-report A B --assert same"},
+                         program::kAskedWrongly);
+  program::say_when_stopped("telepalp-report: stopped: the report in " + (**arguments).text("out") +
                             " is not complete; each of its files is whole or as it was before");
-  const Result<void> done = sessions.size() == 1 ? write_report(sessions.front(), given.text("out"))
-                                                 : write_comparison(sessions, given.text("out"));
-  return done ? program::kDone : program::fail(done.error());
+  return run(**arguments);
 }

@@ -1,6 +1,7 @@
 #include "clients/report/compare/comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "clients/ar/messages/phases.h"
@@ -15,24 +16,34 @@ namespace {
 using plot::number;
 using plot::readable;
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
+/// "Likely causes: 1. …; 2. …." with the most likely ones.
+std::string causes_sentence(const Comparison& comparison) {
+  constexpr std::size_t kMost = 4;
+  const std::vector<std::string> causes = causes_of(comparison);
+  if (causes.size() == 1) return "Likely cause: " + causes.front() + ".";
+  std::string text = "Likely causes:";
+  for (std::size_t i = 0; i < std::min(kMost, causes.size()); ++i)
+    text += (i == 0 ? " " : "; ") + std::to_string(i + 1) + ". " + causes[i];
+  return text + ".";
 }
 
-std::vector<std::string> differing(const std::vector<Setting>& settings) {
-  std::vector<std::string> names;
-  for (const Setting& setting : settings)
-    if (setting.differs()) names.push_back(setting.name);
-  return names;
+/// True if something that a user must know differs although no force in contact does.
+bool images_differ(const Comparison& comparison) {
+  constexpr double kLeast_pct = 1.0;
+  return comparison.images.missing_pct() > kLeast_pct;
 }
 
-std::string settings_sentence(const Comparison& comparison) {
-  const std::vector<std::string> names = differing(comparison.settings);
-  if (names.empty()) return "The sessions record the same settings.";
-  return "These settings differ: " + joined(names) + ".";
+std::string images_sentence(const Comparison& comparison) {
+  if (!images_differ(comparison)) return "";
+  const ImageComparison& images = comparison.images;
+  return " But " + plot::number(images.missing_pct(), 0) + " % of the depth images " +
+         (images.surfaces ? "that became a surface " : "") + "are in one run alone (" + std::to_string(images.a) +
+         " in A, " + std::to_string(images.b) + " in B).";
+}
+
+bool settings_differ(const Comparison& comparison) {
+  return std::any_of(comparison.settings.begin(), comparison.settings.end(),
+                     [](const Setting& setting) { return setting.differs(); });
 }
 
 }  // namespace
@@ -51,6 +62,11 @@ Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem
   label(result.a, result.b);
   result.settings = settings_of(result.a, result.b);
   result.ticks = compare_ticks(result.a.session, result.b.session);
+  result.contacts = compare_contacts(result.a.session, result.b.session);
+  result.images = compare_images(result.a.session, result.b.session);
+  const Result<void> depths =
+      compare_depths(result.images, result.a.file, result.a.session, result.b.file, result.b.session);
+  if (!depths) return depths.error();
   result.metrics = metric_pairs(result.a.summary, result.b.summary);
   result.replay_metrics = replay_metric_pairs(result.a, result.b);
   result.messages_compared = share_time(result.a.session, result.b.session);
@@ -61,6 +77,11 @@ Result<Comparison> compare(const std::filesystem::path& a, const std::filesystem
   return result;
 }
 
+double Comparison::depth_ratio() const noexcept {
+  if (std::isfinite(images.depth_ratio)) return images.depth_ratio;
+  return a.replay && b.replay ? b.replay->mean_depth_m / a.replay->mean_depth_m : kUnknown;
+}
+
 std::string headline(const Comparison& comparison) {
   if (comparison.equal()) return "The two runs are equal, message by message.";
   const TickComparison& ticks = comparison.ticks;
@@ -68,7 +89,7 @@ std::string headline(const Comparison& comparison) {
     return "The two runs have no 2 kHz ticks at the same time, so only their summary figures are compared.";
   if (!ticks.first_felt)
     return "The hand feels no difference: in contact, the forces of the two runs differ by at most " +
-           readable(kFelt_N) + " N.";
+           readable(kFelt_N) + " N." + images_sentence(comparison);
   return "The hand first feels a difference " + number(ticks.first_felt->at_s, 3) +
          " s after the start: " + forces_in_words(comparison.a, comparison.b, *ticks.first_felt) + ".";
 }
@@ -76,8 +97,9 @@ std::string headline(const Comparison& comparison) {
 std::string account(const Comparison& comparison) {
   const TickComparison& ticks = comparison.ticks;
   std::string text;
-  if (ticks.first_felt) text = "Likely cause: " + cause_in_words(comparison.a, comparison.b, *ticks.first_felt) + ". ";
-  text += settings_sentence(comparison);
+  if (ticks.first_felt || images_differ(comparison) || settings_differ(comparison)) text = causes_sentence(comparison);
+  if (!settings_differ(comparison))
+    text += std::string(text.empty() ? "" : " ") + "Both runs record the same settings.";
   if (ticks.common == 0 || comparison.equal()) return text;
   const double share = 100.0 * static_cast<double>(ticks.phase_other) / static_cast<double>(ticks.common);
   text += " Over all " + std::to_string(ticks.common) +

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "clients/report/compare/contact_comparison.h"
+#include "clients/report/compare/image_comparison.h"
 #include "clients/report/compare/metric_table.h"
 #include "clients/report/compare/run.h"
 #include "clients/report/compare/settings.h"
@@ -17,10 +19,16 @@ struct Comparison {
   Run b;
   std::vector<Setting> settings;
   TickComparison ticks;
+  ContactComparison contacts{};
+  ImageComparison images{};
   bool messages_compared = false;              ///< true: session times overlap, so messages are comparable
   std::optional<std::string> first_message{};  ///< first differing message, in words; nullopt: none, or not compared
   std::vector<MetricPair> metrics;
   std::vector<MetricPair> replay_metrics;
+
+  /// B's depth divided by A's: of the same images, else the mean of the images that both replays read; NaN (kUnknown)
+  /// if neither is known.
+  [[nodiscard]] double depth_ratio() const noexcept;
 
   /// True if the messages were compared and are all equal.
   [[nodiscard]] bool equal() const noexcept { return messages_compared && !first_message; }

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "clients/report/compare/cause.h"
-#include "clients/report/compare/overlay_figures.h"
 #include "clients/report/figures/html.h"
+#include "clients/report/figures/overlay_figures.h"
 #include "proto/words/counted.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
@@ -69,20 +69,22 @@ std::string settings_section(const Comparison& comparison) {
                  content);
 }
 
+/// What the stations published at `instant` says about the cause; the paragraph's end.
 std::string why(const Comparison& comparison, const Instant& instant) {
-  return escaped(cause_in_words(comparison.a, comparison.b, instant)) + ".</p>\n";
+  const std::string cause = cause_in_words(comparison.a, comparison.b, instant);
+  return (cause.empty() ? "" : " At this instant " + escaped(cause) + ".") + "</p>\n";
 }
 
 std::string first_difference_section(const Comparison& comparison) {
   std::string content;
   if (const auto& state = comparison.ticks.first_phase)
     content += "<p>The states first differ at " + number(state->at_s, 4) +
-               " s after the start: " + escaped(states_in_words(comparison.a, comparison.b, *state)) +
-               ". Likely cause: " + why(comparison, *state);
+               " s after the start: " + escaped(states_in_words(comparison.a, comparison.b, *state)) + "." +
+               why(comparison, *state);
   if (const auto& felt = comparison.ticks.first_felt)
     content += "<p>The forces in contact first differ by more than 0.05 N at " + number(felt->at_s, 4) +
-               " s after the start: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) +
-               ". Likely cause: " + why(comparison, *felt);
+               " s after the start: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) + "." +
+               why(comparison, *felt);
   const auto shown = comparison.ticks.first_felt ? comparison.ticks.first_felt : comparison.ticks.first_phase;
   if (shown) content += stacked(around(comparison.a.session, comparison.b.session, *shown));
   if (!comparison.messages_compared)
@@ -102,6 +104,8 @@ std::string difference_of(const MetricPair& pair) {
   if (!std::isfinite(pair.a) || !std::isfinite(pair.b)) return "–";
   const double by = pair.b - pair.a;
   if (by == 0.0) return "0";
+  if (pair.same())
+    return "the same (less than " + readable(pair.matters) + (pair.unit.empty() ? "" : " " + pair.unit) + " apart)";
   std::string text = (by > 0.0 ? "+" : "−") + readable(std::abs(by));
   if (pair.a != 0.0)
     text += " (" + std::string(by / pair.a > 0.0 ? "+" : "−") + readable(100.0 * std::abs(by / pair.a)) + " %)";
@@ -132,7 +136,8 @@ std::string metrics_sections(const Comparison& comparison) {
   return out +
          section(
              "Figures of the sessions",
-             "Each figure in both runs, and the difference B − A, also in % of A. A row is marked where B is worse.",
+             "Each figure in both runs, and the difference B − A, also in % of A. A row is marked where B is worse. A "
+             "difference too small to matter is called the same.",
              metric_rows(comparison.metrics));
 }
 

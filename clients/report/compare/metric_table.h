@@ -15,8 +15,13 @@ struct MetricPair {
   double b = kUnknown;
   enum class Better { Less, More, Neither } better = Better::Less;
 
-  /// True if b is worse than a by more than a thousandth of the larger magnitude. False if one is unknown.
+  double matters = 0.0;  ///< a difference up to this counts as none [unit]
+
+  /// True if b is worse than a by more than `matters`, and by more than a thousandth of the larger magnitude. False if
+  /// one is unknown.
   [[nodiscard]] bool worse() const noexcept;
+  /// True if both are known and differ by at most `matters`.
+  [[nodiscard]] bool same() const noexcept;
 };
 
 /// The metrics of both sessions. Metrics that neither run has are left out.

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clients/report/session/session.h"
 #include "clients/report/summary/summary.h"
@@ -17,7 +18,10 @@ namespace telepalp::report {
 struct ReplayFacts {
   std::string network;  ///< network and faults in words; "unimpaired (…)": no delay, loss or fault
   std::string seed;
-  std::string hand;                       ///< "recorded", or the script: "examine", "tap", "search"
+  std::string hand;                               ///< "recorded", or the script: "examine", "tap", "search"
+  std::map<std::string, std::string> settings{};  ///< all settings of the replay, by name: "depth_mode" is "fast"
+  double depth_bound_mm = kUnknown;       ///< how far the replay's depth coding may move a depth 1 m from the camera
+  double mean_depth_m = kUnknown;         ///< over all measured pixels of the images that the replay read
   std::map<std::string, double> figures;  ///< by metric (docs/replay.md); metrics without a value are missing
 };
 
@@ -30,6 +34,12 @@ struct Run {
   Verdict verdict;
   wire::SessionInfo info;
   std::optional<ReplayFacts> replay;  ///< nullopt: not a replay, or its report.json is missing
+
+  /// How far the depth coding may move a depth 1 m from the camera [mm]; 0: lossless. NaN (kUnknown) if it is not
+  /// stated.
+  [[nodiscard]] double depth_bound_mm() const noexcept;
+  /// The depth camera's focal lengths in x and y and its principal point in x and y [px]; empty: not stated.
+  [[nodiscard]] std::vector<double> camera_px() const;
 };
 
 /// Reads a session file, or the file session.mcap in the folder `asked`. Error: not a session, or an empty or

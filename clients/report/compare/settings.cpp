@@ -1,37 +1,26 @@
 #include "clients/report/compare/settings.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
-#include "proto/words/counted.h"
+#include "clients/report/compare/scene_difference.h"
+#include "clients/report/summary/provenance.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {
 namespace {
 
-std::string software(const Run& run) {
-  std::string text = run.info.program;
-  if (!run.info.version.empty()) text += " " + run.info.version;
-  if (!run.info.commit.empty()) text += ", commit " + run.info.commit;
-  return text;
-}
+// Names in report.json of the settings that a recorded session states in its messages.
+constexpr const char* kSurface = "surface_setting";
+constexpr const char* kDepth = "depth_coding";
+constexpr const char* kCamera = "depth_camera";
 
-/// The line `name: "…"` of a scene file, or its number of lines.
-std::string scene_name(const std::string& scene) {
-  if (scene.empty()) return {};
-  std::istringstream lines(scene);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("name:")) {
-      const std::size_t from = line.find('"'), to = line.rfind('"');
-      if (from != std::string::npos && to > from) return line.substr(from + 1, to - from - 1);
-    }
-  return "unnamed scene of " +
-         counted(static_cast<std::uint64_t>(std::count(scene.begin(), scene.end(), '\n')), "line", "lines");
-}
-
-std::string scene_words(const Run& run, const Run& other) {
-  const std::string apart = first_line_apart(run.info.scene, other.info.scene);
-  return scene_name(run.info.scene) + (apart.empty() || other.info.scene.empty() ? "" : "; first difference: " + apart);
+/// The network of a replay, without its seed, which is a setting of its own.
+std::string network_of(const Run& run) {
+  if (!run.replay) return {};
+  const std::string& text = run.replay->network;
+  return text.substr(0, text.find("; seed "));
 }
 
 std::string camera_words(const Session& session) {
@@ -60,45 +49,65 @@ std::string replay_text(const Run& run, std::string ReplayFacts::*member) {
   return run.replay ? *run.replay.*member : std::string();
 }
 
-std::string setting_of_surface(const Session& session) {
-  return session.surfaces.empty() ? std::string() : session.surfaces.back().setting();
+std::string in_replay(const Run& run, const char* name) {
+  if (!run.replay) return {};
+  const auto found = run.replay->settings.find(name);
+  return found == run.replay->settings.end() ? std::string() : found->second;
+}
+
+/// The setting that the surfaces name; a replay's surfaces name none, its report does.
+std::string surface_words(const Run& run) {
+  const Session& session = run.session;
+  const std::string named = session.surfaces.empty() ? std::string() : session.surfaces.back().setting();
+  return named.empty() ? in_replay(run, kSurface) : named;
 }
 
 std::string depth_words(const Run& run) {
   const wire::DepthFidelity& depth = run.summary.depth;
-  return depth.mode.empty() && !depth.moved ? std::string() : wire::in_words(depth);
+  if (depth.mode.empty() && !depth.moved) return in_replay(run, kDepth);
+  return wire::in_words(depth);
+}
+
+std::string camera_of(const Run& run) {
+  const std::string named = camera_words(run.session);
+  return named.empty() ? in_replay(run, kCamera) : named;
+}
+
+/// The other settings of replays. A run without them (not a replay, or of an older version) states nothing.
+void add_replay_settings(std::vector<Setting>& all, const Run& a, const Run& b) {
+  std::set<std::string> names;
+  for (const Run* run : {&a, &b})
+    if (run->replay)
+      for (const auto& [name, value] : run->replay->settings) names.insert(name);
+  for (const char* shown : {kSurface, kDepth, kCamera}) names.erase(shown);
+  for (const std::string& name : names) {
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    all.push_back({words, in_replay(a, name.c_str()), in_replay(b, name.c_str())});
+  }
 }
 
 }  // namespace
 
-std::string first_line_apart(const std::string& text, const std::string& other) {
-  std::istringstream own(text), others(other);
-  std::string line, beside;
-  for (int number = 1;; ++number) {
-    const bool more = static_cast<bool>(std::getline(own, line));
-    const bool more_beside = static_cast<bool>(std::getline(others, beside));
-    if (!more && !more_beside) return {};
-    if (!more) return "the scene file ends before line " + std::to_string(number);
-    if (!more_beside || line != beside) return "line " + std::to_string(number) + ": " + line;
-  }
-}
-
 std::vector<Setting> settings_of(const Run& a, const Run& b) {
+  const bool both = !a.info.scene.empty() && !b.info.scene.empty();
+  const std::string said = both ? scene_difference(a.info.scene, b.info.scene) : "";
   std::vector<Setting> all{
-      {"network", replay_text(a, &ReplayFacts::network), replay_text(b, &ReplayFacts::network)},
-      {"software", software(a), software(b)},
+      {"network", network_of(a), network_of(b)},
+      {"software", software_of(a.info), software_of(b.info)},
       {"source of the images", source_of(a.session), source_of(b.session)},
       {"recorded from (server or file)", a.session.origin, b.session.origin},
-      {"scene", scene_words(a, b), scene_words(b, a)},
+      {"scene", scene_name(a.info.scene), scene_name(b.info.scene) + (said.empty() ? "" : "; " + said)},
       {"haptic effects", effects_words(a.session), effects_words(b.session)},
       {"hand in the replay", replay_text(a, &ReplayFacts::hand), replay_text(b, &ReplayFacts::hand)},
       {"random seed of the replay", replay_text(a, &ReplayFacts::seed), replay_text(b, &ReplayFacts::seed)},
       {"depth coding", depth_words(a), depth_words(b)},
-      {"surface setting", setting_of_surface(a.session), setting_of_surface(b.session)},
-      {"depth camera", camera_words(a.session), camera_words(b.session)},
+      {"surface setting", surface_words(a), surface_words(b)},
+      {"depth camera", camera_of(a), camera_of(b)},
       {"station's computer", timer_words(a.session), timer_words(b.session)},
       {"person or account that recorded", a.info.recorded_by, b.info.recorded_by},
   };
+  add_replay_settings(all, a, b);
   std::erase_if(all, [](const Setting& setting) { return setting.a.empty() && setting.b.empty(); });
   std::stable_partition(all.begin(), all.end(), [](const Setting& setting) { return setting.differs(); });
   return all;

@@ -19,8 +19,4 @@ struct Setting {
 /// first. Settings that neither session states are left out.
 [[nodiscard]] std::vector<Setting> settings_of(const Run& a, const Run& b);
 
-/// The first line in which `text` differs from `other`: "line 7: stiffness_N_per_m: 300". If `other` only continues
-/// `text`: "the scene file ends before line 7". Equal texts: empty.
-[[nodiscard]] std::string first_line_apart(const std::string& text, const std::string& other);
-
 }  // namespace telepalp::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "proto/wire/station/contact_force.h"
 
@@ -18,11 +19,43 @@ std::int64_t beginning(const Session& session) noexcept {
   return session.ticks.size() > 0 ? session.ticks.at_ns.front() : session.first_ns.value_or(0);
 }
 
-/// Index of the tick of `ticks` that is nearest to `at_ns`, searched from `from` on; times ascend.
-std::size_t nearest_tick(const Ticks& ticks, std::int64_t at_ns, std::size_t from) {
-  while (from + 1 < ticks.size() && std::abs(ticks.at_ns[from + 1] - at_ns) <= std::abs(ticks.at_ns[from] - at_ns))
-    ++from;
-  return from;
+/// Forces at the ticks with contact in at least one run.
+class ContactForces {
+ public:
+  void add(TickComparison& result, double apart_N, bool a, bool b) {
+    if (!a && !b) return;
+    ++result.contact;
+    if (a != b) ++result.one_sided;
+    if (std::isfinite(apart_N)) apart_N_.push_back(apart_N);
+  }
+  void summarise(TickComparison& result) && {
+    if (apart_N_.empty()) return;
+    double squares = 0.0;
+    for (const double apart_N : apart_N_) squares += apart_N * apart_N;
+    result.contact_rms_N = std::sqrt(squares / static_cast<double>(apart_N_.size()));
+    result.contact_p99_N = quantiles(std::move(apart_N_)).p99;
+  }
+
+ private:
+  std::vector<double> apart_N_;
+};
+
+/// The ticks of `ticks` for which `other` has no tick within half a period.
+MissingTicks missing_in(const Ticks& other, std::int64_t other_origin_ns, const Ticks& ticks, std::int64_t origin_ns) {
+  MissingTicks missing;
+  std::size_t j = 0, length = 0, longest = 0;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const std::int64_t since_ns = ticks.at_ns[i] - origin_ns;
+    j = nearest_tick(other, since_ns + other_origin_ns, j);
+    const bool there = 2 * std::abs(other.at_ns[j] - other_origin_ns - since_ns) <= std::int64_t{ticks.period_ns};
+    length = there ? 0 : length + 1;
+    missing.count += there ? 0 : 1;
+    if (length <= longest) continue;
+    longest = length;
+    missing.until_s = 1e-9 * static_cast<double>(since_ns);
+    missing.from_s = missing.until_s - 1e-9 * static_cast<double>((length - 1) * ticks.period_ns);
+  }
+  return missing;
 }
 
 void take(TickComparison& result, const Instant& now, msg::Phase a, msg::Phase b) {
@@ -38,6 +71,12 @@ void take(TickComparison& result, const Instant& now, msg::Phase a, msg::Phase b
 }
 
 }  // namespace
+
+std::size_t nearest_tick(const Ticks& ticks, std::int64_t at_ns, std::size_t from) noexcept {
+  while (from + 1 < ticks.size() && std::abs(ticks.at_ns[from + 1] - at_ns) <= std::abs(ticks.at_ns[from] - at_ns))
+    ++from;
+  return from;
+}
 
 bool share_time(const Session& a, const Session& b) noexcept {
   return a.first_ns && b.first_ns && *a.first_ns <= *b.last_ns && *b.first_ns <= *a.last_ns;
@@ -56,6 +95,9 @@ TickComparison compare_ticks(const Session& a, const Session& b) {
   double squares = 0.0;
   std::size_t finite = 0;
   std::size_t j = 0;
+  ContactForces in_contact;
+  result.missing_in_a = missing_in(a.ticks, origins.a_ns, b.ticks, origins.b_ns);
+  result.missing_in_b = missing_in(b.ticks, origins.b_ns, a.ticks, origins.a_ns);
   for (std::size_t i = 0; i < a.ticks.size(); ++i) {
     const std::int64_t since_ns = a.ticks.at_ns[i] - origins.a_ns;
     j = nearest_tick(b.ticks, since_ns + origins.b_ns, j);
@@ -66,10 +108,12 @@ TickComparison compare_ticks(const Session& a, const Session& b) {
                       .force_apart_N = distance(a.ticks.force, i, b.ticks.force, j),
                       .hands_apart_m = distance(a.ticks.hand, i, b.ticks.hand, j)};
     take(result, now, a.ticks.phase[i], b.ticks.phase[j]);
+    in_contact.add(result, now.force_apart_N, wire::is_contact(a.ticks.phase[i]), wire::is_contact(b.ticks.phase[j]));
     if (!std::isfinite(now.force_apart_N)) continue;
     squares += now.force_apart_N * now.force_apart_N;
     ++finite;
   }
+  std::move(in_contact).summarise(result);
   if (finite > 0) result.force_rms_N = std::sqrt(squares / static_cast<double>(finite));
   return result;
 }

@@ -10,6 +10,11 @@ body { margin: 0 auto; max-width: 1000px; padding: 24px 20px 60px; background: #
   font: 16px/1.5 system-ui, "DejaVu Sans", Arial, sans-serif; }
 h1 { font-size: 26px; margin: 0 0 2px; } h2 { font-size: 20px; margin: 0 0 2px; }
 .from { color: #667080; margin: 0 0 18px; font-size: 14px; }
+.facts { display: flex; flex-wrap: wrap; gap: 4px 22px; margin: 0 0 8px; font-size: 14px; }
+.facts div { display: flex; gap: 6px; } .facts dt { color: #667080; } .facts dd { margin: 0; overflow-wrap: anywhere; }
+.notice { color: #566070; margin: 0 0 14px; font-size: 13px; }
+.causes { margin: 12px 0 4px; padding-left: 24px; } .causes li { margin: 0 0 8px; }
+.scroll { overflow-x: auto; }
 .verdict, section { background: #fff; border: 1px solid #e1e5ea; border-radius: 10px; padding: 18px 20px; margin: 0 0 18px; }
 .verdict { border-left: 10px solid #009e73; } .verdict.look { border-left-color: #d55e00; }
 .verdict.none { border-left-color: #8a8f98; }
@@ -27,7 +32,9 @@ table { border-collapse: collapse; width: 100%; font-size: 14.5px; font-variant-
 th, td { padding: 5px 10px; border-bottom: 1px solid #e8ebef; text-align: right; }
 th { color: #566070; font-weight: 600; } th:first-child, td:first-child, .words th, .words td { text-align: left; }
 .words td { overflow-wrap: anywhere; } .words td:first-child { white-space: nowrap; }
-@media (max-width: 700px) { .pair { grid-template-columns: 1fr; } }
+@media (max-width: 700px) { .pair { grid-template-columns: 1fr; } body { padding: 14px 8px 40px; }
+  .verdict, section { padding: 12px 10px; } .headline { font-size: 18px; } th, td { padding: 4px 5px; font-size: 12.5px; }
+  .words td:first-child { white-space: normal; } td, th, h1, .from { overflow-wrap: anywhere; } }
 @media print { body { background: #fff; max-width: none; padding: 0; font-size: 12px; }
   section, .verdict { break-inside: avoid; border-color: #ccc; } }
 )css";

@@ -8,6 +8,7 @@
 #include "clients/report/figures/html.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/timing_figures.h"
+#include "clients/report/summary/provenance.h"
 #include "proto/words/counted.h"
 #include "proto/words/phase_names.h"
 #include "support/plot/number.h"
@@ -47,14 +48,36 @@ std::string check_card(const Check& check) {
          escaped(budget) + "</div></div>\n";
 }
 
+std::string fact(const char* name, const std::string& text) {
+  return "<div><dt>" + std::string(name) + "</dt><dd>" + (text.empty() ? "not stated" : escaped(text)) +
+         "</dd></div>\n";
+}
+
+std::string provenance(const Session& session) {
+  const Provenance from = provenance_of(session);
+  return "<dl class=\"facts\">\n" + fact("date", from.date) + fact("scene", from.scene) +
+         fact("written by", from.software) + fact("recorded by", from.recorder) +
+         fact("patient's consent", from.consent) + "</dl>\n<p class=\"notice\">" +
+         escaped(std::string(kNotAMedicalDevice)) + "</p>\n";
+}
+
+/// The causes of a run that is not good, the most important first.
+std::string causes_list(const Verdict& verdict) {
+  if (verdict.causes.empty()) return "";
+  std::string out = "<ol class=\"causes\">\n";
+  for (const Cause& cause : verdict.causes)
+    out += "<li>" + escaped(cause.what) + ".<br><b>What to do:</b> " + escaped(cause.to_do) + ".</li>\n";
+  return out + "</ol>\n";
+}
+
 std::string first_screen(const Session& session, const Summary& summary, const Verdict& verdict) {
   std::string out = "<h1>telepalp: report of a run</h1>\n<p class=\"from\">" + escaped(session.name) +
                     (source_of(session).empty() ? "" : " · " + escaped(source_of(session))) + " · " +
                     number(summary.seconds, 1) + " s from the first message to the last · " +
-                    counted(session.messages, "message", "messages") + "</p>\n";
+                    counted(session.messages, "message", "messages") + "</p>\n" + provenance(session);
   const char* const look = verdict.good ? "" : summary.ticks > 0 ? " look" : " none";
   out += "<div class=\"verdict" + std::string(look) + "\"><div class=\"headline\">" + escaped(verdict.headline) +
-         "</div><p>" + escaped(verdict.account) + "</p>\n";
+         "</div>\n" + causes_list(verdict) + "<p>" + escaped(verdict.account) + "</p>\n";
   if (summary.damaged_messages > 0)
     out += "<p>Left out: " + counted(summary.damaged_messages, "damaged message", "damaged messages") + ".</p>\n";
   out += "<div class=\"checks\">\n";

@@ -27,6 +27,9 @@ bool add_ticks(Ticks& ticks, const msg::StationTicks& batch) {
       batch.force_y_size(), batch.force_z_size(),  batch.indentation_m_size(), batch.distance_m_size()};
   if (std::any_of(std::begin(lengths), std::end(lengths), [&](int length) { return length != size; })) return false;
   ticks.period_ns = batch.period_ns() > 0 ? batch.period_ns() : ticks.period_ns;
+  if (size == 0) return true;
+  if (ticks.at_ns.empty()) ticks.first_number = batch.first_tick();
+  ticks.last_number = batch.first_tick() + static_cast<std::uint64_t>(size) - 1;
   for (int i = 0; i < size; ++i) {
     ticks.at_ns.push_back(static_cast<std::int64_t>(batch.first_tick_ns()) + std::int64_t{i} * ticks.period_ns);
     ticks.late_us.push_back(static_cast<float>(batch.late_ns(i)) * 1e-3F);

@@ -12,6 +12,7 @@
 #include "messages/playback.pb.h"
 #include "messages/station.pb.h"
 #include "proto/wire/depth_loss.h"
+#include "proto/wire/mcap/writer.h"
 #include "proto/wire/message.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -31,6 +32,7 @@ struct Ticks {
   std::vector<float> indentation_m;  ///< norm of the indentation; 0 outside the body
   std::vector<float> distance_m;     ///< of the device point from the surface; negative inside the body
   std::uint32_t period_ns = 500'000;
+  std::uint64_t first_number = 0, last_number = 0;  ///< of the first and the last tick, since the station's start
 
   [[nodiscard]] std::size_t size() const noexcept { return at_ns.size(); }
 };
@@ -78,6 +80,7 @@ struct Subscription {
 /// the inherited SenderRecord is that of the sender with the most ticks; the report is about this sender.
 struct Session : SenderRecord {
   std::string name;         ///< file name without folders
+  wire::SessionInfo info;   ///< what the recorder stated
   std::string origin;       ///< the recorded server or file, from the metadata; empty: not stated
   msg::SessionNotes notes;  ///< notes of people who watched the session, from SESSION.mcap.notes.json
   std::map<std::uint32_t, SenderRecord> others;                               ///< of the other senders, by their number

@@ -66,7 +66,8 @@ Result<Session> read_session(const std::filesystem::path& file) {
   if (!reader) return reader.error();
   Session session;
   session.name = file.filename().string();
-  if (const auto info = reader->session()) session.origin = info->source;
+  if (Result<wire::SessionInfo> info = reader->session()) session.info = std::move(*info);
+  session.origin = session.info.source;
   for (;;) {
     Result<std::optional<wire::Message>> message = reader->next();
     if (!message) return message.error();

@@ -1,6 +1,7 @@
 #include "clients/report/summary/report_json.h"
 
 #include "clients/ar/messages/phases.h"
+#include "clients/report/summary/provenance.h"
 #include "support/program/json.h"
 
 namespace telepalp::report {
@@ -108,10 +109,34 @@ void add_notes(Json& json, const Session& session) {
   json.end_list();
 }
 
+void add_text_or_null(Json& json, std::string_view key, const std::string& text) {
+  if (text.empty())
+    json.add_null(key);
+  else
+    json.add(key, text);
+}
+
+void add_provenance(Json& json, const Provenance& from) {
+  json.add("notice", kNotAMedicalDevice);
+  add_text_or_null(json, "date", from.date);
+  add_text_or_null(json, "scene", from.scene);
+  add_text_or_null(json, "software", from.software);
+  add_text_or_null(json, "recorded_by", from.recorder);
+  add_text_or_null(json, "consent", from.consent);
+}
+
 void add_verdict(Json& json, const Verdict& verdict) {
   json.begin_object("verdict");
   json.add("good", verdict.good);
   json.add("headline", verdict.headline);
+  json.begin_list("causes");
+  for (const Cause& cause : verdict.causes) {
+    json.begin_object();
+    json.add("what", cause.what);
+    json.add("to_do", cause.to_do);
+    json.end_object();
+  }
+  json.end_list();
   json.begin_list("checks");
   for (const Check& check : verdict.checks) {
     json.begin_object();
@@ -137,12 +162,14 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.add("session", session.name);
   json.add("source", source_of(session));
   json.add("recorded_from", session.origin);
+  add_provenance(json, provenance_of(session));
   json.add("seconds", summary.seconds);
   json.add("ticks", summary.ticks);
   add_quantiles(json, "tick_us", summary.tick_us, true);
   add_quantiles(json, "lateness_us", summary.lateness_us, true);
   json.add("deadlines_missed", summary.deadlines_missed);
   json.add("telemetry_dropped", summary.telemetry_dropped);
+  json.add("ticks_missing", summary.ticks_missing);
   if (summary.realtime)
     json.add("realtime", *summary.realtime);
   else

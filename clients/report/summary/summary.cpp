@@ -60,6 +60,7 @@ void add_compensation(Summary& summary, const Session& session) {
   using Sample = msg::StationCompensation;
   const auto& all = session.compensations;
   summary.surface_carried_mm = over(all, [](const Sample& t) { return std::abs(t.surface_carried_m()) * 1e3; });
+  summary.assumed_age_ms = over(all, [](const Sample& t) { return t.surface_age_s() * 1e3; });
   summary.hand_carried_mm = over(all, [](const Sample& t) { return t.hand_carried_m() * 1e3; });
   if (all.empty()) return;
   const auto share = [&](auto flagged) {
@@ -136,7 +137,10 @@ void add_ticks(Summary& summary, const Ticks& ticks) {
   summary.ticks = ticks.size();
   summary.tick_us = quantiles({ticks.work_us.begin(), ticks.work_us.end()});
   summary.lateness_us = quantiles({ticks.late_us.begin(), ticks.late_us.end()});
-  summary.ticks_per_s = mean_rate(ticks.at_ns);
+  const std::uint64_t made = ticks.last_number - ticks.first_number + 1;  // wraps if the station restarted
+  const bool numbered = ticks.last_number > ticks.first_number && made >= ticks.size();
+  summary.ticks_per_s = numbered ? mean_rate(made, ticks.at_ns.front(), ticks.at_ns.back()) : mean_rate(ticks.at_ns);
+  if (numbered) summary.ticks_missing = made - ticks.size();
   std::vector<double> force_N = force_norm_N(ticks);
   summary.force_max_N = greatest(force_N);
   std::vector<double> drive_N = force_N;
@@ -251,6 +255,8 @@ Summary summarise(const Session& session) {
   add_energy(summary, session);
   add_stats(summary, session);
   add_senders(summary, session);
+  if (!session.depth_captured_ns.empty()) summary.depth_images = session.depth_captured_ns.size();
+  if (!session.surfaces.empty()) summary.surfaces = session.surfaces.size();
   summary.depth = depth_of(session);
   return summary;
 }

@@ -49,9 +49,19 @@ struct Summary {
   std::optional<std::uint64_t> frames_received;  ///< depth frames that the station received
   std::optional<std::uint64_t> frames_dropped;   ///< depth frames for the station that the hub dropped
 
+  std::optional<std::uint64_t> depth_images;  ///< in the file
+  std::optional<std::uint64_t> surfaces;      ///< depth images that became a surface
+
+  /// Received frames of the sent ones, 0 to 1; NaN (kUnknown) if one of both is unknown or none was sent.
+  [[nodiscard]] double received_share() const noexcept {
+    if (!frames_sent || !frames_received || *frames_sent == 0) return kUnknown;
+    return static_cast<double>(*frames_received) / static_cast<double>(*frames_sent);
+  }
+
   double camera_depth_per_s = kUnknown;
   double camera_color_per_s = kUnknown;
-  double ticks_per_s = kUnknown;
+  double ticks_per_s = kUnknown;               ///< that the station made, by their numbers
+  std::optional<std::uint64_t> ticks_missing;  ///< ticks between the first and the last that the file lacks
   double states_per_s = kUnknown;
 
   Quantiles capture_to_encoded_ms, encoded_to_received_ms, received_to_decoded_ms, decoded_to_touchable_ms;
@@ -63,6 +73,7 @@ struct Summary {
   /// The loosest bound of the depth that the station touched; without a station, that of the recorded images.
   wire::DepthFidelity depth;
   Quantiles surface_age_ms;  ///< age of the surface from which the force was computed
+  Quantiles assumed_age_ms;  ///< age by which the station predicted the surface: by its own clock
   /// Bound on the error of every latency and age that compares the server's clock with the station's.
   Quantiles clock_error_ms;
 

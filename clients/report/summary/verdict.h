@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/report/summary/path_limits.h"
 #include "clients/report/summary/summary.h"
 
 namespace telepalp::report {
@@ -10,30 +11,44 @@ namespace telepalp::report {
 /// Result of comparing a value with its budget.
 enum class Standing { Holds, Misses, NotMeasured };
 
+/// What a reader needs first. Causes are ranked in this order.
+enum class Rank { Safety, Depth, Latency, Images, Loop, Clock, Recording, Computer };
+
 /// One value with its budget.
 struct Check {
   std::string name;  ///< "tick time, p99.9"
   double value = kUnknown;
   double budget = 0.0;
   std::string unit;
-  bool at_most = true;           ///< true: the budget is an upper limit; false: a lower limit
-  std::string meaning;           ///< consequence for the doctor when the budget is missed
-  bool of_the_computer = false;  ///< the station's computer, not telepalp, determines this value
+  bool at_most = true;  ///< true: the budget is an upper limit; false: a lower limit
+  Rank rank = Rank::Loop;
+  std::string brief;    ///< for the headline, when the budget is missed: "a tick took too long"
+  std::string meaning;  ///< consequence for the doctor, and where it comes from
+  std::string to_do;    ///< what to do about it
 
   [[nodiscard]] Standing standing() const noexcept;
 };
 
+/// A reason for which a run needs to be looked at, and what to do about it.
+struct Cause {
+  std::string what;
+  std::string to_do;
+};
+
 /// The overall assessment of a run.
 struct Verdict {
-  bool good = false;     ///< exactly one station took part, and no check misses its budget
-  std::string headline;  ///< for example "The run was good: every measured figure meets its requirement."
-  std::string account;   ///< what happened, in a few sentences
+  bool good = false;  ///< exactly one station took part, and no check misses its budget
+  std::string
+      headline;         ///< at most two lines: "Check this run: the network made the touch 428 ms late; 2 more causes."
+  std::string account;  ///< what happened, in a few sentences
+  std::vector<Cause> causes;  ///< of a run that is not good, the most important first
   std::vector<Check> checks;
 };
 
 /// "telepalp-station at 127.0.0.1:40112"
 [[nodiscard]] std::string in_words(const SenderSummary& sender);
 
-[[nodiscard]] Verdict judge(const Summary& summary);
+/// `path`: whose limits of latency the run must meet.
+[[nodiscard]] Verdict judge(const Summary& summary, const PathLimits& path = kPaths.front());
 
 }  // namespace telepalp::report

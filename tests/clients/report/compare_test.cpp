@@ -176,7 +176,7 @@ TEST_F(Compare, SettingsThatDifferComeFirstWithTheFirstLineOfTheSceneThatDoes) {
   ASSERT_GE(comparison->settings.size(), 3u);
   EXPECT_EQ(comparison->settings[0].name, "software");
   EXPECT_EQ(comparison->settings[1].name, "scene");
-  EXPECT_EQ(comparison->settings[1].b, "skin; first difference: line 2: stiffness: 300");
+  EXPECT_EQ(comparison->settings[1].b, "skin; A lacks line 2 of B: stiffness: 300");
   EXPECT_FALSE(comparison->settings[2].differs());
   EXPECT_TRUE(comparison->equal()) << "metadata are no messages";
 }
@@ -193,12 +193,6 @@ TEST(ReplayFacts, AreReadFromTheReportBesideTheSession) {
   EXPECT_EQ(unimpaired->figures.at("force_rmse_N"), 0.0);
   EXPECT_FALSE(replay_facts("{", false));
   EXPECT_FALSE(replay_facts(R"({"program": "telepalp-report"})", false));
-}
-
-TEST(Settings, FirstLineApartIsThatOfTheFirstText) {
-  EXPECT_EQ(first_line_apart("a\nb\n", "a\nb\n"), "");
-  EXPECT_EQ(first_line_apart("a\nb\n", "a\nc\n"), "line 2: b");
-  EXPECT_EQ(first_line_apart("a\n", "a\nc\n"), "the scene file ends before line 2");
 }
 
 TEST_F(Compare, WordsFromASessionCannotBreakThePageAndThePageNeedsNoOtherFile) {

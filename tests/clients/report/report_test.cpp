@@ -89,6 +89,99 @@ TEST(Verdict, WithoutAStationThereIsNothingToJudge) {
   EXPECT_NE(verdict.headline.find("no ticks of a station"), std::string::npos) << verdict.headline;
 }
 
+/// A run whose depth images took `network_ms` from server to station.
+Summary over_a_network(double network_ms) {
+  Session session = session_of({});
+  const auto more_ns = static_cast<std::uint64_t>(1e6 * network_ms);
+  for (msg::SurfaceReport& surface : session.surfaces) {
+    surface.set_received_ns(surface.received_ns() + more_ns);
+    surface.set_decoded_ns(surface.decoded_ns() + more_ns);
+    surface.set_touchable_ns(surface.touchable_ns() + more_ns);
+    surface.set_clock_error_s(0.3);
+  }
+  return summarise(session);
+}
+
+TEST(Verdict, ASatelliteIsNamedAsTheCauseAndNothingElse) {
+  const Verdict verdict = judge(over_a_network(395.0));
+  EXPECT_FALSE(verdict.good);
+  EXPECT_TRUE(verdict.headline.starts_with("Check this run: the network made the touch 4")) << verdict.headline;
+  ASSERT_EQ(verdict.causes.size(), 1U) << verdict.causes[1].what;
+  EXPECT_NE(verdict.causes[0].what.find("resembles the profile “satellite”, which allows 450 ms"), std::string::npos)
+      << verdict.causes[0].what;
+  EXPECT_NE(verdict.causes[0].to_do.find("path"), std::string::npos);
+  EXPECT_TRUE(judge(over_a_network(395.0), *path_named("satellite")).good) << "by the limits of its own path";
+}
+
+TEST(Verdict, AnUncertainClockOnAShortPathIsACause) {
+  Session session = session_of({});
+  for (msg::SurfaceReport& surface : session.surfaces) surface.set_clock_error_s(0.04);
+  const Verdict verdict = judge(summarise(session));
+  EXPECT_EQ(verdict.headline, "Check this run: the station's clock was uncertain.");
+}
+
+TEST(Verdict, ImagesThatWereSentAndNotReceivedAreACause) {
+  Summary summary = summarise(session_of({}));
+  summary.frames_received = 80;
+  const Verdict verdict = judge(summary);
+  EXPECT_EQ(verdict.headline, "Check this run: depth images were lost on the way.");
+  EXPECT_NE(verdict.causes.at(0).what.find("80 of 118 depth images"), std::string::npos) << verdict.causes[0].what;
+}
+
+TEST(Verdict, ALedgerBelowItsLimitIsNamedBeforeTheNetwork) {
+  Summary summary = over_a_network(395.0);
+  summary.display_least_mJ = -7.0;
+  const Verdict verdict = judge(summary);
+  EXPECT_EQ(verdict.headline, "Check this run: the display created energy; 1 more cause below.");
+  summary.hand_excess_most_mJ = 300.0;
+  EXPECT_EQ(judge(summary).causes.size(), 3U);
+}
+
+TEST(Verdict, TicksThatTheFileLacksAreNoSlowLoop) {
+  Session session;
+  for (const wire::Message& message : made_messages({}))
+    if (message.topic.name != wire::kStationTicks.name || session.messages % 9 != 0)
+      add(session, message);
+    else
+      ++session.messages;
+  const Summary summary = summarise(session);
+  EXPECT_GT(summary.ticks_missing.value_or(0), 100U);
+  const Verdict verdict = judge(summary);
+  EXPECT_EQ(verdict.headline, "Check this run: the recording has gaps.") << verdict.causes.at(0).what;
+}
+
+TEST(Verdict, ItsHeadlineTakesTwoLinesAtMostHoweverMuchIsWrong) {
+  Summary summary = over_a_network(395.0);
+  summary.force_max_N = 12.0;
+  summary.display_least_mJ = -7.0;
+  summary.non_finite = 3;
+  summary.tick_us.p999 = 900.0;
+  summary.frames_received = 10;
+  const Verdict verdict = judge(summary);
+  EXPECT_GE(verdict.causes.size(), 5U);
+  EXPECT_LE(verdict.headline.size(), 110U) << verdict.headline;
+}
+
+TEST(Provenance, StandsInPageAndJsonWithTheNotice) {
+  Session session = session_of({.seconds = 1.0});
+  session.info = {.program = "telepalp-record",
+                  .version = "0.1.0",
+                  .commit = "1a2b3c4d",
+                  .source = "made",
+                  .scene = "name: \"skin\"\n",
+                  .recorded_by = "technician tom",
+                  .consent = "stated, form 12"};
+  const std::string json = json_of(session), html = html_of(session);
+  for (const char* text : {"2027-01-15 08:00:00 UTC", "skin", "telepalp-record 0.1.0, commit 1a2b3c4d",
+                           "technician tom", "stated, form 12", "telepalp is not a medical device"}) {
+    EXPECT_NE(json.find(text), std::string::npos) << text << json;
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+  }
+  session.info = {};
+  EXPECT_NE(json_of(session).find("\"consent\": null"), std::string::npos);
+  EXPECT_NE(html_of(session).find("<dt>patient's consent</dt><dd>not stated</dd>"), std::string::npos) << "said";
+}
+
 TEST(MotionFigures, TheCylinderIsShownOnlyWhenVisited) {
   EXPECT_TRUE(around_the_cylinder(session_of({.seconds = 2.0})).empty());
   EXPECT_EQ(around_the_cylinder(session_of({.seconds = 4.0})).size(), 3U);
@@ -181,7 +274,10 @@ TEST(Verdict, SaysThatBoundedDepthWasTouchedAndIsContentWithLosslessDepth) {
   const Summary bounded = summarise(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Bounded}));
   EXPECT_EQ(bounded.depth.mode, "bounded");
   EXPECT_FALSE(judge(bounded).good);
-  EXPECT_NE(judge(bounded).headline.find("bounded, off by up to 2.85 mm at 1 m"), std::string::npos);
+  ASSERT_EQ(judge(bounded).causes.size(), 1U);
+  EXPECT_EQ(judge(bounded).headline, "Check this run: near-lossless depth was touched.");
+  EXPECT_NE(judge(bounded).causes[0].what.find("bounded, off by up to 2.85 mm at 1 m"), std::string::npos);
+  EXPECT_NE(judge(bounded).causes[0].to_do.find("--depth-mode fast"), std::string::npos);
   const Summary lossless = summarise(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Temporal}));
   EXPECT_EQ(judge(lossless).headline.find("bounded"), std::string::npos);
   EXPECT_NE(json_of(session_of({.seconds = 4.0, .depth_mode = codec::DepthMode::Temporal})).find("temporal"),
@@ -202,7 +298,8 @@ TEST(Verdict, CountsDepthOfUnknownErrorAsNotMeasured) {
   for (msg::SurfaceReport& surface : session.surfaces) surface.clear_depth_bound();
   const Verdict verdict = judge(summarise(session));
   EXPECT_FALSE(verdict.good);
-  EXPECT_NE(verdict.headline.find("off by an unknown amount"), std::string::npos) << verdict.headline;
+  ASSERT_EQ(verdict.causes.size(), 1U);
+  EXPECT_NE(verdict.causes[0].what.find("off by an unknown amount"), std::string::npos) << verdict.causes[0].what;
 }
 
 TEST(ReportJson, GivesTheBoundOfTheDepthInMillimetresOrNull) {

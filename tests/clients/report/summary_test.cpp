@@ -168,11 +168,12 @@ TEST(Senders, AForgedStateIsSeparatedAndIsAWarningOnTheFirstLine) {
   EXPECT_EQ(s.senders[1].messages, 1U);
   const Verdict verdict = judge(s);
   EXPECT_FALSE(verdict.good);
-  EXPECT_TRUE(
-      verdict.headline.starts_with("2 programs published as the station: telepalp-station at "
-                                   "127.0.0.1:5001 (4000 ticks, 200 messages of /station/state), telepalp-station at "
-                                   "127.0.0.1:6660 (0 ticks, 1 message of /station/state)"))
-      << verdict.headline;
+  EXPECT_EQ(verdict.headline, "Check this run: 2 programs published as the station.");
+  EXPECT_TRUE(verdict.causes.at(0).what.starts_with(
+      "2 programs published as the station: telepalp-station at "
+      "127.0.0.1:5001 (4000 ticks, 200 messages of /station/state), telepalp-station at "
+      "127.0.0.1:6660 (0 ticks, 1 message of /station/state)"))
+      << verdict.causes[0].what;
   EXPECT_NE(html_of(session).find("<h2>Senders"), std::string::npos);
 }
 
@@ -218,24 +219,24 @@ Verdict with_late_ticks(std::uint64_t missed, std::uint64_t idle, bool realtime 
 
 TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
   const Verdict verdict = with_late_ticks(18, 5);
-  EXPECT_TRUE(verdict.headline.starts_with(
-      "The run was good, but the station's computer was late: the timer of the station's computer misses "
-      "wake-ups even without work: 5 of 2000"))
-      << verdict.headline;
-  EXPECT_NE(verdict.headline.find("real-time priority"), std::string::npos);
+  EXPECT_EQ(verdict.headline, "The run was good, but the station's computer was late.");
+  EXPECT_TRUE(verdict.causes.at(0).what.starts_with(
+      "the timer of the station's computer misses wake-ups even without work: 5 of 2000"))
+      << verdict.causes[0].what;
+  EXPECT_NE(verdict.causes[0].to_do.find("real-time priority"), std::string::npos);
   EXPECT_NE(verdict.account.find("18 were late, about 18 of them because of the timer of the station's computer"),
             std::string::npos)
       << verdict.account;
-  EXPECT_EQ(with_late_ticks(18, 5, true).headline.find("real-time priority"), std::string::npos);
+  EXPECT_EQ(with_late_ticks(18, 5, true).causes.at(0).to_do.find("real-time priority"), std::string::npos);
 }
 
 TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
   const Verdict verdict = with_late_ticks(80, 1);
-  EXPECT_TRUE(
-      verdict.headline.starts_with("Check this run: the force came late in more than one of a "
-                                   "thousand ticks, not counting the wake-ups that the timer of the station's computer "
-                                   "misses even without work (1 of 2000"))
-      << verdict.headline;
+  EXPECT_TRUE(verdict.headline.starts_with("Check this run: the force came late")) << verdict.headline;
+  EXPECT_TRUE(verdict.causes.at(0).what.starts_with(
+      "the force came late in more than one of a thousand ticks, not counting the wake-ups that the timer of the "
+      "station's computer misses even without work (1 of 2000"))
+      << verdict.causes[0].what;
   EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;
 }
 
