@@ -52,10 +52,10 @@ const std::vector<Rule> kRules{
     {"tools",
      {"proto", "support", "codec", "server/capture", "server/pipeline", "server/views", "tools", "messages",
       "foxglove"}},
-    // It runs the code of both sites.
+    // It runs the code of both sites, and compares a run with a baseline as the report does.
     {"tools/replay",
-     {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "tools/replay", "messages",
-      "foxglove"}},
+     {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "clients/report",
+      "tools/replay", "messages", "foxglove"}},
 };
 
 /// Headers that the real-time part must not include: those of functions that can wait, and those of libraries that it

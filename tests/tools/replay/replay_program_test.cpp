@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 #include <utility>
 
 #include "tests/support/child_process.h"
@@ -140,6 +142,101 @@ TEST_F(ReplayProgram, SweepsAGridIntoOneTable) {
   EXPECT_TRUE(csv.starts_with("delay,loss,force_rmse_N,"));
   for (const char* file : {"sweep.txt", "sweep.json", "force_rmse_N.svg", "cells/000.json", "cells/003.json"})
     EXPECT_TRUE(fs::exists(in("sweep") + "/" + file)) << file;
+}
+
+TEST_F(ReplayProgram, DiffTakesTheFoldersThatTheReportTakes) {
+  ASSERT_EQ(replay({"--out", in("a")}).first, 0);
+  ASSERT_EQ(replay({"--out", in("b")}).first, 0);
+  const auto [code, said] = run("telepalp-replay", {"diff", in("a"), in("b")});
+  EXPECT_EQ(code, 0) << said;
+}
+
+TEST_F(ReplayProgram, EverySettingStandsInItsReportAndTheRunIsMadeAgainFromIt) {
+  const auto [code, said] =
+      replay({"--profile", "lte", "--loss", "3%", "--depth-mode", "bounded", "--clock-step", "1s+500ms:40ms",
+              "--outage", "1s+100ms", "--hand", "tap", "--seed", "7", "--scene", "skin", "--out", in("a")});
+  ASSERT_EQ(code, 0) << said;
+  const std::string report = bytes_of(in("a/report.json"));
+  for (const char* text :
+       {"\"surface_setting\": \"fast\"", "\"depth_coding\": \"bounded, depth within max(1 mm, 2.85 mm",
+        "\"clock_step\": \"1000ms+500ms:40ms\"", "\"outage\": \"1000ms+100ms\"", "\"restart\": \"none\"",
+        "\"network_down\": \"delay 25 ms, jitter 8 ms, loss 3 % in bursts of 3", "at most 12000 kbit/s",
+        "\"depth_camera\": \"640x480 pixels", "\"deadline_ms\": \"125\"", "\"seed\": 7", "\"hand\": \"tap\""})
+    EXPECT_NE(report.find(text), std::string::npos) << text << "\n" << report;
+  const auto [again, words] = run("telepalp-replay", {"again:" + in("a"), "--out", in("b"), "--baseline", in("a")});
+  EXPECT_EQ(again, 0) << words;
+  for (const char* file : {"session.mcap", "unimpaired.mcap", "report.json"})
+    EXPECT_TRUE(bytes_of(in("a/") + file) == bytes_of(in("b/") + file)) << file;
+}
+
+TEST_F(ReplayProgram, AgainTakesGivenOptionsFirstAndRefusesAChangedScene) {
+  std::ofstream(in("mine.textproto")) << bytes_of(fs::path(TELEPALP_SOURCE_DIR) /
+                                                  "haptic_station/scenes/skin.scene.textproto");
+  ASSERT_EQ(replay({"--scene", in("mine.textproto"), "--delay-ms", "40", "--out", in("a")}).first, 0);
+  ASSERT_EQ(run("telepalp-replay", {"again:" + in("a/report.json"), "--delay-ms", "60", "--out", in("b")}).first, 0);
+  EXPECT_NE(bytes_of(in("b/report.json")).find("delay 60 ms"), std::string::npos);
+  std::ofstream(in("mine.textproto"), std::ios::app) << "\n# changed\n";
+  const auto [code, said] = run("telepalp-replay", {"again:" + in("a")});
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(said.find("the scene has changed since the run that again: names"), std::string::npos) << said;
+  EXPECT_EQ(run("telepalp-replay", {"again:" + in("none")}).first, 2);
+}
+
+TEST_F(ReplayProgram, ABaselineCatchesTenPercentMoreStiffnessAndNamesTheLine) {
+  const fs::path shipped = fs::path(TELEPALP_SOURCE_DIR) / "haptic_station/scenes/palpation.scene.textproto";
+  std::string scene = bytes_of(shipped);
+  scene.replace(scene.find("stiffness_N_per_m: 160"), 22, "stiffness_N_per_m: 176");
+  std::ofstream(in("stiff.textproto")) << scene;
+  const auto examine = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"synthetic:torso,motion=regular,width=320", "--seconds", "5"});
+    return run("telepalp-replay", words);
+  };
+  ASSERT_EQ(examine({"--out", in("base")}).first, 0);
+  const auto [same, holds] = examine({"--baseline", in("base")});
+  EXPECT_EQ(same, 0) << holds;
+  const auto [code, said] =
+      examine({"--scene", in("stiff.textproto"), "--baseline", in("base"), "--junit", in("junit.xml")});
+  EXPECT_EQ(code, 1) << said;
+  EXPECT_NE(said.find("FAILS: stiffness_pct is "), std::string::npos) << said;
+  EXPECT_NE(said.find("  1. scene: line 24: stiffness_N_per_m: 160 in A, stiffness_N_per_m: 176 in B"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(bytes_of(in("junit.xml")).find("from the baseline: stiffness_pct"), std::string::npos);
+  EXPECT_EQ(examine({"--baseline", in("none")}).first, 2);
+  EXPECT_EQ(examine({"--baseline", in("base") + ",stiffness<=1"}).first, 2);
+  EXPECT_EQ(examine({"--baseline", in("base"), "--out", in("base")}).first, 2) << "it would overwrite its baseline";
+}
+
+TEST_F(ReplayProgram, AnInterruptedSweepKeepsItsFinishedCellsAndTheSameCommandResumes) {
+  const std::vector<std::string> words{
+      "synthetic:torso,width=320", "--seconds", "1", "--threads", "1", "--sweep", "delay=0:10:110", "--out", in("s")};
+  {
+    support::ChildProcess sweep(TELEPALP_BINARY_DIR "/bin/telepalp-replay", words, in("log"));
+    for (int i = 0; i < 6000 && !fs::exists(in("s/cells/003.json")); ++i) std::this_thread::sleep_for(10ms);
+    sweep.signal(SIGINT);
+    EXPECT_EQ(sweep.wait(120s), 1);
+  }
+  const std::string said = bytes_of(in("log"));
+  EXPECT_NE(said.find("of 12 runs of the sweep are finished, and kept in "), std::string::npos) << said;
+  EXPECT_NE(said.find("telepalp-replay synthetic:torso,width=320 --seconds 1 --threads 1 --sweep delay=0:10:110 --out"),
+            std::string::npos)
+      << said;
+  EXPECT_FALSE(fs::exists(in("s/sweep.csv")));
+  const auto kept = fs::last_write_time(in("s/cells/003.json"));
+  const auto [code, resumed] = run("telepalp-replay", words);
+  EXPECT_EQ(code, 0) << resumed;
+  EXPECT_NE(resumed.find("of 12 runs of the sweep were finished before"), std::string::npos) << resumed;
+  EXPECT_EQ(fs::last_write_time(in("s/cells/003.json")), kept);
+  std::vector<std::string> whole = words;
+  whole.back() = in("whole");
+  ASSERT_EQ(run("telepalp-replay", whole).first, 0);
+  for (const char* file : {"sweep.csv", "sweep.json", "sweep.txt", "cells/000.json", "cells/011.json"})
+    EXPECT_TRUE(bytes_of(in("s/") + file) == bytes_of(in("whole/") + file)) << file;
+  std::vector<std::string> other = words;
+  other.insert(other.end(), {"--depth-mode", "intra"});
+  const auto [changed, from_the_start] = run("telepalp-replay", other);
+  EXPECT_EQ(changed, 0);
+  EXPECT_EQ(from_the_start.find("were finished before"), std::string::npos) << from_the_start;
 }
 
 }  // namespace

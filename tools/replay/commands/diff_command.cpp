@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "clients/report/compare/gate.h"
 #include "proto/wire/mcap/first_difference.h"
 #include "support/program/options.h"
 
@@ -13,7 +14,7 @@ namespace {
 program::Usage usage() {
   return {.program = "telepalp-replay diff",
           .purpose = "prints the first message in which two sessions differ",
-          .positional = "A.mcap B.mcap",
+          .positional = "A.mcap|DIR B.mcap|DIR",
           .options = {},
           .example = "telepalp-replay diff session.mcap out/session.mcap"};
 }
@@ -25,11 +26,12 @@ int diff_command(int argc, const char* const* argv) {
   if (!read) return program::fail(read.error(), program::kAskedWrongly);
   if (!*read) return program::kDone;
   if ((*read)->positional().size() != 2)
-    return program::fail({.what = "the command does not name exactly two session files",
+    return program::fail({.what = "the command does not name exactly two sessions",
                           .where = "telepalp-replay diff",
-                          .fix = "give two files: telepalp-replay diff A.mcap B.mcap"},
+                          .fix = "give two session files, or folders of --out: telepalp-replay diff A.mcap B.mcap"},
                          program::kAskedWrongly);
-  const auto difference = wire::first_difference((*read)->positional()[0], (*read)->positional()[1]);
+  const auto difference = wire::first_difference(report::session_file((*read)->positional()[0]),
+                                                 report::session_file((*read)->positional()[1]));
   if (!difference) return program::fail(difference.error(), program::kAskedWrongly);
   if (!*difference) {
     std::puts("the two sessions are equal: every message has the same topic, time and bytes");

@@ -1,5 +1,6 @@
 #include "tools/replay/commands/report.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -7,6 +8,7 @@
 #include "support/plot/svg.h"
 #include "support/program/json.h"
 #include "support/program/version.h"
+#include "tools/replay/commands/settings.h"
 #include "tools/replay/words/words.h"
 
 namespace telepalp::replay {
@@ -38,6 +40,20 @@ void add_figures(program::Json& json, std::string_view key, const Figures& figur
     json.end_object();
   }
   json.end_object();
+  json.end_object();
+}
+
+void add_images(program::Json& json, const codec::DepthStreamSettings& depth, const ImageFacts& images) {
+  const bool is_bounded = depth.mode == codec::DepthMode::Bounded;
+  json.begin_object("images");
+  json.add("coded_within_mm_at_1_m", is_bounded ? 1e3 * std::max(depth.bound.least_m, depth.bound.per_m) : 0.0);
+  json.add("read", images.frames);
+  json.add("fx_px", images.camera.fx);
+  json.add("fy_px", images.camera.fy);
+  json.add("cx_px", images.camera.cx);
+  json.add("cy_px", images.camera.cy);
+  json.add("mean_depth_m", images.mean_depth_m());
+  json.add("depth_digest", images.depth.hex());
   json.end_object();
 }
 
@@ -86,18 +102,22 @@ std::string report_text(const Request& request, const RunResults& results, const
          (judgements.empty() ? "" : "\n") + assertions_text(judgements);
 }
 
-std::string report_json(const Request& request, const Scenario& scenario, const RunResults& results,
-                        const std::vector<Judgement>& judgements) {
+std::string report_json(const Request& request, const Scenario& scenario, const RunOptions& options,
+                        const RunResults& results, const std::vector<Judgement>& judgements) {
   program::Json json;
   json.begin_object();
   json.add("program", "telepalp-replay");
   json.add("version", program::version());
+  json.add("commit", program::commit());
+  json.add("identity", identity_of(request, scenario));
   json.add("source", request.source);
   json.add("scene", request.scene->name);
   json.add("hand", request.recorded.empty() ? name(request.scenario.hand) : "recorded");
   json.add("network", in_words(scenario));
   json.add("seed", scenario.seed);
   json.add("seconds", results.seconds);
+  add_settings(json, request, scenario, options, results.images);
+  add_images(json, request.tape.depth, results.images);
   add_figures(json, "unimpaired", results.runs.front().figures);
   add_figures(json, "run", results.runs.back().figures);
   json.begin_list("assertions");

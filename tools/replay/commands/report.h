@@ -12,9 +12,10 @@ namespace telepalp::replay {
 [[nodiscard]] std::string report_text(const Request& request, const RunResults& results,
                                       const std::vector<Judgement>& judgements);
 
-/// The text of report.json, with the figures of report_text(). `scenario`: the scenario of the impaired run.
-[[nodiscard]] std::string report_json(const Request& request, const Scenario& scenario, const RunResults& results,
-                                      const std::vector<Judgement>& judgements);
+/// The text of report.json, with the figures of report_text(), all settings, and how the run is made again.
+/// `scenario`: the scenario of the impaired run. `options`: of the command line that makes this run alone.
+[[nodiscard]] std::string report_json(const Request& request, const Scenario& scenario, const RunOptions& options,
+                                      const RunResults& results, const std::vector<Judgement>& judgements);
 
 /// The assertions in the form that continuous integration servers read (JUnit's XML). `suite`: name of the run.
 [[nodiscard]] std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements);

@@ -1,8 +1,13 @@
 #include "tools/replay/commands/request.h"
 
+#include <fstream>
+#include <iterator>
+
 #include "codec/depth.h"
+#include "support/program/files/whole_file.h"
 #include "support/program/parallel.h"
 #include "tools/replay/commands/diff_command.h"
+#include "tools/replay/source/content_digest.h"
 #include "tools/replay/source/session_hand.h"
 #include "tools/replay/words/network_options.h"
 #include "tools/replay/words/words.h"
@@ -10,6 +15,7 @@
 namespace telepalp::replay {
 namespace {
 
+constexpr std::string_view kDefaultScene = "palpation";
 constexpr double kSyntheticSeconds = 20.0;
 constexpr double kMostSeconds = 86400.0;
 constexpr std::int64_t kMostThreads = 256;
@@ -35,6 +41,8 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
         .where = file->string(),
         .fix = "give a scene with another surface setting, such as fast"};
   request.surface = *surface;
+  std::ifstream text(*file);
+  request.scene_text.assign(std::istreambuf_iterator<char>(text), {});
   request.scene = std::make_unique<const scenes::Scene>(std::move(*scene));
   return {};
 }
@@ -92,6 +100,39 @@ Result<void> read_source(const program::Arguments& arguments, Request& request) 
                  .where = "telepalp-replay",
                  .fix = "give a session, a recording or synthetic:torso,motion=irregular"};
   request.source = arguments.positional().front();
+  request.source_digest = digest_of_source(request.source);
+  return {};
+}
+
+/// Keeps the options that a run of the same result needs; those of outputs, checks and speed are left out.
+void keep_options(const program::Arguments& arguments, Request& request) {
+  std::vector<std::string_view> names{"scene", "hand", "depth-mode", "seconds"};
+  const std::vector<program::Option> network = network_options();
+  for (const program::Option& option : network) names.push_back(option.name);
+  for (const std::string_view name : names)
+    if (arguments.has(name)) request.options[std::string(name)] = arguments.text(name);
+}
+
+Result<void> read_baseline(const program::Arguments& arguments, Request& request) {
+  const Error alone{.what = "only one run at a time is compared with a baseline",
+                    .where = "--baseline",
+                    .fix = "leave out --sweep, or leave out --baseline"};
+  if (!arguments.has("baseline")) return {};
+  if (arguments.has("sweep")) return alone;
+  const std::string text = arguments.text("baseline");
+  const std::size_t comma = text.find(',');
+  const std::string folder = text.substr(0, comma);
+  request.baseline = report::session_file(folder);
+  if (!std::filesystem::is_regular_file(request.baseline))
+    return Error{.what = request.baseline.string() + " is no file",
+                 .where = "--baseline",
+                 .fix = "make the baseline with the same command, with --out " + folder + " in place of --baseline"};
+  if (!request.out.empty() && program::is_same_file(request.baseline, request.out / "session.mcap"))
+    return Error{.what = "the run would overwrite its baseline", .where = "--out", .fix = "give another folder"};
+  Result<std::vector<report::Tolerance>> tolerances =
+      report::parse_tolerances(comma == std::string::npos ? "same" : text.substr(comma + 1), "--baseline");
+  if (!tolerances) return tolerances.error();
+  request.tolerances = std::move(*tolerances);
   return {};
 }
 
@@ -155,8 +196,9 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
   Result<std::vector<Assertion>> assertions = parse_assertions(arguments.text("assert"));
   if (!assertions) return assertions.error();
   request.assertions = std::move(*assertions);
-  if (!request.junit.empty() && request.assertions.empty())
-    return Error{.what = "a JUnit report needs assertions", .where = "--junit", .fix = "give --assert as well"};
+  if (!request.junit.empty() && request.assertions.empty() && !arguments.has("baseline"))
+    return Error{
+        .what = "a JUnit report needs assertions", .where = "--junit", .fix = "give --assert or --baseline as well"};
   const std::filesystem::path folder = request.junit.has_parent_path() ? request.junit.parent_path() : ".";
   if (!std::filesystem::is_directory(folder))
     return Error{.what = folder.string() + " is not a folder",
@@ -171,8 +213,8 @@ program::Usage usage() {
   program::Usage usage{
       .program = "telepalp-replay",
       .purpose = "measures the effect of a simulated bad network on the force",
-      .positional = "SESSION.mcap|FILE.oni|FILE.pcd|synthetic:MODEL",
-      .options = {{"scene", "FILE|NAME", "file, or one of telepalp's own scenes", "palpation"}},
+      .positional = "SESSION.mcap|FILE.oni|synthetic:MODEL|again:DIR",
+      .options = {{"scene", "FILE|NAME", "file, or one of telepalp's own scenes", kDefaultScene}},
       .example = "telepalp-replay synthetic:torso,motion=irregular --delay-ms 80 --loss 5% --burst 4 --seconds 12",
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
@@ -186,6 +228,7 @@ program::Usage usage() {
                         {"check", "", "check force, energy and contact as --storm does"},
                         {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
                         {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if any is false"},
+                        {"baseline", "DIR[,LIST]", "exit code 1 if the run differs from DIR: docs/qa.md"},
                         {"junit", "FILE", "write the assertions as a JUnit report"},
                         {"json", "", "print report.json instead of the table"}});
   return usage;
@@ -200,6 +243,8 @@ Result<Request> read_request(const program::Arguments& arguments) {
   }
   if (const Result<void> read = read_source(arguments, request); !read) return read.error();
   if (const Result<void> read = read_outputs(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_baseline(arguments, request); !read) return read.error();
+  keep_options(arguments, request);
   const Result<Scenario> scenario = read_scenario(arguments);
   if (!scenario) return scenario.error();
   request.scenario = *scenario;

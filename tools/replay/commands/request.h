@@ -1,11 +1,14 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "clients/report/compare/gate.h"
 #include "support/program/options.h"
 #include "tools/replay/figures/assertion.h"
 #include "tools/replay/run/session_run.h"
@@ -13,10 +16,17 @@
 
 namespace telepalp::replay {
 
+/// Options of a command line by name, without the dashes.
+using RunOptions = std::map<std::string, std::string>;
+
 /// A checked command line of telepalp-replay.
 struct Request {
   std::string source;
+  std::string source_digest;  ///< content_digest.h
   std::filesystem::path scene_file;
+  std::string scene_text;
+  std::string command;                         ///< the command line, to paste
+  RunOptions options;                          ///< all options on which the result depends, with their defaults
   std::unique_ptr<const scenes::Scene> scene;  // at one address, because the runs refer to it
   surface::SurfaceSettings surface;
   Scenario scenario;
@@ -27,18 +37,21 @@ struct Request {
   std::filesystem::path out;  ///< empty: no files
   std::vector<Assertion> assertions;
   std::filesystem::path junit;     ///< empty: none
+  std::filesystem::path baseline;  ///< session that the run is compared with; empty: none
+  std::vector<report::Tolerance> tolerances;
   std::vector<SweepAxis> axes;     ///< of a sweep; empty: one run
   std::vector<SweepCell> cells;    ///< of the sweep
   std::optional<int> storm_seeds;  ///< number of random cases to check (storm.h) instead of a run
   bool check = false;              ///< check the invariants at each tick
   bool json = false;
 
-  [[nodiscard]] RunSettings run_settings() const {
+  [[nodiscard]] RunSettings run_settings(const std::atomic<bool>* stop = nullptr) const {
     return {.scene = *scene,
             .surface = surface,
             .recorded = recorded.empty() ? nullptr : &recorded,
             .seconds = seconds,
-            .threads = threads};
+            .threads = threads,
+            .stop = stop};
   }
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <memory>
 
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
@@ -22,12 +24,12 @@ struct SessionFiles {
   std::unique_ptr<StationFile> run;
 };
 
-Result<SessionFiles> open_files(const Request& request) {
-  if (request.out.empty()) return SessionFiles{};
-  if (const Result<void> made = program::make_folder(request.out, program::Readers::Group); !made) return made.error();
-  Result<std::unique_ptr<StationFile>> unimpaired = StationFile::open(request.out / "unimpaired.mcap", request);
+Result<SessionFiles> open_files(const Request& request, const std::filesystem::path& out) {
+  if (out.empty()) return SessionFiles{};
+  if (const Result<void> made = program::make_folder(out, program::Readers::Group); !made) return made.error();
+  Result<std::unique_ptr<StationFile>> unimpaired = StationFile::open(out / "unimpaired.mcap", request);
   if (!unimpaired) return unimpaired.error();
-  Result<std::unique_ptr<StationFile>> run = StationFile::open(request.out / "session.mcap", request);
+  Result<std::unique_ptr<StationFile>> run = StationFile::open(out / "session.mcap", request);
   if (!run) return run.error();
   return SessionFiles{std::move(*unimpaired), std::move(*run)};
 }
@@ -44,16 +46,63 @@ Publish into(StationFile* file) {
   return [file](const wire::Message& message) { file->write(message); };
 }
 
-Result<void> write_reports(const Request& request, const std::string& text, const std::string& json,
-                           const std::vector<Judgement>& judgements) {
-  if (!request.out.empty()) {
-    for (const auto& [name, content] : {std::pair{"report.txt", &text}, {"report.json", &json}})
-      if (const Result<void> written = program::write_whole_file(request.out / name, *content, program::Readers::Group);
-          !written)
-        return written;
-  }
+Result<void> write_reports(const std::filesystem::path& out, const std::string& text, const std::string& json) {
+  if (out.empty()) return {};
+  for (const auto& [name, content] : {std::pair{"report.txt", &text}, {"report.json", &json}})
+    if (const Result<void> written = program::write_whole_file(out / name, *content, program::Readers::Group); !written)
+      return written;
+  return {};
+}
+
+Result<void> write_junit(const Request& request, const std::vector<Judgement>& judgements) {
   if (request.junit.empty()) return {};
   return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
+}
+
+/// The folder of the run's files: --out, or a temporary one for a run that is only compared with a baseline.
+class OutFolder {
+ public:
+  static Result<std::unique_ptr<OutFolder>> of(const Request& request) {
+    auto folder = std::make_unique<OutFolder>();
+    folder->path_ = request.out;
+    if (!request.out.empty() || request.baseline.empty()) return folder;
+    std::string name = (std::filesystem::temp_directory_path() / "telepalp-replay-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      return Error{.what = "no temporary folder can be made", .where = name, .fix = "give --out DIR"};
+    folder->path_ = name;
+    folder->is_temporary_ = true;
+    return folder;
+  }
+  OutFolder() = default;
+  ~OutFolder() {
+    std::error_code ignored;
+    if (is_temporary_) std::filesystem::remove_all(path_, ignored);
+  }
+  OutFolder(const OutFolder&) = delete;
+  OutFolder& operator=(const OutFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  bool is_temporary_ = false;
+};
+
+/// Compares the run in `out` with the baseline, prints the outcome, and appends it to `judgements`. The words go to
+/// stderr if stdout holds report.json.
+Result<void> judge_baseline(const Request& request, const std::filesystem::path& out,
+                            std::vector<Judgement>& judgements) {
+  if (request.baseline.empty()) return {};
+  const Result<report::GateOutcome> outcome =
+      report::judge_against(request.baseline, out / "session.mcap", request.tolerances);
+  if (!outcome) return outcome.error();
+  const std::string words = report::in_words(*outcome);
+  std::fputs(words.c_str(), request.json ? stderr : stdout);
+  for (const report::Difference& one : outcome->differences)
+    judgements.push_back({"from the baseline: " + std::string(one.tolerance.name), one.holds(),
+                          one.holds() ? "" : report::in_words(one) + "; likely cause: " + outcome->causes.front()});
+  if (!outcome->holds() && outcome->causes.empty())
+    judgements.push_back({"from the baseline", false, "nothing could be compared"});
+  return program::write_whole_file(out / "baseline.txt", words, program::Readers::Group);
 }
 
 /// Passes the run's ticks and messages to the invariants.
@@ -82,7 +131,9 @@ std::int64_t thread_ns() noexcept {
 Result<bool> run_once(const Request& request) {
   Result<Tape> tape = Tape::open(request.source, request.tape);
   if (!tape) return tape.error();
-  const Result<SessionFiles> files = open_files(request);
+  const Result<std::unique_ptr<OutFolder>> out = OutFolder::of(request);
+  if (!out) return out.error();
+  const Result<SessionFiles> files = open_files(request, (*out)->path());
   if (!files) return files.error();
   const std::int64_t began_ns = steady_ns();
   Invariants invariants(request.scenario, request.scene->control);
@@ -94,12 +145,15 @@ Result<bool> run_once(const Request& request) {
   if (!results) return results.error();
   if (const Result<void> closed = close_files(*files); !closed) return closed.error();
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
-  const std::vector<Judgement> judgements = judge(request.assertions, results->runs.back().figures);
+  std::vector<Judgement> judgements = judge(request.assertions, results->runs.back().figures);
   const std::string text = report_text(request, *results, judgements);
-  const std::string json = report_json(request, request.scenario, *results, judgements);
+  const std::string json = report_json(request, request.scenario, request.options, *results, judgements);
   std::fputs((request.json ? json : text).c_str(), stdout);
   program::log(kName, cost_in_words(*results, wall_s));
-  if (const Result<void> written = write_reports(request, text, json, judgements); !written) return written.error();
+  if (const Result<void> written = write_reports((*out)->path(), text, json); !written) return written.error();
+  if (const Result<void> compared = judge_baseline(request, (*out)->path(), judgements); !compared)
+    return compared.error();
+  if (const Result<void> written = write_junit(request, judgements); !written) return written.error();
   if (invariants.violation()) std::printf("FAILS: --check: %s\n", in_words(*invariants.violation()).c_str());
   return !invariants.violation() &&
          std::all_of(judgements.begin(), judgements.end(), [](const Judgement& one) { return one.holds; });

@@ -1,26 +1,14 @@
 #include "tools/replay/commands/station_file.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "support/program/version.h"
 
 namespace telepalp::replay {
-namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-}  // namespace
-
 Result<std::unique_ptr<StationFile>> StationFile::open(const std::filesystem::path& file, const Request& request) {
   Result<wire::McapWriter> writer = wire::McapWriter::open(file, {.program = "telepalp-replay",
                                                                   .version = program::version(),
                                                                   .commit = program::commit(),
                                                                   .source = request.source,
-                                                                  .scene = text_of(request.scene_file)});
+                                                                  .scene = request.scene_text});
   if (!writer) return writer.error();
   return std::unique_ptr<StationFile>(new StationFile(std::move(*writer)));
 }

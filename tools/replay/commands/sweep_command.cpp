@@ -8,6 +8,7 @@
 #include "tools/replay/commands/progress_bar.h"
 #include "tools/replay/commands/report.h"
 #include "tools/replay/commands/run_command.h"
+#include "tools/replay/commands/sweep_cells.h"
 #include "tools/replay/commands/sweep_tables.h"
 
 namespace telepalp::replay {
@@ -39,25 +40,8 @@ Result<void> write(const Request& request, const std::string& name, const std::s
   return program::write_whole_file(request.out / name, content, program::Readers::Group);
 }
 
-/// The report of each cell, as a single run writes it.
-Result<void> write_cells(const Request& request, const SweepResult& result, const RunResults& results) {
-  if (const Result<void> made = program::make_folder(request.out / "cells", program::Readers::Group); !made)
-    return made;
-  for (std::size_t i = 0; i < result.cells.size(); ++i) {
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "cells/%03zu.json", i);
-    const RunResults one{
-        .runs = {results.runs.front(), results.runs[i + 1]}, .tape_costs = Stopwatch(), .seconds = results.seconds};
-    const std::string report =
-        report_json(request, result.cells[i].scenario, one, judge(request.assertions, result.figures[i]));
-    if (const Result<void> written = write(request, name.data(), report); !written) return written;
-  }
-  return {};
-}
-
-Result<void> write_files(const Request& request, const SweepResult& result, const RunResults& results) {
+Result<void> write_files(const Request& request, const SweepResult& result) {
   if (request.out.empty()) return {};
-  if (const Result<void> written = write_cells(request, result, results); !written) return written;
   std::vector<std::pair<std::string, std::string>> files{{"sweep.txt", sweep_text(result)},
                                                          {"sweep.csv", sweep_csv(result)},
                                                          {"sweep.json", sweep_json(result, request.source)}};
@@ -74,22 +58,69 @@ Result<void> write_junit(const Request& request, const std::vector<Judgement>& j
   return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
 }
 
+/// Makes the cells that are not finished, batch by batch, until all are finished or a signal comes. Each batch makes
+/// the unimpaired run again, so that finished cells can be kept; a batch has four cells for each thread, so that this
+/// costs little. Returns the runs that were made.
+Result<RunResults> make_cells(const Request& request, FinishedCells& finished) {
+  RunResults made;
+  const auto in_a_batch = static_cast<std::size_t>(4 * request.threads);
+  ProgressBar bar(static_cast<double>(request.cells.size()));
+  for (auto batch = finished.next(in_a_batch); !batch.empty(); batch = finished.next(in_a_batch)) {
+    Result<Tape> tape = Tape::open(request.source, request.tape);
+    if (!tape) return tape.error();
+    std::vector<RunOrder> orders{{.scenario = unimpaired(request.scenario)}};
+    for (const std::size_t cell : batch) orders.push_back({.scenario = request.cells[cell].scenario});
+    bar.show(static_cast<double>(finished.count()), "runs");
+    const Result<RunResults> results =
+        run_session(*tape, request.run_settings(&StopOnSignal::stopped()), std::move(orders));
+    if (!results && StopOnSignal::stopped()) return made;
+    if (!results) return results.error();
+    if (const Result<void> added = finished.add(batch, *results); !added) return added.error();
+    made.runs.insert(made.runs.end(), results->runs.begin(), results->runs.end());
+    made.tape_costs.add(results->tape_costs);
+    made.seconds = results->seconds;
+  }
+  return made;
+}
+
+/// Says what a signal has left unfinished, and prints the finished cells if no file keeps them.
+void say_stopped(const Request& request, const FinishedCells& finished) {
+  const std::string cells = "stopped: " + std::to_string(finished.count()) + " of " +
+                            std::to_string(request.cells.size()) + " runs of the sweep are finished";
+  if (!request.out.empty()) {
+    std::fprintf(stderr, "%s, and kept in %s; resume with the same command:\n  %s\n", cells.c_str(),
+                 (request.out / "cells").c_str(), request.command.c_str());
+    return;
+  }
+  std::vector<SweepCell> done;
+  SweepResult result{.axes = request.axes, .cells = done, .figures = {}};
+  for (std::size_t i = 0; i < request.cells.size(); ++i)
+    if (finished.figures()[i]) {
+      done.push_back(request.cells[i]);
+      result.figures.push_back(*finished.figures()[i]);
+    }
+  std::fputs(sweep_text(result).c_str(), stdout);
+  std::fprintf(stderr, "%s, and printed; no file keeps them, because --out is not given\n", cells.c_str());
+}
+
 }  // namespace
 
-Result<bool> run_sweep(const Request& request, const std::vector<SweepAxis>& axes,
-                       const std::vector<SweepCell>& cells) {
-  Result<Tape> tape = Tape::open(request.source, request.tape);
-  if (!tape) return tape.error();
-  std::vector<RunOrder> orders{{.scenario = unimpaired(request.scenario)}};
-  for (const SweepCell& cell : cells) orders.push_back({.scenario = cell.scenario});
+Result<bool> run_sweep(const Request& request) {
+  const StopOnSignal until_signalled;
+  FinishedCells finished(request);
+  if (finished.kept() > 0)
+    program::log("telepalp-replay", std::to_string(finished.kept()) + " of " + std::to_string(request.cells.size()) +
+                                        " runs of the sweep were finished before, and are not made again");
   const std::int64_t began_ns = steady_ns();
-  ProgressBar bar(request.seconds);
-  const Result<RunResults> results = run_session(*tape, request.run_settings(), std::move(orders),
-                                                 [&](double seconds) { bar.show(seconds, "s of session"); });
-  if (!results) return results.error();
+  const Result<RunResults> made = make_cells(request, finished);
+  if (!made) return made.error();
+  if (finished.count() < request.cells.size()) {
+    say_stopped(request, finished);
+    return false;
+  }
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
-  SweepResult result{.axes = axes, .cells = cells, .figures = {}};
-  for (std::size_t i = 1; i < results->runs.size(); ++i) result.figures.push_back(results->runs[i].figures);
+  SweepResult result{.axes = request.axes, .cells = request.cells, .figures = {}};
+  for (const std::optional<Figures>& one : finished.figures()) result.figures.push_back(*one);
   std::fputs((request.json ? sweep_json(result, request.source) : sweep_text(result)).c_str(), stdout);
   const std::vector<Judgement> judgements = judge_cells(request, result);
   bool all_hold = true;
@@ -97,8 +128,8 @@ Result<bool> run_sweep(const Request& request, const std::vector<SweepAxis>& axe
     all_hold &= judgement.holds;
     if (!judgement.holds) std::printf("FAILS: %s  (%s)\n", judgement.text.c_str(), judgement.reason.c_str());
   }
-  program::log("telepalp-replay", cost_in_words(*results, wall_s));
-  if (const Result<void> written = write_files(request, result, *results); !written) return written.error();
+  if (!made->runs.empty()) program::log("telepalp-replay", cost_in_words(*made, wall_s));
+  if (const Result<void> written = write_files(request, result); !written) return written.error();
   if (const Result<void> written = write_junit(request, judgements); !written) return written.error();
   return all_hold;
 }

@@ -7,8 +7,8 @@ namespace telepalp::replay {
 
 /// Runs the source over the network of each cell (a combination of the axes' values), on `request.threads` threads;
 /// prints the table, and writes sweep.txt, sweep.csv, sweep.json, heat maps (two axes or more) and cells/NNN.json to
-/// --out. True: the assertions hold in every cell.
-[[nodiscard]] Result<bool> run_sweep(const Request& request, const std::vector<SweepAxis>& axes,
-                                     const std::vector<SweepCell>& cells);
+/// --out. Cells that an earlier run of the same command has finished are not made again. SIGINT and SIGTERM end the
+/// sweep and keep the finished cells. True: all cells are finished, and the assertions hold in every cell.
+[[nodiscard]] Result<bool> run_sweep(const Request& request);
 
 }  // namespace telepalp::replay

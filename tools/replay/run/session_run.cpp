@@ -54,6 +54,8 @@ class Pipeline {
   Result<RunResults> run(const std::function<void(double)>& progress) {
     if (const Result<void> started = start(); !started) return started.error();
     while (!next_.empty() || current_ || previous_) {
+      if (settings_.stop != nullptr && *settings_.stop)
+        return Error{.what = "stopped before its end", .where = "the replay", .fix = "give the same command again"};
       step();
       if (failure_) return *failure_;
       if (progress) progress(to_seconds(done_until_ - kBegin));
@@ -134,7 +136,8 @@ void Pipeline::step() {
 }
 
 RunResults Pipeline::results() const {
-  RunResults results{.runs = {}, .tape_costs = tape_.costs(), .seconds = to_seconds(done_until_ - kBegin)};
+  RunResults results{
+      .runs = {}, .tape_costs = tape_.costs(), .images = tape_.images(), .seconds = to_seconds(done_until_ - kBegin)};
   for (const Running& run : runs_) results.runs.push_back({run.sum.figures(run.cell), run.cell.costs()});
   return results;
 }

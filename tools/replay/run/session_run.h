@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -12,9 +13,10 @@ namespace telepalp::replay {
 struct RunSettings {
   const scenes::Scene& scene;
   surface::SurfaceSettings surface;
-  const RecordedHand* recorded = nullptr;  ///< nullptr: the scenario's script
-  double seconds = 0.0;                    ///< 0: to the end of the source
-  int threads = 1;                         ///< has no influence on any result
+  const RecordedHand* recorded = nullptr;   ///< nullptr: the scenario's script
+  double seconds = 0.0;                     ///< 0: to the end of the source
+  int threads = 1;                          ///< has no influence on any result
+  const std::atomic<bool>* stop = nullptr;  ///< once true, the run ends with an error; nullptr: it cannot be stopped
 };
 
 /// One network to run the source over.
@@ -33,6 +35,7 @@ struct RunResult {
 struct RunResults {
   std::vector<RunResult> runs;  ///< one per RunOrder, in the same order; the first is the unimpaired run
   Stopwatch tape_costs;
+  ImageFacts images{};   ///< that the tape read
   double seconds = 0.0;  ///< of session time
 };
 

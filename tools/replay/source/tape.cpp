@@ -1,5 +1,6 @@
 #include "tools/replay/source/tape.h"
 
+#include <span>
 #include <utility>
 
 #include "server/capture/open_recording.h"
@@ -24,6 +25,17 @@ std::string with_kind(const std::string& source) {
 
 bool is_synthetic(std::string_view spec) {
   return spec == kSynthetic || spec.starts_with(std::string(kSynthetic) + ":");
+}
+
+void count(ImageFacts& facts, const RgbdFrame& frame) {
+  if (facts.frames++ == 0) facts.camera = frame.camera.depth;
+  std::uint64_t steps = 0;
+  for (const std::uint16_t sample : frame.depth.samples) {
+    steps += sample;
+    facts.measured += sample > 0 ? 1U : 0U;
+  }
+  facts.depth_sum_m += frame.depth.unit_m * static_cast<double>(steps);
+  facts.depth.add(std::as_bytes(std::span(frame.depth.samples)));
 }
 
 }  // namespace
@@ -69,6 +81,7 @@ struct Tape::State {
   Stopwatch watch;
   std::optional<RgbdFrame> ahead;  // read, but of a later window
   std::uint32_t frames = 0;
+  ImageFacts images;
   bool ended = false;
 };
 
@@ -163,6 +176,7 @@ Result<TapeFrames> Tape::read_until(SessionTime until) {
       state.ahead.reset();
       continue;
     }
+    count(state.images, *state.ahead);
     Result<std::shared_ptr<const TapeFrame>> taped = state.taped(std::move(*std::exchange(state.ahead, std::nullopt)));
     if (!taped) return taped.error();
     frames.push_back(std::move(*taped));
@@ -178,5 +192,6 @@ bool Tape::is_encoded() const noexcept {
 }
 const TapeSettings& Tape::settings() const noexcept { return state_->settings; }
 const Stopwatch& Tape::costs() const noexcept { return state_->watch; }
+const ImageFacts& Tape::images() const noexcept { return state_->images; }
 
 }  // namespace telepalp::replay

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include "server/capture/synthetic/synthetic_patient.h"
 #include "tools/replay/scenario/scenario.h"
 #include "tools/replay/scenario/stopwatch.h"
+#include "tools/replay/source/content_digest.h"
 
 namespace telepalp::replay {
 
@@ -33,6 +36,19 @@ struct TapeSettings {
   int jpeg_quality = 85;
   Nanoseconds encode_time = StageTimes{}.encode;
   CostClock clock = no_clock;
+};
+
+/// The images that a tape has read.
+struct ImageFacts {
+  std::uint64_t frames = 0;
+  Intrinsics camera{};         ///< of depth, at the first frame
+  std::uint64_t measured = 0;  ///< pixels with a depth
+  double depth_sum_m = 0.0;    ///< of these pixels
+  ContentDigest depth{};       ///< of all depth samples, in order
+
+  [[nodiscard]] double mean_depth_m() const noexcept {
+    return measured > 0 ? depth_sum_m / static_cast<double>(measured) : std::numeric_limits<double>::quiet_NaN();
+  }
 };
 
 /// The frames of a source in the replay's session time. read_until() reads them piece by piece, so that memory does
@@ -59,6 +75,7 @@ class Tape {
   [[nodiscard]] bool is_encoded() const noexcept;
   [[nodiscard]] const TapeSettings& settings() const noexcept;
   [[nodiscard]] const Stopwatch& costs() const noexcept;
+  [[nodiscard]] const ImageFacts& images() const noexcept;
 
  private:
   struct State;

@@ -26,19 +26,23 @@ void both(Scenario& scenario, Set set) {
 struct Axis {
   std::string_view name;
   std::string_view unit;
+  std::string_view option;
   double most;
   void (*set)(Scenario& scenario, double value);
 };
 constexpr auto kAxes = std::to_array<Axis>({
-    {"delay", "ms", 60e3,
+    {"delay", "ms", "delay-ms", 60e3,
      [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.delay = from_milliseconds(v); }); }},
-    {"jitter", "ms", 60e3,
+    {"jitter", "ms", "jitter-ms", 60e3,
      [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.jitter = from_milliseconds(v); }); }},
-    {"loss", "%", 100.0, [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.loss = v / 100.0; }); }},
-    {"reorder", "%", 100.0, [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.reorder = v / 100.0; }); }},
-    {"burst", "packets", 1e4, [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.burst_packets = v; }); }},
-    {"rate", "kbit/s", 1e8, [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.rate_B_per_s = v * 125.0; }); }},
-    {"seed", "", 1e15, [](Scenario& s, double v) { s.seed = static_cast<std::uint64_t>(v); }},
+    {"loss", "%", "loss", 100.0, [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.loss = v / 100.0; }); }},
+    {"reorder", "%", "reorder", 100.0,
+     [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.reorder = v / 100.0; }); }},
+    {"burst", "packets", "burst", 1e4,
+     [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.burst_packets = v; }); }},
+    {"rate", "kbit/s", "rate-kbps", 1e8,
+     [](Scenario& s, double v) { both(s, [v](Impairment& i) { i.rate_B_per_s = v * 125.0; }); }},
+    {"seed", "", "seed", 1e15, [](Scenario& s, double v) { s.seed = static_cast<std::uint64_t>(v); }},
 });
 
 std::string axis_names() {
@@ -94,7 +98,7 @@ Result<SweepAxis> parse_axis(std::string_view word) {
     return refused(word,
                    "has a value out of range: delay and jitter take 0 to 60000 ms, loss and reorder 0 to 100 %, "
                    "burst 0 to 10000 packets, rate 0 to 1e8 kbit/s, seed 0 to 1e15");
-  return SweepAxis{.name = axis->name, .unit = axis->unit, .values = *values, .set = axis->set};
+  return SweepAxis{.name = axis->name, .unit = axis->unit, .option = axis->option, .values = *values, .set = axis->set};
 }
 
 }  // namespace

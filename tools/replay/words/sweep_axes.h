@@ -11,8 +11,9 @@ namespace telepalp::replay {
 
 /// One parameter of the scenario and its values in a sweep.
 struct SweepAxis {
-  std::string_view name;  ///< "delay"
-  std::string_view unit;  ///< "ms"; "%" for shares
+  std::string_view name;    ///< "delay"
+  std::string_view unit;    ///< "ms"; "%" for shares
+  std::string_view option;  ///< that sets it for a single run: "delay-ms"
   std::vector<double> values;
   void (*set)(Scenario& scenario, double value);
 };

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/program/options.h"
+#include "tools/replay/commands/request.h"
+
+namespace telepalp::replay {
+
+/// What report.json says about how its run is made again.
+struct Again {
+  std::string source;
+  std::string source_digest;  ///< empty: the source is no file
+  std::string scene_text;
+  RunOptions options;
+};
+
+/// Reads report.json, or the file report.json in the folder `asked`. Error: no report of telepalp-replay, or one of a
+/// version that does not write how its run is made again.
+[[nodiscard]] Result<Again> read_again(const std::filesystem::path& asked);
+
+/// The command line `words` (without the program's name) in which the source of `again` stands in place of again:DIR,
+/// and in which options of `again` stand where `words` give none.
+[[nodiscard]] std::vector<std::string> words_again(const Again& again, const std::vector<std::string>& words);
+
+/// Reads the command line. With the source again:DIR, source and options of that run fill what is not given. nullopt:
+/// the user asked for help. Error: a wrong command line, or a source or scene file that has changed since that run.
+[[nodiscard]] Result<std::optional<Request>> read_command_line(int argc, const char* const* argv);
+
+}  // namespace telepalp::replay

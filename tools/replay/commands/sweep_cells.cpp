@@ -1,0 +1,111 @@
+#include "tools/replay/commands/sweep_cells.h"
+
+#include <google/protobuf/struct.pb.h>
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "support/program/files/whole_file.h"
+#include "tools/replay/commands/report.h"
+#include "tools/replay/commands/settings.h"
+
+namespace telepalp::replay {
+namespace {
+
+std::atomic<bool> stop_asked{false};  // written by the signal handler
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+std::filesystem::path file_of(const Request& request, std::size_t cell) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "cells/%03zu.json", cell);
+  return request.out / name.data();
+}
+
+/// The figures in a cell's report; nullopt: no such report, or one of another identity.
+std::optional<Figures> read_figures(const std::filesystem::path& file, const std::string& identity) {
+  std::ifstream in(file);
+  const std::string json{std::istreambuf_iterator<char>(in), {}};
+  google::protobuf::Struct report;
+  if (!google::protobuf::util::JsonStringToMessage(json, &report).ok()) return std::nullopt;
+  const auto& fields = report.fields();
+  const auto named = fields.find("identity"), run = fields.find("run");
+  if (named == fields.end() || named->second.string_value() != identity || run == fields.end()) return std::nullopt;
+  Figures figures;
+  for (const Metric& metric : metrics()) {
+    const auto& values = run->second.struct_value().fields();
+    const auto value = values.find(std::string(metric.name));
+    const bool known = value != values.end() && value->second.has_number_value();
+    figures.*metric.value = known ? value->second.number_value() : std::numeric_limits<double>::quiet_NaN();
+  }
+  return figures;
+}
+
+/// The options of the command line that makes one cell alone.
+RunOptions options_of(const Request& request, const SweepCell& cell) {
+  RunOptions options = request.options;
+  for (std::size_t axis = 0; axis < request.axes.size(); ++axis) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.12g%s", cell.values[axis], request.axes[axis].unit == "%" ? "%" : "");
+    options[std::string(request.axes[axis].option)] = text.data();
+  }
+  return options;
+}
+
+}  // namespace
+
+FinishedCells::FinishedCells(const Request& request) : request_(request), figures_(request.cells.size()) {
+  if (request.out.empty()) return;
+  for (std::size_t i = 0; i < figures_.size(); ++i)
+    figures_[i] = read_figures(file_of(request, i), identity_of(request, request.cells[i].scenario));
+  kept_ = count();
+}
+
+std::size_t FinishedCells::count() const noexcept {
+  return static_cast<std::size_t>(
+      std::count_if(figures_.begin(), figures_.end(), [](const auto& one) { return one.has_value(); }));
+}
+
+std::vector<std::size_t> FinishedCells::next(std::size_t most) const {
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < figures_.size() && cells.size() < most; ++i)
+    if (!figures_[i]) cells.push_back(i);
+  return cells;
+}
+
+Result<void> FinishedCells::add(const std::vector<std::size_t>& batch, const RunResults& results) {
+  for (std::size_t i = 0; i < batch.size(); ++i) figures_[batch[i]] = results.runs[i + 1].figures;
+  if (request_.out.empty()) return {};
+  if (const Result<void> made = program::make_folder(request_.out / "cells", program::Readers::Group); !made)
+    return made;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const SweepCell& cell = request_.cells[batch[i]];
+    RunResults one{.runs = {results.runs.front(), results.runs[i + 1]},
+                   .tape_costs = Stopwatch(),
+                   .images = results.images,
+                   .seconds = results.seconds};
+    const std::string report = report_json(request_, cell.scenario, options_of(request_, cell), one,
+                                           judge(request_.assertions, one.runs.back().figures));
+    const auto written = program::write_whole_file(file_of(request_, batch[i]), report, program::Readers::Group);
+    if (!written) return written;
+  }
+  return {};
+}
+
+StopOnSignal::StopOnSignal() {
+  stop_asked = false;
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_asked = true; });
+}
+
+StopOnSignal::~StopOnSignal() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+}
+
+const std::atomic<bool>& StopOnSignal::stopped() noexcept { return stop_asked; }
+
+}  // namespace telepalp::replay
