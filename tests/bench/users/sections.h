@@ -23,4 +23,8 @@ namespace telepalp::bench {
 /// A pointer that sweeps over the patient without a button: in virtual time, and in a browser.
 [[nodiscard]] Result<std::vector<Row>> run_hover_section(const UsersPlace& place);
 
+/// A gate against a baseline: twelve defects, each planted into a session of the real programs or into its replay, and
+/// judged by telepalp-replay --baseline or telepalp-report --assert.
+[[nodiscard]] Result<std::vector<Row>> run_gate_section(const UsersPlace& place);
+
 }  // namespace telepalp::bench

@@ -9,6 +9,7 @@ namespace {
 
 /// All sections. A new one needs a file <name>_section.cpp, a declaration in sections.h and a row here.
 const std::vector<UsersSection> kSections{
+    {"gate", "twelve planted defects against a gate", run_gate_section},
     {"bill", "what a scene costs, by its bill and as measured at the station's process", run_bill_section},
     {"page", "a server that is silent, and a played session that is moved image by image", run_page_section},
     {"layout", "the patient's share of the page", run_layout_section},
