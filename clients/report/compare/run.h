@@ -20,8 +20,9 @@ struct ReplayFacts {
   std::string seed;
   std::string hand;                               ///< "recorded", or the script: "examine", "tap", "search"
   std::map<std::string, std::string> settings{};  ///< all settings of the replay, by name: "depth_mode" is "fast"
-  double depth_bound_mm = kUnknown;       ///< how far the replay's depth coding may move a depth 1 m from the camera
-  double mean_depth_m = kUnknown;         ///< over all measured pixels of the images that the replay read
+  double depth_bound_mm = kUnknown;  ///< how far the replay's depth coding may move a depth 1 m from the camera
+  std::vector<double> camera_px{};   ///< depth camera: focal lengths in x and y, principal point; empty: not stated
+  double mean_depth_m = kUnknown;    ///< over all measured pixels of the images that the replay read
   std::map<std::string, double> figures;  ///< by metric (docs/replay.md); metrics without a value are missing
 };
 

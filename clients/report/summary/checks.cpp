@@ -61,19 +61,20 @@ Check depth_check(const Summary& s) {
 
 /// A part of a depth image's way from the camera to the hand.
 struct Stage {
-  std::string_view brief;  ///< "the network"
+  std::string_view brief;  ///< for the headline: "the network"
+  std::string_view name;
   Quantiles Summary::*time;
   std::string_view to_do;
 };
 
 constexpr Stage kStages[] = {
-    {"the camera's computer", &Summary::capture_to_encoded_ms,
+    {"the camera's computer", "the camera's computer", &Summary::capture_to_encoded_ms,
      "close other programs on the server's computer, or choose a smaller camera image or --depth-mode fast"},
-    {"the network", &Summary::encoded_to_received_ms,
+    {"the network", "the network", &Summary::encoded_to_received_ms,
      "use a path with less delay or more rate, or move slowly and wait for the skin; telepalp-link shows the path"},
-    {"the station's computer (waiting and decoding)", &Summary::received_to_decoded_ms,
+    {"the station", "the station's computer (waiting and decoding)", &Summary::received_to_decoded_ms,
      "close other programs on the station's computer, or choose a faster surface setting"},
-    {"the station's computer (building the surface)", &Summary::decoded_to_touchable_ms,
+    {"the station", "the station's computer (building the surface)", &Summary::decoded_to_touchable_ms,
      "choose a faster surface setting (docs/accuracy.md), or a computer with more cores"},
 };
 
@@ -92,7 +93,7 @@ Check latency_check(const Summary& s, double Quantiles::*part, const char* quant
   const PathLimits& like = path_like(s.encoded_to_received_ms.p50);
   const bool network = stage.time == &Summary::encoded_to_received_ms;
   std::string meaning = std::string(which) + " depth image was " + readable(value_ms) +
-                        " ms old when it became touchable; " + std::string(stage.brief) + " took " +
+                        " ms old when it became touchable; " + std::string(stage.name) + " took " +
                         readable((s.*stage.time).*part) + " ms of them";
   if (network)
     meaning += ". The path resembles the profile “" + std::string(like.name) + "”, which allows " +
@@ -119,7 +120,7 @@ std::vector<Check> image_checks(const Summary& s, const PathLimits& path) {
        std::min(path.received_pct, like.received_pct), "%", false, Rank::Images, "depth images were lost on the way",
        "the station received only " + of_sent + "depth images that the server sent", std::string(kStages[1].to_do)},
       {"depth frames that the server dropped, of all for the station", dropped, 5.0, "%", true, Rank::Images,
-       "the network or the station was too slow for the images",
+       "the path was too slow for the images",
        "the server replaced " + readable(dropped) +
            " % of the depth images by newer ones before they were sent: network or station were too slow",
        "give the path more rate, or choose a smaller camera image"},

@@ -22,6 +22,15 @@ std::string date_of(std::int64_t at_ns) {
   return {text.data(), length};
 }
 
+/// The scene that the station says it runs: "the control loop runs scene NAME …". Empty: no such event.
+std::string scene_of_station(const Session& session) {
+  constexpr std::string_view kBefore = "the control loop runs scene ";
+  for (const msg::StationEvent& event : session.events)
+    if (event.kind() == msg::EVENT_KIND_SCENE && event.text().starts_with(kBefore))
+      return event.text().substr(kBefore.size(), event.text().find(' ', kBefore.size()) - kBefore.size());
+  return {};
+}
+
 }  // namespace
 
 std::string software_of(const wire::SessionInfo& info) {
@@ -44,8 +53,9 @@ std::string scene_name(const std::string& scene) {
 }
 
 Provenance provenance_of(const Session& session) {
+  const std::string scene = scene_name(session.info.scene);
   return {.date = date_of(session.first_ns.value_or(0)),
-          .scene = scene_name(session.info.scene),
+          .scene = scene.empty() ? scene_of_station(session) : scene,
           .software = software_of(session.info),
           .recorder = session.info.recorded_by,
           .consent = session.info.consent};

@@ -93,10 +93,8 @@ std::string headline_of(const std::vector<Finding>& findings, bool judged) {
     return judged ? "The run was good: every measured figure meets its requirement."
                   : "The run is not judged: the session has no ticks of a station.";
   const bool only_the_computer = findings.front().rank == Rank::Computer;
-  const std::string more =
-      findings.size() > 1 ? "; " + counted(findings.size() - 1, "more cause", "more causes") + " below" : "";
-  if (only_the_computer) return "The run was good, but " + findings.front().brief + more + ".";
-  return "Check this run: " + findings.front().brief + more + ".";
+  if (only_the_computer) return "The run was good, but " + findings.front().brief + ".";
+  return "Check this run: " + findings.front().brief + ".";
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct Cause {
 struct Verdict {
   bool good = false;  ///< exactly one station took part, and no check misses its budget
   std::string
-      headline;         ///< at most two lines: "Check this run: the network made the touch 428 ms late; 2 more causes."
+      headline;         ///< at most two lines: "Check this run: the network made the touch 428 ms late."
   std::string account;  ///< what happened, in a few sentences
   std::vector<Cause> causes;  ///< of a run that is not good, the most important first
   std::vector<Check> checks;
