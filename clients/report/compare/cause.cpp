@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clients/ar/messages/phases.h"
-#include "clients/report/compare/scene_difference.h"
+#include "clients/report/summary/scene_difference.h"
 #include "proto/words/counted.h"
 #include "support/plot/number.h"
 

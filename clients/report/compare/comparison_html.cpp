@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "clients/report/compare/cause.h"
+#include "clients/report/compare/overlay_figures.h"
 #include "clients/report/figures/html.h"
-#include "clients/report/figures/overlay_figures.h"
 #include "proto/words/counted.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"

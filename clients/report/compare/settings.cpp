@@ -4,8 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "clients/report/compare/scene_difference.h"
 #include "clients/report/summary/provenance.h"
+#include "clients/report/summary/scene_difference.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {

@@ -76,14 +76,14 @@ class Gate {
             std::move(cause),
             std::move(planted),
             program("telepalp-replay"),
-            {in(file), "--profile", "lan", "--hand", "examine", "--baseline", in("base")}};
+            {in(file), "--profile", "lan", "--hand", "tap", "--baseline", in("base")}};
   }
 
   const UsersPlace& place_;
 };
 
 Words Gate::replay_words(const Words& more) const {
-  Words words{in("live/session.mcap"), "--profile", "lan", "--hand", "examine"};
+  Words words{in("live/session.mcap"), "--profile", "lan", "--hand", "tap"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

@@ -10,7 +10,7 @@
 
 #include "clients/report/compare/cause.h"
 #include "clients/report/compare/gate.h"
-#include "clients/report/compare/scene_difference.h"
+#include "clients/report/summary/scene_difference.h"
 #include "codec/depth.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "proto/wire/mcap/writer.h"

@@ -1,4 +1,4 @@
-#include "clients/report/figures/overlay_figures.h"
+#include "clients/report/compare/overlay_figures.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "clients/report/compare/scene_difference.h"
+#include "clients/report/summary/scene_difference.h"
 
 #include <algorithm>
 #include <sstream>
