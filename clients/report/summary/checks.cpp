@@ -92,9 +92,8 @@ Check latency_check(const Summary& s, double Quantiles::*part, const char* quant
   const Stage& stage = largest_stage(s, part);
   const PathLimits& like = path_like(s.encoded_to_received_ms.p50);
   const bool network = stage.time == &Summary::encoded_to_received_ms;
-  std::string meaning = std::string(which) + " depth image was " + readable(value_ms) +
-                        " ms old when it became touchable; " + std::string(stage.name) + " took " +
-                        readable((s.*stage.time).*part) + " ms of them";
+  std::string meaning = std::string(which) + " was " + readable(value_ms) + " ms old when it became touchable; " +
+                        std::string(stage.name) + " took " + readable((s.*stage.time).*part) + " ms of them";
   if (network)
     meaning += ". The path resembles the profile “" + std::string(like.name) + "”, which allows " +
                readable(part == &Quantiles::p50 ? like.latency_p50_ms : like.latency_p99_ms) + " ms";
@@ -198,8 +197,8 @@ std::vector<Check> checks_of(const Summary& s, const PathLimits& path) {
     for (Check& check : more) all.push_back(std::move(check));
   };
   add(loop_checks(s));
-  add({latency_check(s, &Quantiles::p50, "p50", "a typical", path.latency_p50_ms),
-       latency_check(s, &Quantiles::p99, "p99", "one in a hundred", path.latency_p99_ms)});
+  add({latency_check(s, &Quantiles::p50, "p50", "a typical depth image", path.latency_p50_ms),
+       latency_check(s, &Quantiles::p99, "p99", "one depth image in a hundred", path.latency_p99_ms)});
   add(image_checks(s, path));
   add({depth_check(s)});
   add(other_checks(s, path));
