@@ -92,18 +92,22 @@ Check latency_check(const Summary& s, double Quantiles::*part, const char* quant
   const Stage& stage = largest_stage(s, part);
   const PathLimits& like = path_like(s.encoded_to_received_ms.p50);
   const bool network = stage.time == &Summary::encoded_to_received_ms;
-  std::string meaning = std::string(which) + " was " + readable(value_ms) + " ms old when it became touchable; " +
-                        std::string(stage.name) + " took " + readable((s.*stage.time).*part) + " ms of them";
+  const bool typical = part == &Quantiles::p50;
+  std::string meaning = std::string(which) + " became touchable " + readable(value_ms) + " ms " +
+                        (typical ? "" : "or more ") + "after its capture; " + std::string(stage.name) + " took " +
+                        readable((s.*stage.time).*part) + " ms " +
+                        (typical ? "for a typical one" : "or more for one in a hundred");
   if (network)
     meaning += ". The path resembles the profile “" + std::string(like.name) + "”, which allows " +
-               readable(part == &Quantiles::p50 ? like.latency_p50_ms : like.latency_p99_ms) + " ms";
+               readable(typical ? like.latency_p50_ms : like.latency_p99_ms) + " ms";
   return {std::string("depth frame: camera to hand, ") + quantile,
           value_ms,
           limit_ms,
           "ms",
           true,
           Rank::Latency,
-          std::string(stage.brief) + " made the touch " + readable(value_ms) + " ms late",
+          std::string(stage.brief) + (typical ? " made the touch " : " made some images ") + readable(value_ms) +
+              " ms late",
           meaning,
           std::string(stage.to_do)};
 }
@@ -117,7 +121,8 @@ std::vector<Check> image_checks(const Summary& s, const PathLimits& path) {
   return {
       {"depth frames that the station received, of those sent", 100.0 * s.received_share(),
        std::min(path.received_pct, like.received_pct), "%", false, Rank::Images, "depth images were lost on the way",
-       "the station received only " + of_sent + "depth images that the server sent", std::string(kStages[1].to_do)},
+       "the station received only " + of_sent + "depth images that the server sent",
+       "use a path that loses fewer packets, give it more rate, or choose a smaller camera image"},
       {"depth frames that the server dropped, of all for the station", dropped, 5.0, "%", true, Rank::Images,
        "the path was too slow for the images",
        "the server replaced " + readable(dropped) +

@@ -15,8 +15,10 @@ using plot::readable;
 
 std::string timers_part(const Summary& s) {
   const auto part = std::lround(late_by_the_timer_percent(s) * 0.01 * static_cast<double>(s.ticks));
-  return (part == 0 ? "none" : "about " + std::to_string(part)) +
-         " of them because of the timer of the station's computer, which missed " +
+  std::string count = "about " + std::to_string(part);
+  if (part == 0) count = "none";
+  if (part > 0 && static_cast<std::uint64_t>(part) >= *s.deadlines_missed) count = "all";
+  return count + " of them because of the timer of the station's computer, which missed " +
          std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups) +
          " wake-ups while the station only waited";
 }
@@ -42,11 +44,9 @@ std::string account_of(const Summary& s) {
                                                     : ".");
   }
   if (std::isfinite(s.surface_age_ms.p50))
-    text +=
-        " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old" +
-        (std::isfinite(s.clock_error_ms.p50) ? ", with an error of at most " + readable(s.clock_error_ms.p50) + " ms"
-                                             : "") +
-        ".";
+    text += " The surface under the hand was typically " + readable(s.surface_age_ms.p50) + " ms old" +
+            (std::isfinite(s.clock_error_ms.p50) ? ", known to within " + readable(s.clock_error_ms.p50) + " ms" : "") +
+            ".";
   if (s.deadlines_missed)
     text += " Of " + counted(s.ticks, "tick", "ticks") + " " + counted(*s.deadlines_missed, "was late", "were late") +
             (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";
