@@ -75,12 +75,16 @@ test('badge and Compare show one instant, image by image through a press', async
   const pressed = seen.filter(({force_N}) => force_N > 0.1);
   assert.ok(pressed.length >= 4, JSON.stringify(seen));
   const near = runs.a.force_N.map((force, bin) => ({force, bin})).slice(Math.round((at_s - runs.begin_s - 0.5) / runs.bin_s));
+  let phasesCompared = 0;
   for (const {force_N, badge, compared_N, compared, moment} of pressed) {
     const {bin} = near.find(({force}) => force.toFixed(2) === compared_N.toFixed(2));
     const values = runs.a.force_N.slice(bin - 1, bin + 2);  // a bin has the largest force of about two states
     assert.ok(force_N > Math.min(...values) - 0.01 && force_N < Math.max(...values) + 0.01, `${force_N} N on the badge, ${values}; ${moment}`);
+    if (new Set(runs.a.phase.slice(bin - 1, bin + 2)).size > 1) continue;  // a bin shows the last phase of its states
     assert.equal(badge, compared);
+    ++phasesCompared;
   }
+  assert.ok(phasesCompared >= 3, `${phasesCompared} images far from a change of phase`);
 });
 
 /** Width and height of a PNG. */
