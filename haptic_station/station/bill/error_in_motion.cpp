@@ -42,11 +42,21 @@ std::string finer(const std::string& polish) {
   return text;
 }
 
-/// The scene with effect `i` alone, and its meshes sampled twice as densely.
-msg::Scene finest_of(const scenes::Scene& scene, int i) {
+/// The scene with effect `i` alone, as the last of its effects; friction keeps the skin that it acts on.
+msg::Scene alone(const scenes::Scene& scene, int i) {
   msg::Scene one = scene.message;
   one.clear_effects();
-  msg::Effect& effect = *one.add_effects() = scene.message.effects(i);
+  if (scene.message.effects(i).has_friction())
+    for (const msg::Effect& effect : scene.message.effects())
+      if (effect.has_skin()) *one.add_effects() = effect;
+  *one.add_effects() = scene.message.effects(i);
+  return one;
+}
+
+/// alone(), with the effect's meshes sampled twice as densely.
+msg::Scene finest_of(const scenes::Scene& scene, int i) {
+  msg::Scene one = alone(scene, i);
+  msg::Effect& effect = *one.mutable_effects()->rbegin();
   if (effect.has_organ())
     effect.mutable_organ()->set_cell_m(
         std::max(kLeastCell_m,
@@ -75,10 +85,7 @@ struct Twins {
 Result<std::vector<Twins>> twins_of(const scenes::Scene& scene, const std::filesystem::path& file) {
   std::vector<Twins> all;
   for (int i = 0; i < scene.message.effects_size(); ++i) {
-    msg::Scene alone = scene.message;
-    alone.clear_effects();
-    *alone.add_effects() = scene.message.effects(i);
-    const Result<scenes::Scene> shown = scenes::make_scene(alone, file);
+    const Result<scenes::Scene> shown = scenes::make_scene(alone(scene, i), file);
     if (!shown) return shown.error();
     const Result<scenes::Scene> truth = scenes::make_scene(finest_of(scene, i), file);
     if (!truth) return truth.error();

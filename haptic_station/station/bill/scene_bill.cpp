@@ -16,13 +16,25 @@ struct Without {
 
 std::string name_of(const scenes::Scene& scene, std::size_t effect) { return scene.effects.bill()[effect].name; }
 
+/// Removes effect `i`, and with a skin also the friction on it, which cannot be without a skin.
+void remove_effect(Without& from, int i) {
+  auto& effects = *from.message.mutable_effects();
+  const bool is_skin = effects.at(i).has_skin();
+  effects.DeleteSubrange(i, 1);
+  if (!is_skin) return;
+  for (int other = effects.size() - 1; other >= 0; --other) {
+    if (!effects.at(other).has_friction()) continue;
+    effects.DeleteSubrange(other, 1);
+    from.name = "skin and friction";
+  }
+}
+
 std::vector<Without> scenes_without(const scenes::Scene& scene, Detail detail) {
   std::vector<Without> all;
   const bool each = detail == Detail::EachEffect;
   const int effects = each ? scene.message.effects_size() : 0;
   for (int i = 0; i < effects; ++i) {
-    Without& one = all.emplace_back(name_of(scene, static_cast<std::size_t>(i)), scene.message);
-    one.message.mutable_effects()->DeleteSubrange(i, 1);
+    remove_effect(all.emplace_back(name_of(scene, static_cast<std::size_t>(i)), scene.message), i);
   }
   if (scene.probe && each) all.emplace_back("ultrasound probe", scene.message).message.clear_probe();
   Without& bare = all.emplace_back("all of these", scene.message);

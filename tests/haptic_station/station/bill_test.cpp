@@ -198,6 +198,13 @@ TEST(Bill, TheErrorIsThatOfAMovingHandOnAMovingPatient) {
   EXPECT_LT(ribs.p50_N / ribs.stiffness_N_per_m, 3e-3);
 }
 
+TEST(Bill, FrictionIsPricedOnTheSkinThatItNeeds) {
+  const scenes::Scene scene = scene_named("friction");
+  const auto errors = errors_in_motion(scene, {}, scene_file("friction"), body(), 3.0);
+  ASSERT_TRUE(errors.ok()) << to_string(errors.error());
+  EXPECT_EQ(errors->size(), static_cast<std::size_t>(scene.message.effects_size()));
+}
+
 TEST(Bill, OnAModelTheSkinIsFeltWithoutError) {
   const scenes::Scene scene = scene_named("model");
   const Result<SceneParts> parts = read_parts(scene, scene_file("model"), true);
