@@ -18,7 +18,7 @@ struct Exported {
   std::uint64_t left_out = 0;
 };
 
-/// The line that says what is left out of an export of `session`; empty for 0.
+/// A line for the user: how many damaged messages of `session` the export leaves out. Empty if `left_out` is 0.
 [[nodiscard]] std::string left_out_in_words(std::uint64_t left_out, const std::string& session);
 
 /// Decodes the frames of a session in order: each depth image with the colour image of equal capture time and the last

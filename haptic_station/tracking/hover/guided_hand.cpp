@@ -37,7 +37,7 @@ Vector3d at_most(const Vector3d& v, double most) noexcept {
 
 double across_m(const Vector3d& v) noexcept { return std::hypot(v.x(), v.z()); }
 
-/// The highest point [m] over which hand and device must be prepared to fly.
+/// Height [m] of the highest skin near hand and device, which both must clear.
 double highest_around(const SkinHeights& skin, const Point<HapticBase>& hand,
                       const Point<HapticBase>& device) noexcept {
   return std::max(skin.highest(hand, kAhead_m), skin.highest(device, kAhead_m));

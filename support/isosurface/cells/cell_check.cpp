@@ -17,7 +17,7 @@ constexpr double kFacing = -0.9;      // they do, or they meet in an edge sharpe
 constexpr double kParallel = -0.995;  // they do, and do not meet near the cell
 constexpr double kTouching = 1e-4;    // sheets this near to each other, in sides, enclose nothing: faces that touch
 constexpr double kEdge = 0.1;         // sheets that meet in an edge fit it within this share of the side
-constexpr double kNear = 1.0;         // an edge or corner this far outside the cell still explains its sheets, in sides
+constexpr double kNear = 1.0;         // an edge or corner may lie this far outside the cell, in sides
 
 /// True if the corners of `signs` that are inside are one group along the cell's edges, and those outside another.
 bool in_two_groups(unsigned signs) {

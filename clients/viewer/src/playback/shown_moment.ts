@@ -5,7 +5,7 @@ import type {PlaybackState} from './playback_state';
 export interface PublishedInstant {
   at_ms: number;  // session time in the published message
   at_s: number;   // the same instant since the session's beginning
-  speed: number;  // seconds of the session for each second between published time stamps
+  speed: number;  // playback speed at which it was published; 2: twice as fast
 }
 
 /** The moment of the session that the page shows, in seconds since the session's beginning. */
