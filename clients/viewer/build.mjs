@@ -10,7 +10,7 @@ import {withoutUnusedParts} from './unused_parts.mjs';
 const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
 const {metafile} = await build({
-  entryPoints: {start: 'src/start.ts', viewer: 'src/main.ts', link_worker: 'src/link/link_worker.ts',
+  entryPoints: {start: 'src/start.ts', viewer: 'src/main.ts', link_worker: 'src/site/link_worker.ts',
                 depth_worker: 'src/depth/depth_worker.ts'},
   outdir: out,
   bundle: true,

@@ -15,7 +15,7 @@ struct PhaseName {
   std::string_view in_S1;
 };
 
-/// By the number of telepalp.msg.Phase. The viewer's table (clients/viewer/src/panel/phases.ts) and the glossary repeat
+/// By the number of telepalp.msg.Phase. The viewer's table (clients/viewer/src/words/phases.ts) and the glossary repeat
 /// the words; a test compares all three.
 inline constexpr std::array<PhaseName, 10> kPhaseNames{{
     {"No station", ""},

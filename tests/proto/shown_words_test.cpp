@@ -19,7 +19,7 @@ std::string text_of(const char* file) {
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(PhaseNames, AreTheSameWordsInTheViewerInTheOrderOfTheirNumbers) {
-  const std::string viewer = text_of("clients/viewer/src/panel/phases.ts");
+  const std::string viewer = text_of("clients/viewer/src/words/phases.ts");
   std::size_t after = 0;
   for (const PhaseName& name : kPhaseNames) {
     const std::size_t found = viewer.find("{name: '" + std::string(name.words) + "'", after);

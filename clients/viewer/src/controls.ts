@@ -1,5 +1,5 @@
 import type {InsideView} from './inside/inside_view';
-import type {ViewerHandInput} from './viewer_hand';
+import type {ViewerHandInput} from './touch/viewer_hand';
 import type {SceneView} from './scene/scene_view';
 import type {ThemeSwitch} from './theme';
 import type {Details} from './views/details';

@@ -1,4 +1,4 @@
-import {element} from './page';
+import {element} from './page/page';
 import {headsetIsThere} from './scene/headset';
 import type {SceneView} from './scene/scene_view';
 

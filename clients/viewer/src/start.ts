@@ -1,6 +1,6 @@
 // Starts the link worker, and then the page's large script. The browser cannot start a worker, or give it a message, while
 // the page's thread runs a script: the large script would delay the first picture, which the worker decodes meanwhile.
-import {linkWorker} from './link/early_worker';
+import {linkWorker} from './site/early_worker';
 
 const happens = (at: EventTarget, type: string) => new Promise((done) => at.addEventListener(type, done, {once: true}));
 

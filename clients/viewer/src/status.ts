@@ -1,7 +1,7 @@
 import {inWords} from './depth/depth_fidelity';
-import {lookOf} from './panel/phases';
+import {lookOf} from './words/phases';
 import type {TimeAccount} from './present/time_account';
-import type {Reading} from './viewer_state';
+import type {Reading} from './state/viewer_state';
 
 interface Facts extends Reading {
   meshVertices: number;

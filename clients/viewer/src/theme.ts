@@ -1,4 +1,4 @@
-import {browserStore, element, keep} from './page';
+import {browserStore, element, keep} from './page/page';
 import type {SceneView} from './scene/scene_view';
 
 type Theme = 'dark' | 'light';

@@ -7,7 +7,7 @@ import {bundled} from './bundled.mjs';
 const {fitOffset, pairsFile, MOST_MOVED_M} = await bundled('calibration/offset_fit.ts');
 const {TouchTaker, TOUCHES_OF_A_PLACE} = await bundled('calibration/touch_taker.ts');
 const {verdict} = await bundled('panel/technician/calibration_rows.ts');
-const {Phase} = await bundled('link/messages.ts');
+const {Phase} = await bundled('messages/generated.ts');
 
 const T = {x: 0.03, y: 0.31, z: -0.02};
 const point = (x, y, z) => ({x, y, z});
@@ -50,7 +50,7 @@ test('the file has the header and the columns of point pairs', () => {
 /** A station that places hands by a rotation of 120 degrees about (1, 1, 1) (x to y, y to z, z to x) and a translation. */
 const MOTION = {rotation: {x: 0.5, y: 0.5, z: 0.5, w: 0.5}, translationM: point(0.1, 0.2, 0.3)};
 const state = (sample, more = {}) => ({
-  phase: Phase.Released, forceN: point(0, 0, 0), handSampledNs: BigInt(sample), device: point(0, 0.05, 0),
+  phase: Phase.RELEASED, forceN: point(0, 0, 0), handSampledNs: BigInt(sample), device: point(0, 0.05, 0),
   hand: point(0.1 + 3, 0.2 + 1, 0.3 + 2), ...more,
 });
 function taken(states, motion = MOTION) {
@@ -79,7 +79,7 @@ test('repeated states of one sample count once', () => {
 });
 
 test('nothing is taken in a fault, while the device pushes, without a hand, or without the calibration in use', () => {
-  for (const [more, says] of [[{phase: Phase.Faulted}, /rearm/], [{forceN: point(0, 1.2, 0)}, /1\.2 N/], [{handSampledNs: 0n}, /no hand/],
+  for (const [more, says] of [[{phase: Phase.FAULTED}, /rearm/], [{forceN: point(0, 1.2, 0)}, /1\.2 N/], [{handSampledNs: 0n}, /no hand/],
     [{forceN: point(0, Number.NaN, 0)}, /pushes/]]) {
     const {taking} = taken(samples(TOUCHES_OF_A_PLACE, more));
     assert.equal(taking.taken, 0);

@@ -6,7 +6,7 @@ import {bundled} from './bundled.mjs';
 
 const {KeptLayout} = await bundled('views/kept_layout.ts');
 const {Voice} = await bundled('panel/voice.ts');
-const {lookOf} = await bundled('panel/phases.ts');
+const {lookOf} = await bundled('words/phases.ts');
 const [NO_STATION, IN_BODY, LIFT, OUT_BODY, , , , UPPER, RELEASED, FAULTED] = Array.from({length: 10}, (_, at) => at);
 
 function store(text) {

@@ -6,7 +6,8 @@ import {bundled} from './bundled.mjs';
 
 const {addressOfMoment, momentInAddress} = await bundled('playback/moment.ts');
 const {snapshotLines} = await bundled('panel/qa/snapshot_words.ts');
-const {EventLog, toneOf} = await bundled('panel/qa/event_log.ts');
+const {EventLog} = await bundled('panel/qa/event_log.ts');
+const {toneOf} = await bundled('words/event_tone.ts');
 
 const PHASE = 1, FAULT = 3, DEADLINE = 4;
 const second = (s) => BigInt(Math.round(1000 * s)) * 1_000_000n;

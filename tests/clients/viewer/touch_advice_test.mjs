@@ -4,7 +4,8 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {shownHand, touchAdvice} = await bundled('panel/touch_advice.ts');
+const {shownHand} = await bundled('present/shown_hand.ts');
+const {touchAdvice} = await bundled('panel/touch_advice.ts');
 
 const at = {x: 0, y: 0, z: 0.7};
 const station = (stamp_ms, sampled_ms) => (

@@ -5,7 +5,7 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {ViewerState} = await bundled('viewer_state.ts');
+const {ViewerState} = await bundled('state/viewer_state.ts');
 const {forcesOf} = await bundled('present/instant.ts');
 
 const CAPTURED_MS = 1000;

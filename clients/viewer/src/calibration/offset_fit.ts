@@ -1,4 +1,4 @@
-import type {Vec3} from '../link/messages';
+import type {Vec3} from '../messages/generated';
 
 /** The hand on the end-effector: one place, in the hand tracker's frame L and in the haptic base's frame H [m]. */
 export interface Touch {

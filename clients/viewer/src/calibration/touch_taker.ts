@@ -1,4 +1,4 @@
-import {Phase, type RigidMotion, type StationState, type Vec3} from '../link/messages';
+import {Phase, type RigidMotion, type StationState, type Vec3} from '../messages/generated';
 import type {Touch} from './offset_fit';
 
 export const TOUCHES_OF_A_PLACE = 50;
@@ -71,7 +71,7 @@ export class TouchTaker {
 
   private obstacle({phase, forceN, handSampledNs}: Touching): string {
     const force_N = forceN === undefined ? 0 : Math.hypot(forceN.x, forceN.y, forceN.z);
-    if (phase === Phase.Faulted) return 'Station faulted: remove the cause, then run telepalp-station rearm';
+    if (phase === Phase.FAULTED) return 'Station faulted: remove the cause, then run telepalp-station rearm';
     if (!(force_N <= QUIET_N)) return `The device pushes with ${force_N.toFixed(1)} N: restart the station with --scene calibration.`;
     return handSampledNs === 0n ? 'The tracker sees no hand: move the hand into its view.' : '';
   }

@@ -1,4 +1,4 @@
-import type {DepthImage} from '../link/messages';
+import type {DepthImage} from '../messages/generated';
 
 /** The accuracy that a depth image states. The texts are the same as in proto/wire/depth_loss. */
 export interface DepthFidelity {

@@ -1,6 +1,7 @@
-import {element} from '../page';
+import {element} from '../page/page';
+import type {InnerStructures} from '../messages/generated';
+import type {ProbeView} from '../present/probe_view';
 import type {SceneView} from '../scene/scene_view';
-import type {InnerStructures, ProbeView} from './inside_messages';
 import {UltrasoundPanel} from './ultrasound_panel';
 
 const PROBE_GONE_MS = 2000;  // without an image for this long, the station has no probe any more

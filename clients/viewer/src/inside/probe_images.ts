@@ -1,4 +1,5 @@
-import type {ProbeView, UltrasoundImage} from './inside_messages';
+import type {UltrasoundImage} from '../messages/generated';
+import type {ProbeView} from '../present/probe_view';
 
 /**
  * Draws the images of the ultrasound probe as they come, and gives the page the newest one's pose when it asks. An image

@@ -1,6 +1,6 @@
-import {element, made, setText} from '../page';
+import {element, made, setText} from '../page/page';
+import type {ProbeView} from '../present/probe_view';
 import {caliperAfter, marks_mm} from './depth_scale';
-import type {ProbeView} from './inside_messages';
 
 const KEYS = ['ArrowUp', 'ArrowDown', 'PageUp', 'PageDown', 'Escape'];
 

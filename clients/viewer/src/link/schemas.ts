@@ -13,8 +13,8 @@ function typeOf(name: string, schema: string): DescMessage {
 }
 
 /**
- * A decoder for the Protobuf type `name`, made from the schema that the server advertises, so that the viewer needs no
- * generated types. `schema`: a FileDescriptorSet in base64. Throws if the set does not contain the type.
+ * A decoder for the Protobuf type `name`, made from the schema that the server advertises: the page carries no schema of
+ * its own. `schema`: a FileDescriptorSet in base64. Throws if the set does not contain the type.
  */
 export function decoderFor(name: string, schema: string): Decode {
   const type = typeOf(name, schema);

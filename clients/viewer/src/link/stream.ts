@@ -1,6 +1,6 @@
 import {FoxgloveClient, type Channel, type SubscriptionId} from '@foxglove/ws-protocol';
 
-import type {OwnTopics, Topics} from './messages';
+import type {OwnTopics, Topics} from '../messages/topics';
 import {decoderFor, encoderFor, type Decode, type Encode} from './schemas';
 import {now_ms} from './session_clock';
 

@@ -1,38 +1,8 @@
-import {CaptureState, type CaptureStatus, Phase} from '../link/messages';
+import {CaptureState, Phase} from '../messages/generated';
 import {type Place, slowest, type TimeAccount, total_ms} from '../present/time_account';
-import {movesAHand, touchAdvice, type TouchHealth} from './touch_advice';
-
-/** The values on which the banner depends. Ages are in milliseconds; undefined: no message yet. */
-export interface Health extends TouchHealth {
-  connected: boolean;
-  retryIn_ms: number | undefined;
-  everConnected: boolean;
-  capture: CaptureStatus | undefined;
-  picture_ms: number | undefined;
-  account: TimeAccount | undefined;  // for the oldest picture of the last second; undefined while data is missing
-  late_ms: number | undefined;       // by how much the newest numbers are older than the picture, which shows none then
-  station_ms: number | undefined;
-  surfaceStale: boolean;
-  surface_ms: number | undefined;
-  paused: boolean;           // the played session is paused
-  stale: boolean;            // the picture is too old, or no newer one has come for longer than this path explains
-  silence_ms: number | undefined;   // since the last image, if that is longer than this path explains
-  heardAny_ms: number | undefined;  // since the newest message of any topic
-  graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
-  unsteady: Unsteady | undefined;  // undefined: the device is steady
-  phase: Phase | undefined;  // undefined: there is a station, but its phase at this instant is not known
-  yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
-}
-
-/** What is wrong with the device's motion. */
-export type Unsteady = {swing_mm: number; hertz: number} | 'full drive';
-
-export interface Banner {
-  level: 'wait' | 'warn' | 'alarm';
-  title: string;
-  text: string;
-  rearms?: boolean;  // with a button that re-arms the station
-}
+import type {Health, Unsteady} from '../state/health';
+import type {Banner} from './banner_look';
+import {movesAHand, touchAdvice} from './touch_advice';
 
 const RECENT_MS = 1000;
 const NOTHING_MS = 250;  // the station's state comes each 10 ms
@@ -49,7 +19,7 @@ export function bannerFor(health: Health): Banner | undefined {
         ? {level: 'alarm', title: 'Disconnected', text: `${wait} The picture is the last one received.`}
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
-  if (health.phase === Phase.Faulted && isRecent(health.station_ms))
+  if (health.phase === Phase.FAULTED && isRecent(health.station_ms))
     return {level: 'alarm', title: 'Station faulted', ...afterFault(health)};
   if (health.graphicsLost)
     return {
@@ -57,13 +27,13 @@ export function bannerFor(health: Health): Banner | undefined {
       title: 'No picture',
       text: 'This computer’s graphics stopped. The picture restarts by itself; if not, reload the page. The readings continue.',
     };
-  if (health.capture?.state === CaptureState.Lost)
+  if (health.capture?.state === CaptureState.LOST)
     return {level: 'alarm', title: 'Camera lost', text: health.capture.detail || 'The server keeps trying to open the camera.'};
   if (health.picture_ms === undefined && health.capture?.source.startsWith('session:'))
     return {level: 'wait', title: 'No picture', text: 'The played session has given no depth image yet. A session of telepalp-replay contains none.'};
   if (health.picture_ms === undefined)
     return {level: 'wait', title: 'Waiting for the camera', text: health.capture?.detail || 'No depth image yet.'};
-  if (health.capture?.state === CaptureState.Ended)
+  if (health.capture?.state === CaptureState.ENDED)
     return {level: 'wait', title: 'The played recording has ended', text: 'The last picture stays.'};
   if (health.paused) return {level: 'wait', title: 'Paused', text: 'The played session is stopped at this moment.'};
   if (health.silence_ms !== undefined) return {level: 'warn', title: 'Stale picture', text: silenceSays(health)};

@@ -1,14 +1,5 @@
-import type {HandHolder, ServerStats} from '../link/messages';
-import type {Row} from './rows';
-
-/** What decides who is named as touching, and which browser is this one. */
-export interface Presence {
-  stats: ServerStats | undefined;
-  touching: number;      // number of the sender of the newest /station/state; 0: none
-  holder: HandHolder;
-  me: bigint;            // this page's number at the server
-  playsSession: boolean;
-}
+import type {Row} from '../page/rows';
+import type {Presence} from '../state/presence';
 
 const BROWSER = 'viewer';       // the server's name for each browser
 const VIEWS_MAKER = 'views for Foxglove';
@@ -38,11 +29,6 @@ export function presenceRows({stats, touching, holder, me, playsSession}: Presen
       level: holder.viewer === me ? 'good' : 'warn',
     });
   return rows;
-}
-
-/** False: no station is known, or the messages of the newest one come from a recorded session. */
-export function stationIsLive({stats, touching}: Pick<Presence, 'stats' | 'touching'>): boolean {
-  return touching !== 0 && (stats?.subscribers.some(({sender}) => sender === touching) ?? false);
 }
 
 /** "telepalp-station" becomes "Station": the others are shown as they call themselves. */

@@ -1,12 +1,13 @@
-import {CaptureState} from '../link/messages';
-import {element, setText as write} from '../page';
+import {CaptureState} from '../messages/generated';
+import {element, setText as write} from '../page/page';
 import type {Touch} from '../present/instant';
 import {total_ms} from '../present/time_account';
 import type {Detail} from '../scene/frame_pacer';
 import {forceColor} from '../scene/force_color';
-import type {Reading} from '../viewer_state';
-import {type Banner, bannerFor} from './banner';
-import {lookOf} from './phases';
+import type {Reading} from '../state/viewer_state';
+import {bannerFor} from './banner';
+import type {Banner} from './banner_look';
+import {lookOf} from '../words/phases';
 import {TouchPlots} from './plots/touch_plots';
 import {Voice} from './voice';
 
@@ -58,7 +59,7 @@ export class Readouts {
     const [state, text] = linkLook(reading);
     element('link').dataset['state'] = state;
     setText('link-text', text);
-    const away = capture === undefined || capture.state === CaptureState.Unspecified;
+    const away = capture === undefined || capture.state === CaptureState.UNSPECIFIED;
     setText('source', away ? '' : shortSource(capture.source) + (capture.colorRegistered ? '' : ' · colour not aligned'));
     element('source').title = away ? '' : capture.source;
   }

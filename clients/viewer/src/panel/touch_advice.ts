@@ -1,26 +1,5 @@
-import type {StationState, Vec3} from '../link/messages';
-import type {Banner} from './banner';
-
-/**
- * After this time without a sample the tracker counts as seeing no hand. It is longer than the 0.1 s after which a
- * station releases.
- */
-const HAND_GONE_MS = 250;
-
-/** The displayed hand's position from the station; undefined while the tracker sees no hand. */
-export function shownHand({stampNs, handSampledNs, displayedHandCamera}: StationState): Vec3 | undefined {
-  if (handSampledNs === 0n) return undefined;
-  return Number(stampNs - handSampledNs) / 1e6 > HAND_GONE_MS ? undefined : displayedHandCamera;
-}
-
-export interface TouchHealth {
-  handShown: boolean | undefined;  // undefined: no station sends messages
-  holdsHand: boolean;              // "Touch" is on in this page
-  role: string;                    // of this visitor at the server; empty while it is not known
-  untaken: boolean;                // the server reports that no station uses this page's hand
-  unmodelled: boolean;             // the patient just moved unlike in the seconds before: the station predicts less
-  objectUnseen: boolean;           // an object inside the body stays put: the skin above it is not seen
-}
+import type {TouchHealth} from '../state/health';
+import type {Banner} from './banner_look';
 
 const MAY_TOUCH = ['', 'local', 'doctor'];  // local: on the machine of a server without keys
 

@@ -1,5 +1,5 @@
-import type {Banner} from './banner';
-import type {PhaseLook} from './phases';
+import type {Banner} from './banner_look';
+import type {PhaseLook} from '../words/phases';
 
 const SETTLED_MS = 1000;  // what is shorter is not spoken
 const REST_MS = 3000;     // the least time between two words, except of an alarm

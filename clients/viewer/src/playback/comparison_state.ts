@@ -1,4 +1,4 @@
-import type {Phase} from '../link/messages';
+import type {Phase} from '../messages/generated';
 import {phaseNamed} from './session_overview';
 
 /** The body of POST /playback/comparison; `with` is empty to end the comparison. */

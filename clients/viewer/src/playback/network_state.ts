@@ -1,4 +1,4 @@
-import type {Row} from '../panel/rows';
+import type {Row} from '../page/rows';
 
 /** The network between the played session and its receivers: the reply to GET and POST /playback/network. */
 export interface NetworkState extends Record<NetworkNumber, number> {

@@ -1,6 +1,6 @@
-import {element, made} from '../page';
-import {toneOf} from '../panel/qa/event_log';
-import {lookOf} from '../panel/phases';
+import {element, made} from '../page/page';
+import {toneOf} from '../words/event_tone';
+import {lookOf} from '../words/phases';
 import type {PlayedPart} from './played_part';
 import type {PlaybackLink} from './playback_link';
 import {seekTo} from './playback_state';

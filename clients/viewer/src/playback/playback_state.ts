@@ -1,5 +1,11 @@
 import {milliseconds} from '../link/session_clock';
-import type {PublishedInstant} from './shown_moment';
+
+/** The instant of the depth image that the player published last, or of the last message in a session without images. */
+export interface PublishedInstant {
+  at_ms: number;  // session time in the published message
+  at_s: number;   // the same instant since the session's beginning
+  speed: number;  // playback speed at which it was published; 2: twice as fast
+}
 
 /** How the server plays a session: the reply to GET and POST /playback. Positions count from the session's beginning. */
 export interface PlaybackState {

@@ -1,12 +1,5 @@
-import type {Reading} from '../viewer_state';
+import type {Reading} from '../state/viewer_state';
 import type {PlaybackState} from './playback_state';
-
-/** The instant of the depth image that the player published last, or of the last message in a session without images. */
-export interface PublishedInstant {
-  at_ms: number;  // session time in the published message
-  at_s: number;   // the same instant since the session's beginning
-  speed: number;  // playback speed at which it was published; 2: twice as fast
-}
 
 /** The moment of the session that the page shows, in seconds since the session's beginning. */
 export interface ShownMoment {

@@ -1,6 +1,6 @@
-import {measureHeight} from '../layout';
-import {element, setText} from '../page';
-import type {Reading} from '../viewer_state';
+import {measureHeight} from '../page/layout';
+import {element, setText} from '../page/page';
+import type {Reading} from '../state/viewer_state';
 import {type Focus, commandForKey} from './playback_keys';
 import type {PlaybackLink} from './playback_link';
 import {type PlaybackCommand, seekTo} from './playback_state';

@@ -1,4 +1,4 @@
-import type {Rotation, StationState, Vec3} from '../link/messages';
+import type {Rotation, StationState, Vec3} from '../messages/generated';
 
 const PLACES = [
   'hand', 'device', 'forceN', 'displayedHandCamera', 'proxyCamera', 'deviceCamera', 'forceCameraN', 'normalCamera',

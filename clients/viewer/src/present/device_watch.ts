@@ -1,4 +1,4 @@
-import type {StationState, Vec3} from '../link/messages';
+import type {StationState, Vec3} from '../messages/generated';
 import {forcesOf} from './instant';
 
 const WINDOW_S = 1.2;

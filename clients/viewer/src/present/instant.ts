@@ -1,5 +1,6 @@
 import type {DecodedDepth} from '../depth/depth_decoder';
-import {isContact, type Phase, type StationCompensation, type StationState} from '../link/messages';
+import type {Phase, StationCompensation, StationState} from '../messages/generated';
+import {isContact} from './contact';
 import type {FrameTimes} from './time_account';
 
 /** What the device's force is: one of the two is 0. Whatever shows a force asks here which of them it is. */

@@ -1,5 +1,5 @@
 import type {DecodedDepth} from '../depth/depth_decoder';
-import type {StationState} from '../link/messages';
+import type {StationState} from '../messages/generated';
 import {forcesOf, type Instant, type Touch} from './instant';
 import {type Packet, PacketLine} from './packet_line';
 import {

@@ -1,7 +1,7 @@
 // One instant is presented at a time: picture, hand, force and numbers belong together. The station sends its state 100
 // times a second, so the state nearest to a picture's exposure is at most half a period (5 ms) away, unless some are lost.
 
-import type {StationState} from '../link/messages';
+import type {StationState} from '../messages/generated';
 import {stateBetween} from './between_states';
 
 /** Half a period of /station/state. */

@@ -1,4 +1,4 @@
-import type {Phase, StationCompensation, StationState} from '../link/messages';
+import type {Phase, StationCompensation, StationState} from '../messages/generated';
 import {nearest} from './presented_instant';
 
 const MOST_KEPT = 256;              // 2.5 s of messages at 100 Hz

@@ -1,6 +1,6 @@
 import {Quaternion, Vector3} from 'three';
 
-import type {Rotation, Vec3} from '../link/messages';
+import type {Rotation, Vec3} from '../messages/generated';
 
 /** A point or direction of the depth camera's frame K (x right, y down, z forward) in the scene (y up, z to the eye). */
 export function fromCamera({x, y, z}: Vec3): Vector3 {

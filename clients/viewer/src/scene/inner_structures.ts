@@ -1,6 +1,6 @@
 import {BufferAttribute, BufferGeometry, Group, Mesh, MeshPhongMaterial} from 'three';
 
-import type {InnerStructure, InnerStructures, ObjectPlacement} from '../inside/inside_messages';
+import type {InnerStructure, InnerStructures, ObjectPlacement} from '../messages/generated';
 import {fromCamera, rotationFromCamera} from './frames';
 
 /** Colours that colour-blind people can tell apart (Okabe and Ito 2008), as in `telepalp-station scene show`. */

@@ -1,6 +1,6 @@
 import {CanvasTexture, DoubleSide, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace, Vector3} from 'three';
 
-import type {ProbeView} from '../inside/inside_messages';
+import type {ProbeView} from '../present/probe_view';
 import {fromCamera} from './frames';
 
 /** The plane under the ultrasound probe with its image, seen through a translucent skin. */

@@ -1,6 +1,6 @@
-import type {StationCompensation, StationState} from '../link/messages';
-import {shownHand} from '../panel/touch_advice';
+import type {StationCompensation, StationState} from '../messages/generated';
 import {forcesOf, type Instant, type Picture} from '../present/instant';
+import {shownHand} from '../present/shown_hand';
 import {forceColor, FULL_SCALE_N} from './force_color';
 import {fromCamera, rotationFromCamera} from './frames';
 import type {SceneView} from './scene_view';

@@ -1,4 +1,4 @@
-import {element} from '../page';
+import {element} from '../page/page';
 import type {KeptLayout} from './kept_layout';
 import type {View} from './view';
 

@@ -1,4 +1,4 @@
-import {element, made} from '../page';
+import {element, made} from '../page/page';
 import type {KeptLayout} from './kept_layout';
 import type {View} from './view';
 

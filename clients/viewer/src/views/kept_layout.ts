@@ -1,4 +1,4 @@
-import {keep} from '../page';
+import {keep} from '../page/page';
 import type {View} from './view';
 
 const KEPT_AS = 'telepalp-layout';

@@ -1,4 +1,4 @@
-import {element} from '../page';
+import {element} from '../page/page';
 import {addressOf, type View, viewForKey, viewForRole, viewInAddress, VIEWS} from './view';
 
 /**

@@ -1,6 +1,6 @@
-import type {StationCompensation, StationState} from '../../link/messages';
+import type {StationCompensation, StationState} from '../../messages/generated';
 import {fixed} from '../numbers';
-import type {Row} from '../rows';
+import type {Row} from '../../page/rows';
 
 const mm = (m: number) => `${fixed(1000 * m, 1)} mm`;
 const signed = (m: number) => `${m > 0.00005 ? '+' : ''}${mm(m)}`;

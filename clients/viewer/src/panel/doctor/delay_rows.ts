@@ -1,5 +1,5 @@
-import type {SurfaceReport} from '../../link/messages';
-import type {Row} from '../rows';
+import type {SurfaceReport} from '../../messages/generated';
+import type {Row} from '../../page/rows';
 
 /** The stages of a frame on its way to the hand: from one instant of the report to the next. */
 const STAGES: readonly {name: string; from: keyof SurfaceReport; to: keyof SurfaceReport; says: string}[] = [

@@ -1,7 +1,7 @@
-import {element} from '../../page';
-import type {Reading} from '../../viewer_state';
+import {element} from '../../page/page';
+import type {Reading} from '../../state/viewer_state';
 import {presenceRows} from '../presence_rows';
-import {RowList} from '../rows';
+import {RowList} from '../../page/rows';
 import {compensationRows} from './compensation_rows';
 import {delayRows} from './delay_rows';
 

@@ -1,4 +1,4 @@
-import {Phase} from '../../link/messages';
+import {Phase} from '../../messages/generated';
 import type {Touch} from '../../present/instant';
 
 const KEPT_S = 60;
@@ -65,7 +65,7 @@ export class TouchHistory {
 
   phases(from_s: number, to_s: number): PhaseSpan[] {
     const spans: PhaseSpan[] = [];
-    for (const {at_s, phase = Phase.Unspecified} of this.between(from_s, to_s)) {
+    for (const {at_s, phase = Phase.UNSPECIFIED} of this.between(from_s, to_s)) {
       const last = spans[spans.length - 1];
       if (last !== undefined && at_s - last.to_s <= GAP_S) last.to_s = at_s;
       if (last === undefined || last.phase !== phase || at_s - last.to_s > GAP_S)

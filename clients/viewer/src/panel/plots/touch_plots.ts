@@ -1,8 +1,8 @@
 import uPlot from 'uplot';
 
-import {element, setText} from '../../page';
+import {element, setText} from '../../page/page';
 import type {Touch} from '../../present/instant';
-import {lookOf} from '../phases';
+import {lookOf} from '../../words/phases';
 import {sinceNow, timeMarks} from './time_axis';
 import {TouchHistory} from './touch_history';
 import {PlotWindow} from './window';

@@ -1,5 +1,5 @@
-import {EventKind, type StationEvent} from '../../link/messages';
-import {changeInWords} from '../phases';
+import {EventKind, type StationEvent} from '../../messages/generated';
+import {changeInWords} from '../../words/phases';
 import type {SessionEvent} from '../../playback/session_overview';
 
 const MOST_KEPT = 500;
@@ -28,7 +28,7 @@ export class EventLog {
   /** `heard`: the latest events of the link, oldest first. `played`: undefined for a live patient. */
   add(heard: readonly StationEvent[], played: PlayedNow | undefined): void {
     for (const {stampNs, kind, text: says, from, to} of heard) {
-      const text = kind === EventKind.Phase ? changeInWords(from, to) : says;
+      const text = kind === EventKind.PHASE ? changeInWords(from, to) : says;
       if (this.whole !== undefined || stampNs <= this.newest_ns) continue;
       this.newest_ns = stampNs;
       const position_s = played && positionOf(stampNs, played);
@@ -65,10 +65,4 @@ const SAME_S = 0.7;  // the position is asked for twice a second
 
 function isSame(known: LoggedEvent, text: string, position_s: number): boolean {
   return known.text === text && known.position_s !== undefined && Math.abs(known.position_s - position_s) < SAME_S;
-}
-
-/** How much an event matters: faults and missed deadlines before changes of phase. */
-export function toneOf(kind: EventKind): 'alarm' | 'warn' | 'plain' {
-  if (kind === EventKind.Fault) return 'alarm';
-  return kind === EventKind.Deadline || kind === EventKind.Heat || kind === EventKind.Link ? 'warn' : 'plain';
 }

@@ -1,10 +1,10 @@
 import {askServer} from '../../link/ask_server';
-import {element, made, setText} from '../../page';
+import {element, made, setText} from '../../page/page';
 import {
   joined, networkRows, type NetworkCommand, type NetworkSlider, type NetworkState, placeOf, PROFILES, readNetwork, SLIDERS, textOf,
 } from '../../playback/network_state';
 import {PlayedPart} from '../../playback/played_part';
-import {RowList} from '../rows';
+import {RowList} from '../../page/rows';
 
 const LOOK_EVERY = 10;  // calls of `show`, which come about ten times a second
 

@@ -1,4 +1,4 @@
-import {element, made, oneLine, setText} from '../../page';
+import {element, made, oneLine, setText} from '../../page/page';
 import type {PlaybackLink} from '../../playback/playback_link';
 import {seekTo} from '../../playback/playback_state';
 import type {PlayedPart} from '../../playback/played_part';

@@ -1,6 +1,6 @@
-import type {Phase} from '../../link/messages';
+import type {Phase} from '../../messages/generated';
 import type {Forces} from '../../present/instant';
-import {lookOf} from '../phases';
+import {lookOf} from '../../words/phases';
 
 /** What a snapshot says below its picture: all of the picture's instant. */
 export interface SnapshotFacts {

@@ -1,8 +1,8 @@
 import {fitOffset, pairsFile, type Touch} from '../../calibration/offset_fit';
 import {type Taking, TOUCHES_OF_A_PLACE} from '../../calibration/touch_taker';
-import {element, setText} from '../../page';
-import {saveFile} from '../save_file';
-import {RowList} from '../rows';
+import {element, setText} from '../../page/page';
+import {saveFile} from '../../page/save_file';
+import {RowList} from '../../page/rows';
 import {fitRows, placeRows, verdict} from './calibration_rows';
 
 const MOST_PLACES = 20;

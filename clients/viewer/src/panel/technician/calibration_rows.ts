@@ -1,6 +1,6 @@
 import {LEAST_TOUCHES, MOST_MOVED_M, type OffsetFit} from '../../calibration/offset_fit';
-import type {Vec3} from '../../link/messages';
-import type {Row} from '../rows';
+import type {Vec3} from '../../messages/generated';
+import type {Row} from '../../page/rows';
 
 const mm = (metres: number) => `${(1000 * metres).toFixed(2)} mm`;
 const point = ({x, y, z}: Vec3) => [x, y, z].map((value) => (1000 * value).toFixed(1)).join(', ');  // mm, as the card says

@@ -1,5 +1,5 @@
 import {type DepthSummary, HISTOGRAM_BIN_M} from '../../depth/depth_summary';
-import {element, setText} from '../../page';
+import {element, setText} from '../../page/page';
 import {depthColor} from '../../scene/depth_color';
 import type {SceneView} from '../../scene/scene_view';
 

@@ -1,5 +1,5 @@
-import type {ServerStats} from '../../link/messages';
-import type {Row} from '../rows';
+import type {ServerStats} from '../../messages/generated';
+import type {Row} from '../../page/rows';
 
 const MOST_TOPICS = 6;
 const MEGABIT = 1e6 / 8;

@@ -1,6 +1,6 @@
 import type {DepthSummary} from '../../depth/depth_summary';
 import type {Light} from '../../present/instant';
-import type {Row} from '../rows';
+import type {Row} from '../../page/rows';
 
 /** From this value on a row warns, and from this one it alarms. */
 interface Limits {

@@ -1,4 +1,4 @@
-import {element, setText} from '../../page';
+import {element, setText} from '../../page/page';
 import type {SceneView} from '../../scene/scene_view';
 
 /** The measured depth of the pixel under the pointer. */

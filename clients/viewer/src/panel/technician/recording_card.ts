@@ -1,6 +1,6 @@
 import {askServer} from '../../link/ask_server';
-import {element, setText} from '../../page';
-import {RowList} from '../rows';
+import {element, setText} from '../../page/page';
+import {RowList} from '../../page/rows';
 import {consentText, recordingRows, RecordingLink} from './recording_link';
 
 /** Begins and ends a recording at the server's machine. It begins only after the tick for the patient's consent. */

@@ -1,7 +1,7 @@
 import type {Answer} from '../../link/ask_server';
-import {oneLine} from '../../page';
+import {oneLine} from '../../page/page';
 import {GONE} from '../../playback/timeline_words';
-import type {Row} from '../rows';
+import type {Row} from '../../page/rows';
 
 /** The body of POST /recording. */
 export type RecordingCommand = {record: true; consent: string} | {record: false};

@@ -1,8 +1,8 @@
-import {element} from '../../page';
+import {element} from '../../page/page';
 import type {Touch} from '../../calibration/offset_fit';
 import type {SceneView} from '../../scene/scene_view';
-import type {Reading} from '../../viewer_state';
-import {RowList} from '../rows';
+import type {Reading} from '../../state/viewer_state';
+import {RowList} from '../../page/rows';
 import {CalibrationCard} from './calibration_card';
 import {DepthRange} from './depth_range';
 import {NetworkRates, subscriberRows} from './network_rows';

@@ -1,5 +1,5 @@
 import {askServer} from '../../../link/ask_server';
-import {element, setText} from '../../../page';
+import {element, setText} from '../../../page/page';
 import {type ComparisonCommand, type ComparisonState, readComparison} from '../../../playback/comparison_state';
 import {PlayedPart} from '../../../playback/played_part';
 import type {PlaybackLink} from '../../../playback/playback_link';

@@ -1,9 +1,9 @@
 import uPlot from 'uplot';
 
-import {element, made, setText} from '../../../page';
+import {element, made, setText} from '../../../page/page';
 import type {ComparedRuns} from '../../../playback/comparison_state';
 import {clock} from '../../../playback/timeline_words';
-import {lookOf} from '../../phases';
+import {lookOf} from '../../../words/phases';
 import {momentSays} from './comparison_words';
 
 const BAND_PX = 5;   // height of a run's phases under the forces

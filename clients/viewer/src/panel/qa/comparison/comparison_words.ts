@@ -1,6 +1,6 @@
 import type {ComparedRuns, ComparisonState} from '../../../playback/comparison_state';
 import {clock} from '../../../playback/timeline_words';
-import {lookOf} from '../../phases';
+import {lookOf} from '../../../words/phases';
 
 const newtons = (force_N: number | null | undefined) => `${(force_N ?? 0).toFixed(2)} N`;
 

@@ -1,10 +1,12 @@
 import type {Vector3} from 'three';
 
-import type {HandHolder, HandOver, LetGo, Rearm, ViewerHand} from './link/messages';
-import {toCamera} from './scene/frames';
-import type {SceneView} from './scene/scene_view';
-import type {HandSteering} from './touch/hand_steering';
-import type {Pointer} from './touch/steering';
+import type {HandHolder} from '../messages/generated';
+import {NOBODY} from '../messages/nobody';
+import type {OwnTopics} from '../messages/topics';
+import {toCamera} from '../scene/frames';
+import type {SceneView} from '../scene/scene_view';
+import type {HandSteering} from './hand_steering';
+import type {Pointer} from './steering';
 
 const EVERY_MS = 10;
 const HOVER_M = 0.05;     // height over the skin, towards the camera
@@ -54,7 +56,7 @@ export class ViewerHandInput {
   private height_m = HOVER_M;
   private timer: number | undefined;
   private stepped_ms = 0;
-  private holder: HandHolder = {viewer: 0n, asking: []};
+  private holder: HandHolder = NOBODY;
   private mine = false;  // true: this viewer holds the hand
   private rested: Pointer & {since_ms: number} | undefined;
   private pressEnded = false;  // until the button or finger is up
@@ -67,7 +69,7 @@ export class ViewerHandInput {
   constructor(
       private readonly view: SceneView,
       private readonly canvas: HTMLCanvasElement,
-      private readonly publish: (hand: ViewerHand | LetGo | HandOver | Rearm) => void,
+      private readonly publish: (hand: OwnTopics['/viewer/hand']) => void,
   ) {
     for (const moved of ['pointermove', 'pointerdown', 'pointerup'] as const)
       canvas.addEventListener(moved, ({clientX, clientY, buttons}) => {

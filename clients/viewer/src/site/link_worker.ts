@@ -5,18 +5,19 @@ import {TouchTaker} from '../calibration/touch_taker';
 import {DepthDecoder} from '../depth/depth_decoder';
 import {ProbeImages} from '../inside/probe_images';
 import {WorkerCanvas} from '../inside/worker_canvas';
-import type {FrameTimes} from '../present/time_account';
+import {LeastAge} from '../link/least_age';
+import {milliseconds, now_ms, SessionClock} from '../link/session_clock';
+import {SilenceWatch} from '../link/silence_watch';
+import {Stream} from '../link/stream';
+import {isAtRest} from '../messages/capture_rest';
+import type {CompressedImage, StationState} from '../messages/generated';
 import {DeviceWatch} from '../present/device_watch';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
 import {LONGEST_WAIT_MS} from '../present/presented_instant';
 import {StationPast} from '../present/station_past';
-import {type CompressedImage, isAtRest, type StationState} from './messages';
-import {milliseconds, now_ms, SessionClock} from './session_clock';
-import {LeastAge} from './least_age';
-import {SilenceWatch} from './silence_watch';
+import type {FrameTimes} from '../present/time_account';
 import {SiteFacts} from './site_facts';
-import {Stream} from './stream';
 import type {FromWorker, News, ToWorker} from './worker_messages';
 
 const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
@@ -144,8 +145,8 @@ const stream = new Stream(
       '/server/stats': (stats) => {
         facts.stats = stats;
       },
-      '/viewer/hand_holder': ({viewer, asking}) => {
-        facts.holder = {viewer, asking};
+      '/viewer/hand_holder': (holder) => {
+        facts.holder = holder;
       },
     },
     {

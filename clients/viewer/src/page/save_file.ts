@@ -1,4 +1,4 @@
-import {made} from '../page';
+import {made} from './page';
 
 /** Offers `data` to the user as a file to save. */
 export function saveFile(name: string, type: string, data: string | Blob): void {

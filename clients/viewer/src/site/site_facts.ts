@@ -2,7 +2,8 @@ import {type DepthFidelity, depthFidelity} from '../depth/depth_fidelity';
 import {
   type CaptureStatus, type DepthImage, type HandHolder, Phase, type ServerStats, type StationEvent, type StationState,
   type SurfaceReport,
-} from './messages';
+} from '../messages/generated';
+import {NOBODY} from '../messages/nobody';
 import type {News} from './worker_messages';
 
 const LINK_SMOOTHING = 0.1;
@@ -16,7 +17,7 @@ export class SiteFacts {
   capture: CaptureStatus | undefined;
   lateTicks: number | undefined;
   untaken_ms: number | undefined;
-  holder: HandHolder = {viewer: 0n, asking: []};
+  holder: HandHolder = NOBODY;
   stats: ServerStats | undefined;
   surfaceReport: SurfaceReport | undefined;
   events: StationEvent[] = [];
@@ -34,7 +35,7 @@ export class SiteFacts {
   connected(): void {
     this.everConnected = true;
     this.lastSequence = undefined;  // frames missed without a connection are no drops of the link
-    this.holder = {viewer: 0n, asking: []};
+    this.holder = NOBODY;
     this.station = this.stationHeard_ms = this.link_ms = this.heard = this.heardAny_ms = this.stats = this.surfaceReport = undefined;
     this.events = [];
   }
@@ -74,7 +75,7 @@ export class SiteFacts {
       everConnected, link_ms, heard, heardAny_ms, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
       stats, surfaceReport, events,
       touching: this.station?.sender ?? 0,
-      phase: this.station?.phase ?? Phase.Unspecified,
+      phase: this.station?.phase ?? Phase.UNSPECIFIED,
       surfaceStale: this.station?.surfaceStale ?? false,
     } satisfies Partial<News>;
   }

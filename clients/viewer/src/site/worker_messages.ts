@@ -4,13 +4,14 @@
 import type {Touch} from '../calibration/offset_fit';
 import type {Taking} from '../calibration/touch_taker';
 import type {DepthFidelity} from '../depth/depth_fidelity';
-import type {InnerStructures, ProbeView} from '../inside/inside_messages';
-import type {FrameTimes} from '../present/time_account';
+import type {
+  CaptureStatus, HandHolder, InnerStructures, Phase, ServerStats, StationEvent, SurfaceReport,
+} from '../messages/generated';
+import type {OwnTopics, Topics} from '../messages/topics';
 import type {DeviceMotion} from '../present/device_watch';
 import type {Instant, Light} from '../present/instant';
-import type {
-  CaptureStatus, HandHolder, OwnTopics, Phase, ServerStats, StationEvent, SurfaceReport, Topics,
-} from './messages';
+import type {ProbeView} from '../present/probe_view';
+import type {FrameTimes} from '../present/time_account';
 
 /** The present state of the link and the patient's site. Times are on the clock of now_ms(). */
 export interface News {

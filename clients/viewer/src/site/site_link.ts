@@ -1,7 +1,8 @@
 import type {Touch} from '../calibration/offset_fit';
-import type {InnerStructures, ProbeView} from '../inside/inside_messages';
+import type {InnerStructures} from '../messages/generated';
+import type {OwnTopics} from '../messages/topics';
 import type {Instant} from '../present/instant';
-import type {OwnTopics} from './messages';
+import type {ProbeView} from '../present/probe_view';
 import {linkWorker} from './early_worker';
 import type {Asked, Extra, FromWorker, News, ToWorker} from './worker_messages';
 

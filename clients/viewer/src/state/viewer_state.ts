@@ -1,17 +1,19 @@
-import type {Taking} from './calibration/touch_taker';
-import type {DepthFidelity} from './depth/depth_fidelity';
-import type {DepthSummary} from './depth/depth_summary';
+import type {Taking} from '../calibration/touch_taker';
+import type {DepthFidelity} from '../depth/depth_fidelity';
+import type {DepthSummary} from '../depth/depth_summary';
+import {milliseconds} from '../link/session_clock';
+import {isAtRest, isPaused} from '../messages/capture_rest';
 import {
-  isAtRest, isPaused, Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport,
-} from './link/messages';
-import {milliseconds} from './link/session_clock';
-import type {News} from './link/worker_messages';
-import type {Health, Unsteady} from './panel/banner';
-import {type Presence, stationIsLive} from './panel/presence_rows';
-import {shownHand} from './panel/touch_advice';
-import {isOwnSwing} from './present/device_watch';
-import {forcesOf, type Instant, type Light} from './present/instant';
-import {accountFor, type FrameTimes, type TimeAccount, total_ms, WorstOfSecond} from './present/time_account';
+  Phase, type StationCompensation, type StationEvent, type StationState, type SurfaceReport,
+} from '../messages/generated';
+import {NOBODY} from '../messages/nobody';
+import {isOwnSwing} from '../present/device_watch';
+import {forcesOf, type Instant, type Light} from '../present/instant';
+import {shownHand} from '../present/shown_hand';
+import {accountFor, type FrameTimes, type TimeAccount, total_ms, WorstOfSecond} from '../present/time_account';
+import type {News} from '../site/worker_messages';
+import type {Health, Unsteady} from './health';
+import {type Presence, stationIsLive} from './presence';
 
 const UNTAKEN_MS = 2500;
 const STALE_MS = 1000;   // a picture that is older by this than its path always needs is stale; on an irregular path, by more
@@ -138,7 +140,7 @@ export class ViewerState {
       everConnected: news?.everConnected ?? false,
       retryIn_ms: news?.retryAt_ms === undefined ? undefined : Math.max(0, news.retryAt_ms - now_ms),
       capture: news?.capture,
-      phase: news?.phase === Phase.Faulted ? Phase.Faulted : station?.phase ?? this.unknownPhase,
+      phase: news?.phase === Phase.FAULTED ? Phase.FAULTED : station?.phase ?? this.unknownPhase,
       depth: news?.depth,
       holdsHand: this.holdsHand,
       graphicsLost: this.graphicsLost,
@@ -205,7 +207,7 @@ export class ViewerState {
   }
 
   private get unknownPhase(): Phase | undefined {
-    return this.stationIsSilent ? Phase.Unspecified : undefined;
+    return this.stationIsSilent ? Phase.UNSPECIFIED : undefined;
   }
 
   /** By the clock of the news: a page that is busy reads old news. */
@@ -246,7 +248,7 @@ function presenceOf(news: News | undefined, now_ms: number): Presence {
   return {
     stats: known?.stats,
     touching: known?.touching ?? 0,
-    holder: known?.holder ?? {viewer: 0n, asking: []},
+    holder: known?.holder ?? NOBODY,
     me: known?.viewer ?? 0n,
     playsSession: known?.capture?.source.startsWith('session:') ?? false,
   };

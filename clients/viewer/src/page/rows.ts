@@ -1,4 +1,4 @@
-import {made, setText} from '../page';
+import {made, setText} from './page';
 
 /** One line of a card: a name and a value. */
 export interface Row {
