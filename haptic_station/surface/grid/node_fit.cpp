@@ -3,107 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/surface/grid/inverse_crop.h"
 #include "haptic_station/surface/grid/node_row.h"
+#include "haptic_station/surface/grid/skin_fit.h"
 #include "haptic_station/surface/grid/window_fit.h"
+#include "proto/words/smooth_step.h"
 
 namespace telepalp::surface {
 namespace {
 
 using Eigen::Vector3d;
 
-/// The pixels of the box, with a border of the fit's radius within the image: their inverse depth, the links between
-/// neighbours, and a summed-area table of the pixels that a complete window must not contain.
-struct Crop {
-  Crop(const PixelBox& box, int image_width, int image_height, int margin)
-      : left(std::max(0, box.left - margin)),
-        top(std::max(0, box.top - margin)),
-        width(std::min(image_width, box.right + margin) - left),
-        height(std::min(image_height, box.bottom + margin) - top),
-        per_m(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + kBlock),
-        measured(width, height),
-        right(width, height),
-        below(width, height),
-        troubles(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1)) {}
+constexpr double kImageAt =
+    0.643;  // from this cosine between ray and normal on (50 degrees), the fit in the image counts
+constexpr double kSkinAt = 0.545;  // up to this cosine (57 degrees), only the fit on the skin counts
 
-  int left = 0;
-  int top = 0;
-  int width = 0;
-  int height = 0;
-  float reference_per_m = 0.0F;
-  std::vector<float> per_m;  ///< inverse depth minus the reference
-  BitRows measured;
-  BitRows right;              ///< linked to the right neighbour
-  BitRows below;              ///< linked to the one below
-  std::vector<int> troubles;  ///< summed-area table, (width + 1) × (height + 1)
-
-  [[nodiscard]] std::size_t at(int column, int row) const noexcept {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-  }
-  [[nodiscard]] int troubles_at(int column, int row) const noexcept {
-    return troubles[static_cast<std::size_t>(row) * static_cast<std::size_t>(width + 1) +
-                    static_cast<std::size_t>(column)];
-  }
-  [[nodiscard]] bool is_whole(int column, int row, int radius) const noexcept {
-    return column >= radius && row >= radius && column + radius < width && row + radius < height &&
-           troubles_at(column + radius + 1, row + radius + 1) + troubles_at(column - radius, row - radius) ==
-               troubles_at(column - radius, row + radius + 1) + troubles_at(column + radius + 1, row - radius);
-  }
-};
-
-/// A reference for the inverse depths of the crop: any measured one. The differences are small, and so is their
-/// rounding.
-float reference_in(const DepthField& depth, const Crop& crop) {
-  constexpr int kEvery = 7;
-  double sum = 0.0;
-  int count = 0;
-  for (int row = 0; row < crop.height; row += kEvery)
-    for (int column = 0; column < crop.width; column += kEvery)
-      if (const float z = depth.z_m[depth.index(crop.left + column, crop.top + row)]; z > 0.0F) {
-        sum += 1.0 / static_cast<double>(z);
-        ++count;
-      }
-  return count > 0 ? static_cast<float>(sum / count) : 0.0F;
+Vector3d vector_of(const std::array<float, 3>& v) noexcept {
+  return Eigen::Map<const Eigen::Vector3f>(v.data()).cast<double>();
 }
 
-/// Links two neighbouring pixels if both are measured and there is no depth break between them.
-void link(Crop& crop) {
-  for (int row = 0; row < crop.height; ++row) {
-    const std::uint64_t* measured = crop.measured.row(row);
-    const std::uint64_t* next = crop.measured.row(std::min(row + 1, crop.height - 1));
-    std::uint64_t* right = crop.right.row(row);  // these bits mark depth breaks so far
-    std::uint64_t* below = crop.below.row(row);
-    for (std::size_t word = 0; word < crop.measured.words(); ++word) {
-      const std::uint64_t to_the_right = measured[word] >> 1 | measured[word + 1] << 63;
-      right[word] = measured[word] & to_the_right & ~right[word];
-      below[word] = measured[word] & next[word] & ~below[word];
-    }
-  }
+std::array<float, 3> array_of(const Vector3d& v) noexcept {
+  const Eigen::Vector3f narrowed = v.cast<float>();
+  return {narrowed.x(), narrowed.y(), narrowed.z()};
 }
 
-Crop crop_of(const DepthField& depth, const PixelBox& box, const FitSettings& settings) {
-  Crop crop(box, depth.width, depth.height, settings.radius_px);
-  crop.reference_per_m = reference_in(depth, crop);
-  const auto width = static_cast<std::size_t>(crop.width);
-  std::vector<std::uint8_t> marks(width);
-  for (int row = 0; row < crop.height; ++row) {
-    const float* z_m = &depth.z_m[depth.index(crop.left, crop.top + row)];
-    const float* below = row + 1 < crop.height ? z_m + depth.width : z_m;
-    invert_row(z_m, crop.width, crop.reference_per_m, &crop.per_m[crop.at(0, row)]);
-    mark_row(z_m, below, crop.width, static_cast<float>(settings.break_m), marks.data());
-    pack_row(marks.data(), crop.width, kMeasured, crop.measured.row(row));
-    pack_row(marks.data(), crop.width, kBrokenRight, crop.right.row(row));
-    pack_row(marks.data(), crop.width, kBrokenBelow, crop.below.row(row));
-    const int* above = &crop.troubles[static_cast<std::size_t>(row) * (width + 1)];
-    int* counts = &crop.troubles[static_cast<std::size_t>(row + 1) * (width + 1)];
-    int in_row = 0;
-    for (std::size_t u = 0; u < width; ++u) {
-      in_row += marks[u] == kMeasured ? 0 : 1;
-      counts[u + 1] = above[u + 1] + in_row;
-    }
-  }
-  link(crop);
-  return crop;
-}
+/// Axial noise of a structured-light camera [m]. Source: Nguyen, Izadi and Lovell (2012); make_nodes() uses it, too.
+double axial_noise_m(double z_m) noexcept { return 0.0012 + 0.0019 * (z_m - 0.4) * (z_m - 0.4); }
 
 /// The node at a pixel, from its plane in inverse depth: 1/z = c0 + c1·du + c2·dv is N·X = 1 with N as below.
 GridNode node_of(const WindowFit& fit, double u, double v, const GridLayout& layout, double gain, double frames) {
@@ -113,15 +38,13 @@ GridNode node_of(const WindowFit& fit, double u, double v, const GridLayout& lay
   const Vector3d ray((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
   const Vector3d inward(plane.across * camera.fx, plane.down * camera.fy,
                         plane.at + plane.across * (camera.cx - u) + plane.down * (camera.cy - v));
-  const Eigen::Vector3f local = (z * ray - layout.origin_m).cast<float>();
-  const Eigen::Vector3f normal = (-inward.normalized()).cast<float>();
   const double facing = plane.at / (inward.norm() * ray.norm());
-  const double axial_m = 0.0012 + 0.0019 * (z - 0.4) * (z - 0.4);  // as in make_nodes()
   GridNode node;
-  node.at_m = {local.x(), local.y(), local.z()};
-  node.normal = {normal.x(), normal.y(), normal.z()};
+  node.at_m = array_of(z * ray - layout.origin_m);
+  node.normal = array_of(-inward.normalized());
   node.confidence = static_cast<float>(std::clamp((fit.share - 0.25) / 0.2, 0.0, 1.0));
-  node.deviation_m = static_cast<float>(axial_m * facing * std::sqrt(gain / (frames * std::max(0.25, fit.share))));
+  node.deviation_m =
+      static_cast<float>(axial_noise_m(z) * facing * std::sqrt(gain / (frames * std::max(0.25, fit.share))));
   return node;
 }
 
@@ -145,7 +68,7 @@ struct ScaleRow {
         down(at.size()),
         moments(3 * at.size()) {}
 
-  void fit(const Crop& crop, int row) {
+  void fit(const InverseCrop& crop, int row) {
     if (row < axis.radius || row + axis.radius >= crop.height) return;
     const std::size_t length = at.size();
     fit_whole_windows(&crop.per_m[crop.at(0, row)], width, width, axis,
@@ -164,7 +87,7 @@ enum class Window : std::uint8_t { Wide, Narrow, Partial };
 /// Makes one row of nodes: chooses each node's window, fits both windows and computes the nodes.
 class RowFitter {
  public:
-  RowFitter(const DepthField& depth, const Crop& crop, const FitSettings& settings, const GridLayout& layout)
+  RowFitter(const DepthField& depth, const InverseCrop& crop, const FitSettings& settings, const GridLayout& layout)
       : depth_(depth),
         crop_(crop),
         settings_(settings),
@@ -185,11 +108,15 @@ class RowFitter {
     narrow_.fit(crop_, row);
     for (int node = 0; node < layout_.columns; ++node) gather(node, row);
     make_nodes(row_, view_of(row));
-    for (int node = 0; node < layout_.columns; ++node)
-      if (windows_[static_cast<std::size_t>(node)] == Window::Partial)
+    for (int node = 0; node < layout_.columns; ++node) {
+      const auto n = static_cast<std::size_t>(node);
+      if (windows_[n] == Window::Partial)
         fit_part(node, row, nodes[node]);
       else
-        scatter(static_cast<std::size_t>(node), nodes[node]);
+        scatter(n, nodes[node]);
+      if (windows_[n] == Window::Partial ? nodes[node].confidence > 0.0F : row_.facing[n] < kImageAt)
+        refit_on_skin(node, row, nodes[node]);
+    }
   }
 
  private:
@@ -244,17 +171,36 @@ class RowFitter {
 
   void fit_part(int node, int row, GridNode& out) const {
     const int column = crop_column(node);
-    const InverseDepthView view{crop_.width, crop_.height, crop_.per_m,          crop_.measured,
-                                crop_.right, crop_.below,  crop_.reference_per_m};
-    std::optional<WindowFit> fit = fit_window(view, column, row, wide_.axis, settings_.bridge_px);
+    std::optional<WindowFit> fit = fit_window(crop_.view(), column, row, wide_.axis, settings_.bridge_px);
     if (!fit) return;
     fit->plane.at += static_cast<double>(crop_.reference_per_m);
     out = node_of(*fit, image_column(node), crop_.top + row, layout_, wide_.axis.gain,
                   static_cast<double>(frames_at(column, row)));
   }
 
+  /// Replaces the fit in the image by one on the skin, where the skin is steep; blends both in between.
+  void refit_on_skin(int node, int row, GridNode& out) const {
+    const SkinPoint start{layout_.origin_m + vector_of(out.at_m), vector_of(out.normal)};
+    const double share = 1.0 - smooth_step(kSkinAt, kImageAt, facing_of(start));
+    if (share <= 0.0) return;
+    const Pixel centre{crop_column(node), row};
+    const int radius = wide_.axis.radius;
+    const std::optional<WindowMask> mask =
+        windows_[static_cast<std::size_t>(node)] == Window::Wide
+            ? whole_window(centre, radius)
+            : connected_pixels(crop_.view(), centre.column, centre.row, radius, settings_.bridge_px);
+    if (!mask) return;
+    const auto fit = fit_on_skin(crop_.view(), {layout_.camera, crop_.left, crop_.top}, *mask, centre, radius, start);
+    if (!fit) return;
+    const auto frames = static_cast<double>(frames_at(centre.column, centre.row));
+    const double deviation_m = axial_noise_m(fit->point.at.z()) * facing_of(fit->point) * std::sqrt(fit->gain / frames);
+    out.at_m = array_of((1.0 - share) * start.at + share * fit->point.at - layout_.origin_m);
+    out.normal = array_of(((1.0 - share) * start.normal + share * fit->point.normal).normalized());
+    out.deviation_m += static_cast<float>(share * (deviation_m - static_cast<double>(out.deviation_m)));
+  }
+
   const DepthField& depth_;
-  const Crop& crop_;
+  const InverseCrop& crop_;
   const FitSettings& settings_;
   const GridLayout& layout_;
   ScaleRow wide_;
@@ -273,7 +219,7 @@ void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox
     layout.columns = layout.rows = 0;
     return;
   }
-  const Crop crop = crop_of(depth, box, settings);
+  const InverseCrop crop = crop_of(depth, box, settings.radius_px, settings.break_m);
   const auto columns = static_cast<std::size_t>(layout.columns);
   nodes.reserve(columns * static_cast<std::size_t>(layout.rows));
   RowFitter fitter(depth, crop, settings, layout);

@@ -20,8 +20,10 @@ struct FitSettings {
 /// coordinates, so planes are exact. Each node has a wide window, of `radius_px`, and a narrow one, of about half this
 /// radius. A window without hole or depth break is fitted in closed form, from separable sums; make_nodes() blends both
 /// fits. If only the narrow window is without hole or break, it is used alone. If neither is, the wide window is fitted
-/// by least squares to the pixels that are connected to its centre. Reads `layout.origin_m`, to which the nodes are
-/// relative. Writes the rest of the lattice in `layout` (camera, columns, rows, left, top, step) and the nodes.
+/// by least squares to the pixels that are connected to its centre. On skin that is steeper than 50 degrees off the
+/// ray, where its depth in the image is far from a quadratic, a fit over its tangent plane takes over (fit_on_skin());
+/// from 57 degrees on it is alone. Reads `layout.origin_m`, to which the nodes are relative. Writes the rest of the
+/// lattice in `layout` (camera, columns, rows, left, top, step) and the nodes.
 void fit_nodes(const DepthField& depth, const Intrinsics& camera, const PixelBox& box, const FitSettings& settings,
                GridLayout& layout, std::vector<GridNode>& nodes);
 

@@ -33,6 +33,7 @@ struct Out {
   float* normal_y;
   float* normal_z;
   float* deviation;
+  float* facing;
 };
 
 /// 1/z = at + across·du + down·dv is N·X = 1 with N = (across·fx, down·fy, at − across·fx·x − down·fy·y).
@@ -54,6 +55,7 @@ void make(const In& in, std::size_t count, const NodeRowView& view, const Out& o
   float* __restrict normal_y = out.normal_y;
   float* __restrict normal_z = out.normal_z;
   float* __restrict deviation = out.deviation;
+  float* __restrict out_facing = out.facing;
   const float y = view.ray_y;
   for (std::size_t n = 0; n < count; ++n) {
     const float x = ray_x[n];
@@ -85,6 +87,7 @@ void make(const In& in, std::size_t count, const NodeRowView& view, const Out& o
     normal_z[n] = -c / length;
     // Axial noise of a structured-light camera [m]. Source: Nguyen, Izadi and Lovell (2012).
     const float axial = 0.0012F + 0.0019F * (z - 0.4F) * (z - 0.4F);
+    out_facing[n] = facing;
     deviation[n] = axial * facing * std::sqrt((share * view.wide_gain + rest * view.narrow_gain) / frames[n]);
   }
 }
@@ -92,8 +95,9 @@ void make(const In& in, std::size_t count, const NodeRowView& view, const Out& o
 }  // namespace
 
 NodeRow::NodeRow(std::size_t nodes) {
-  for (std::vector<float>* column : {&wide_at, &wide_across, &wide_down, &narrow_at, &narrow_across, &narrow_down,
-                                     &wide, &frames, &ray_x, &x, &y, &z, &normal_x, &normal_y, &normal_z, &deviation})
+  for (std::vector<float>* column :
+       {&wide_at, &wide_across, &wide_down, &narrow_at, &narrow_across, &narrow_down, &wide, &frames, &ray_x, &x, &y,
+        &z, &normal_x, &normal_y, &normal_z, &deviation, &facing})
     column->assign(nodes, 0.0F);
 }
 
@@ -102,7 +106,7 @@ void make_nodes(NodeRow& row, const NodeRowView& view) {
         row.narrow_across.data(), row.narrow_down.data(), row.wide.data(), row.frames.data(), row.ray_x.data()},
        row.x.size(), view,
        {row.x.data(), row.y.data(), row.z.data(), row.normal_x.data(), row.normal_y.data(), row.normal_z.data(),
-        row.deviation.data()});
+        row.deviation.data(), row.facing.data()});
 }
 
 }  // namespace telepalp::surface

@@ -22,6 +22,7 @@ struct NodeRow {
   std::vector<float> x, y, z;  ///< relative to the grid's origin [m]
   std::vector<float> normal_x, normal_y, normal_z;
   std::vector<float> deviation;  ///< standard deviation of the position along the normal [m]
+  std::vector<float> facing;     ///< cosine between ray and normal
 };
 
 /// Values that all nodes of a row share.
@@ -35,7 +36,8 @@ struct NodeRowView {
 
 /// Blends the fits of both windows by slant (the angle between ray and normal) and computes position, normal and
 /// deviation of each node. On slanted skin, a window covers more area and may cross the silhouette, while the noise
-/// along the normal falls with the cosine of the slant. The narrow window's weight therefore grows with the slant.
+/// along the normal falls with the cosine of the slant. The narrow window's weight therefore grows with the slant. From
+/// 50 degrees on, fit_nodes() replaces the blend.
 void make_nodes(NodeRow& row, const NodeRowView& view);
 
 }  // namespace telepalp::surface

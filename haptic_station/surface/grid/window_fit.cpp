@@ -10,35 +10,6 @@
 namespace telepalp::surface {
 namespace {
 
-using Bits = std::uint32_t;
-
-struct Pixel {
-  int column = 0;
-  int row = 0;
-};
-
-bool measured(const InverseDepthView& view, Pixel at) noexcept {
-  return at.column >= 0 && at.row >= 0 && at.column < view.width && at.row < view.height &&
-         (view.measured.from(at.column, at.row) & 1U) != 0;
-}
-
-std::optional<Pixel> nearest_measured(const InverseDepthView& view, Pixel centre, int most) noexcept {
-  for (int ring = 0; ring <= most; ++ring)
-    for (int dv = -ring; dv <= ring; ++dv)
-      for (int du = -ring; du <= ring; ++du) {
-        const Pixel at{centre.column + du, centre.row + dv};
-        if (std::max(std::abs(du), std::abs(dv)) == ring && measured(view, at)) return at;
-      }
-  return std::nullopt;
-}
-
-/// One row of a window as bit masks, bit k for pixel k: measured, linked to the right, linked to the pixel below.
-struct WindowRow {
-  Bits measured = 0;
-  Bits right = 0;
-  Bits below = 0;
-};
-
 /// The part of the window that lies in the image.
 struct Clip {
   int from = 0;
@@ -47,54 +18,6 @@ struct Clip {
 
 Clip clip_of(const InverseDepthView& view, int left, int side) noexcept {
   return {std::max(0, -left), std::min(side, view.width - left)};
-}
-
-using WindowRows = std::array<WindowRow, kMostSide>;
-
-void read_rows(const InverseDepthView& view, Pixel corner, int side, WindowRows& rows) noexcept {
-  const Bits inside = ~Bits{0} >> (32 - side);
-  for (int l = 0; l < side; ++l) {
-    WindowRow& out = rows[static_cast<std::size_t>(l)];
-    const int row = corner.row + l;
-    out = row < 0 || row >= view.height
-              ? WindowRow{}
-              : WindowRow{view.measured.from(corner.column, row) & inside,
-                          view.right.from(corner.column, row) & (inside >> 1), view.below.from(corner.column, row)};
-  }
-}
-
-/// The pixels of a row that are connected to a pixel in `reached` by links to the right (bit k links k and k + 1).
-Bits along_row(Bits reached, Bits right) noexcept {
-  Bits up = right << 1;  // bit k: linked to k - 1
-  Bits down = right;     // bit k: linked to k + 1
-  for (int step = 1; step < kMostSide; step *= 2) {
-    reached |= (up & (reached << step)) | (down & (reached >> step));
-    up &= up << step;
-    down &= down >> step;
-  }
-  return reached;
-}
-
-/// Finds the window's pixels that are connected to `start`: sweeps down and up until no pixel is added.
-void connect(const WindowRows& rows, int side, Pixel start, std::array<Bits, kMostSide>& reached) noexcept {
-  reached.fill(0);
-  const auto first = static_cast<std::size_t>(start.row);
-  reached[first] = along_row(Bits{1} << start.column, rows[first].right);
-  const auto grow = [&](int l, Bits from) {
-    const auto at = static_cast<std::size_t>(l);
-    if ((from & ~reached[at]) == 0) return false;
-    const Bits grown = along_row(reached[at] | (from & rows[at].measured), rows[at].right);
-    const bool changed = grown != reached[at];
-    reached[at] = grown;
-    return changed;
-  };
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (int l = 1; l < side; ++l)
-      changed |= grow(l, reached[static_cast<std::size_t>(l) - 1] & rows[static_cast<std::size_t>(l) - 1].below);
-    for (int l = side - 2; l >= 0; --l)
-      changed |= grow(l, reached[static_cast<std::size_t>(l) + 1] & rows[static_cast<std::size_t>(l)].below);
-  }
 }
 
 /// The normal equations of 1, u, v, u², uv, v², lengths in radii.
@@ -147,26 +70,18 @@ constexpr double kLeastShareOverHole = 0.5;
 
 }  // namespace
 
-BitRows::BitRows(int width, int height)
-    : stride_(static_cast<std::size_t>((width + 63) / 64) + 2), words_(stride_ * static_cast<std::size_t>(height), 0) {}
-
 std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, int row, const AxisWeights& axis,
                                     int bridge_px) {
-  const std::optional<Pixel> start = nearest_measured(view, {column, row}, std::min(bridge_px, axis.radius));
-  if (!start) return std::nullopt;
-  const int side = 2 * axis.radius + 1;
+  const std::optional<WindowMask> mask = connected_pixels(view, column, row, axis.radius, bridge_px);
+  if (!mask) return std::nullopt;
   const Pixel corner{column - axis.radius, row - axis.radius};
-  const Clip clip = clip_of(view, corner.column, side);
-  WindowRows rows;
-  read_rows(view, corner, side, rows);
-  std::array<Bits, kMostSide> reached;
-  connect(rows, side, {start->column - corner.column, start->row - corner.row}, reached);
+  const Clip clip = clip_of(view, corner.column, 2 * axis.radius + 1);
   MaskedColumns sums;
   const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(corner.row) * view.width + corner.column;
-  sum_masked_columns(view.per_m.data(), first, view.width, reached.data(), axis, clip.from, clip.to, sums);
+  sum_masked_columns(view.per_m.data(), first, view.width, mask->rows.data(), axis, clip.from, clip.to, sums);
   const Equations equations = equations_of(sums, axis, clip);
   WindowFit fit{.plane = {}, .share = equations.normal(0, 0) / (axis.m0 * axis.m0)};
-  const bool over_hole = start->column != column || start->row != row;
+  const bool over_hole = mask->start.column != column || mask->start.row != row;
   if (fit.share < (over_hole ? kLeastShareOverHole : kLeastShare)) return std::nullopt;
   std::optional<InverseDepthPlane> plane;
   if (fit.share >= kWholeEnoughForQuadratic) plane = solve<6>(equations);

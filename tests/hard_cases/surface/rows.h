@@ -14,6 +14,8 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> sensor_rows();
 /// Shapes and approaches without a unique answer.
 [[nodiscard]] std::vector<HardCase> shape_rows();
+/// Skin that is steep against the camera's rays.
+[[nodiscard]] std::vector<HardCase> slope_rows();
 /// Meshes and clouds as people have them: parts inside parts, noise, normals that disagree.
 [[nodiscard]] std::vector<HardCase> model_rows();
 /// Contact after gaps, shifts, black frames and foreign hands.
