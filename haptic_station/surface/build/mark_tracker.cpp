@@ -40,9 +40,9 @@ void MarkTracker::add(const DepthField& averaged, const DepthField& seen, const 
   }
 }
 
-void MarkTracker::begin(Followed& one, SkinMark& mark, const DepthField& averaged, const Intrinsics& camera) {
+void MarkTracker::begin(Followed& one, SkinMark& mark, const DepthField& averaged, const Intrinsics& camera) const {
   if (++one.frames < kFirstFrames) return;
-  one.patch = skin_patch(averaged, camera, one.line->point, one.line->up);
+  one.patch = skin_patch(averaged, camera, one.line->point, one.line->up, radius_m_);
   if (!one.patch) return;
   mark.at = one.patch->mark;
   mark.normal = one.patch->normal;

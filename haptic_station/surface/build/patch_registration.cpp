@@ -84,7 +84,7 @@ void look_at(const SkinPatch& patch, const DepthField& depth, const Intrinsics& 
   residuals.middle_nodes = 0;
   for (const SkinPatch::Node& node : patch.nodes) {
     const PatchCoefficients terms = terms_of(node);
-    const bool in_middle = node.from.norm() * kPatchRadius_m < kMiddle_m;
+    const bool in_middle = node.from.norm() * patch.radius_m < kMiddle_m;
     residuals.middle_nodes += in_middle ? 1 : 0;
     const Vector3d expected = node.at + Vector3d(found[0], found[1], terms.tail<6>().dot(found.tail<6>()));
     const double m_per_px = expected.z() / camera.fx;

@@ -6,10 +6,8 @@
 
 namespace telepalp::surface {
 
-inline constexpr double kPatchRadius_m = 0.13;
-
 /// Motion of a patch as coefficients: slide along x and y [m], then the change of depth [m] as a polynomial 1, x, y,
-/// x², xy, y² of the position in units of kPatchRadius_m.
+/// x², xy, y² of the position in units of the patch's radius.
 using PatchCoefficients = Eigen::Matrix<double, 8, 1>;
 
 /// Derivatives of a node's expected depth by the eight coefficients.

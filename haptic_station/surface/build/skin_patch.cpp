@@ -53,9 +53,10 @@ Vector3d point_at(const Intrinsics& camera, const Vector2d& pixel, double z_m) {
 }  // namespace
 
 std::optional<SkinPatch> skin_patch(const DepthField& depth, const Intrinsics& camera, const Vector3d& point,
-                                    const Vector3d& up) {
+                                    const Vector3d& up, double radius_m) {
   constexpr int kHalf_px = 6;
   SkinPatch patch;
+  patch.radius_m = radius_m;
   patch.mark = point;
   for (int i = 0; i < 12; ++i) {  // along the line, to where it crosses the surface
     if (patch.mark.z() <= 0.0) return std::nullopt;
@@ -66,7 +67,7 @@ std::optional<SkinPatch> skin_patch(const DepthField& depth, const Intrinsics& c
   }
   const Vector2d middle = pixel_of(camera, patch.mark);
   const double step_px = kSpacing_m * camera.fx / patch.mark.z();
-  const int count = static_cast<int>(kPatchRadius_m / kSpacing_m);
+  const int count = static_cast<int>(radius_m / kSpacing_m);
   Eigen::Matrix<double, 8, 8> normal = Eigen::Matrix<double, 8, 8>::Zero();
   for (int j = -count; j <= count; ++j)
     for (int i = -count; i <= count; ++i) {
@@ -79,7 +80,7 @@ std::optional<SkinPatch> skin_patch(const DepthField& depth, const Intrinsics& c
       const Vector2d ray{(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
       const Vector2d by_px{seen->per_px.x() * camera.fx, seen->per_px.y() * camera.fy};
       node.slope = by_px / (seen->z_m + ray.dot(by_px));
-      node.from = (node.at - patch.mark).head<2>() / kPatchRadius_m;
+      node.from = (node.at - patch.mark).head<2>() / radius_m;
       if (node.from.norm() > 1.0 || node.slope.norm() > 2.0) continue;
       patch.nodes.push_back(node);
       const PatchCoefficients terms = terms_of(node);

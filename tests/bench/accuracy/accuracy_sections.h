@@ -27,7 +27,8 @@ struct Section {
 /// The bill of each library scene, and what each kind of effect costs: processor time, memory, start-up, and the error
 /// of the force in motion.
 [[nodiscard]] Result<Section> price_section();
-/// What further settings cost and gain: JPEG quality, camera, disparity levels, the skin's anchor, ultrasound size.
+/// What further settings cost and gain: JPEG quality, camera, disparity levels, the skin's anchor, the radius of a mark,
+/// ultrasound size, the viewer's levels of detail.
 [[nodiscard]] Result<Section> settings_section();
 /// The stiffest wall that the simulated device can show, over sampling rate and damping.
 [[nodiscard]] Result<Section> z_width_section();

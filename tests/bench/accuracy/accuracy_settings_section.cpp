@@ -6,8 +6,10 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/error_in_motion.h"
 #include "haptic_station/ultrasound/b_mode.h"
+#include "tests/bench/accuracy/accuracy_marks.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 #include "tests/bench/accuracy/accuracy_surface.h"
+#include "tests/bench/accuracy/accuracy_viewer.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
 #include "where.h"
@@ -158,7 +160,9 @@ Result<Section> settings_section() {
   if (const auto done = add("camera", camera_table()); !done) return done.error();
   if (const auto done = add("levels", levels_table()); !done) return done.error();
   if (const auto done = add("anchors", anchors_table()); !done) return done.error();
+  section.parts.push_back({"marks", to_markdown(marks_table())});
   if (const auto done = add("ultrasound", ultrasound_table()); !done) return done.error();
+  if (const auto done = add("viewer", viewer_table(section.rows)); !done) return done.error();
   return section;
 }
 
