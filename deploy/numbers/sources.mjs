@@ -3,6 +3,7 @@ import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
+import {fileURLToPath} from 'node:url';
 
 export const git = (checkout, ...words) => execFileSync('git', ['-C', checkout, ...words], {encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe']}).trim();
 
@@ -42,27 +43,14 @@ function readAll(folder, files) {
   return texts;
 }
 
-/**
- * The commit with which the sources are compared unless another one is named: what a branch changes begins where it left
- * the main branch; on the main branch itself, with the last commit. undefined: there is no such commit, as in a shallow
- * clone.
- */
-export function defaultBase(checkout) {
-  const head = commitOf(checkout, 'HEAD');
-  for (const main of ['origin/HEAD', 'origin/main', 'main']) {
-    if (commitOf(checkout, main) === undefined) continue;
-    const common = attempt(() => git(checkout, 'merge-base', 'HEAD', main));
-    if (common !== undefined && common !== head) return common;
-  }
-  return commitOf(checkout, 'HEAD~1');
-}
+/** The commit with which the sources are compared unless another one is named; undefined: there is none. */
+export const defaultBase = (checkout) =>
+  execFileSync(fileURLToPath(new URL('../base', import.meta.url)), [checkout], {encoding: 'utf8'}).trim() || undefined;
 
 /** The full name of a commit; undefined: this checkout does not have it. */
-export const commitOf = (checkout, name) => attempt(() => git(checkout, 'rev-parse', '--verify', '--quiet', `${name}^{commit}`));
-
-function attempt(call) {
+export function commitOf(checkout, name) {
   try {
-    return call();
+    return git(checkout, 'rev-parse', '--verify', '--quiet', `${name}^{commit}`);
   } catch {
     return undefined;
   }

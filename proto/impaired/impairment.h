@@ -15,12 +15,12 @@ struct Impairment {
   double burst_packets = 1.0;  ///< mean number of packets in a loss burst; 1: independent losses
   double reorder = 0.0;        ///< share of packets that arrive later by `reorder_by`
   Nanoseconds reorder_by = std::chrono::milliseconds(10);
-  double duplicate = 0.0;            ///< share of packets that arrive twice
-  double corrupt = 0.0;              ///< share of packets that arrive with one bit inverted
-  double rate_B_per_s = 0.0;         ///< rate of the bottleneck; 0: unlimited
-  std::size_t queue_B = 256 * 1024;  ///< size of the bottleneck's queue; a packet that does not fit is dropped
-  Nanoseconds outage_every{0};       ///< period of outages; 0: no outage
-  Nanoseconds outage_for{0};         ///< each period ends with an outage of this duration
+  double duplicate = 0.0;         ///< share of packets that arrive twice
+  double corrupt = 0.0;           ///< share of packets that arrive with one bit inverted
+  double rate_B_per_s = 0.0;      ///< rate of the bottleneck; 0: unlimited
+  std::size_t queue_B = 262'144;  ///< size of the bottleneck's queue; a packet that does not fit is dropped
+  Nanoseconds outage_every{0};    ///< period of outages; 0: no outage
+  Nanoseconds outage_for{0};      ///< each period ends with an outage of this duration
 };
 
 /// One row of a trace: delay, jitter, loss and rate of a measured path, valid from `at`, counted from the trace's

@@ -12,7 +12,7 @@
 namespace telepalp::keys {
 
 /// Largest size of a key file.
-inline constexpr std::size_t kMaxKeyFileBytes = 64 * 1024;
+inline constexpr std::size_t kMaxKeyFileBytes = std::size_t{64} * 1024;
 
 /// Beginning of the line that holds the token in a token's file.
 inline constexpr std::string_view kTokenLine = "token: ";

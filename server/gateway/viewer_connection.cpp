@@ -22,7 +22,7 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
 
-constexpr std::size_t kMaxTextBytes = 64 * 1024;  // of a client's message; a larger one closes with code 1009
+constexpr std::size_t kMaxTextBytes = 65'536;  // of a client's message; a larger one closes with code 1009
 constexpr std::size_t kMaxSubscriptions = 256;
 constexpr std::size_t kMaxWaitingTexts = 32;
 constexpr std::string_view kSubscriberName = "viewer";

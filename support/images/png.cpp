@@ -64,7 +64,7 @@ bool read_header(PngState& state, PngHeader& header) {
   }
   png_set_interlace_handling(state.png);
   png_read_update_info(state.png, state.info);
-  return png_get_rowbytes(state.png, state.info) == header.width * (header.depth ? 2U : 3U);
+  return png_get_rowbytes(state.png, state.info) == std::size_t{header.width} * (header.depth ? 2U : 3U);
 }
 
 bool read_rows(PngState& state, png_bytepp rows) {
