@@ -1,6 +1,6 @@
 // What a minimal Debian must fetch to install telepalp-clients.
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join, resolve} from 'node:path';
 
@@ -34,15 +34,18 @@ export function minimalStatus(status) {
 }
 
 /** Names and bytes of the archives in the output of `apt-get --print-uris`. */
-export const archivesIn = (output) => [...output.matchAll(/^'[^']*' (\S+?)_\S* (\d+) /gm)].map(([, name, bytes]) => ({name, bytes: Number(bytes)}));
+export const archivesIn = (output) => [...output.matchAll(/^'[^']*' (\S+?)_\S* (\d+)(?: |$)/gm)].map(([, name, bytes]) => ({name, bytes: Number(bytes)}));
 
-/** What apt would fetch for the package files `files` on a computer with dpkg's `status`. Nothing is installed. */
+/**
+ * What apt would fetch for the package files `files` on a computer with dpkg's `status`, with these files themselves. apt
+ * prints it, and installs nothing.
+ */
 function toFetch(files, status) {
   const work = mkdtempSync(join(tmpdir(), 'size-'));
   try {
     writeFileSync(join(work, 'status'), status);
     const options = [`Dir::State::status=${join(work, 'status')}`, `Dir::Cache::archives=${work}`, 'Debug::NoLocking=true'];
-    const words = ['install', '-s', '--no-install-recommends', '--print-uris', '-y', ...options.flatMap((option) => ['-o', option])];
+    const words = ['install', '--print-uris', '-y', '--no-install-recommends', ...options.flatMap((option) => ['-o', option])];
     return archivesIn(execFileSync('apt-get', [...words, ...files], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe']}));
   } finally {
     rmSync(work, {recursive: true, force: true});
@@ -70,8 +73,8 @@ export function packageRows(folder, notes) {
   }
   try {
     const fetched = toFetch(files, minimalStatus(readFileSync('/var/lib/dpkg/status', 'utf8')));
-    const own = files.reduce((sum, file) => sum + statSync(file).size, 0);
-    const bytes = fetched.reduce((sum, archive) => sum + archive.bytes, own);
+    if (!fetched.some(({name}) => name === 'telepalp-clients')) throw new Error('its list lacks telepalp-clients');
+    const bytes = fetched.reduce((sum, archive) => sum + archive.bytes, 0);
     const banned = fetched.filter(({name}) => BANNED.test(name)).map(({name}) => name);
     if (banned.length > 0) notes.push(`telepalp-clients needs ${banned.join(', ')}`);
     return [

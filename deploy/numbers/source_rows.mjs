@@ -28,8 +28,8 @@ function decidesOnKeyFrames(text) {
   return /\bcodec::is_key_frame\s*\(/.test(code) || /\bkCameraDepth\b[^;{}]*\bkey_?frame/i.test(code) || /\bkey_?frame\w*[^;{}]*\bkCameraDepth\b/i.test(code);
 }
 
-/** The sequence sample, tick, apply: the haptic loop's input is built, and its tick called. */
-const drivesTheTick = (text) => /\bTickIn\b[\s\S]*\.\s*tick\s*\(/.test(codeOf(text));
+/** The sequence sample, tick, apply: the haptic loop's input, its tick, and its force handed to a device. */
+const drivesTheTick = (text) => /\bTickIn\b[\s\S]*\.\s*tick\s*\([\s\S]*\b(apply|step)\s*\([^;]*\bforce\b/.test(codeOf(text));
 
 function counted(name, files, unit, reach, notes) {
   if (files.length > 0) notes.push(`${name}: ${files.join(', ')}`);
@@ -57,7 +57,7 @@ export function rowsOf(product, notes) {
   return [
     counted('files that decide on key frames outside codec and the table of topics',
             files(decidesOnKeyFrames, (file) => isBelow(file, 'codec') || /^proto\/wire\/topics\.(h|cpp)$/.test(file)), 'files', 0, notes),
-    counted("copies of the tick's sequence", files(drivesTheTick, (file) => isBelow(file, 'haptic_station/loop')), 'files', 1, notes),
+    counted("copies of the tick's sequence", files(drivesTheTick, () => false), 'files', 1, notes),
     ...memberRows(product, notes),
     counted(`functions over ${MOST_LINES} lines`, longFunctions(product), 'functions', 0, notes),
   ];

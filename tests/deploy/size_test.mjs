@@ -132,8 +132,9 @@ test('lines are counted against the base, without tests, with what is apart in a
 });
 
 test('every planted defect makes its row miss, and names the place', () => {
-  const tick = 'void f() {\n  loop::TickIn in{};\n  loop_.tick(in);\n}\n';
-  const sound = {...classes, 'haptic_station/core/core.cpp': tick, 'haptic_station/loop/loop.cpp': tick, 'tests/t.cpp': tick};
+  const judge = 'void f() {\n  loop::TickIn in{};\n  const auto out = loop_.tick(in);\n';
+  const tick = `${judge}  rig_.apply(out.force, 0.0005);\n}\n`;
+  const sound = {...classes, 'haptic_station/loop/rig_tick.h': tick, 'haptic_station/core/judge.cpp': `${judge}}\n`, 'tests/t.cpp': tick};
   const defects = [
     ['key frames', {'server/play.cpp': 'bool f() { return codec::is_key_frame(bytes); }\n'}, 'server/play.cpp'],
     ['key frames', {'server/sub.cpp': 'bool f() { return m.topic == wire::kCameraDepth && m.key_frame; }\n'}, 'server/sub.cpp'],
@@ -178,8 +179,34 @@ test('a minimal Debian has the required packages and what they depend on', () =>
   const status = 'Package: libc6\nStatus: install ok installed\nVersion: 1\n\nPackage: bash\nEssential: yes\nPre-Depends: libc6 (>= 1), libx | liby\n' +
       'Description: a shell\n with Essential: no\n\nPackage: libpcl\nPriority: optional\nDepends: libc6\n\nPackage: liby\nPriority: optional\n';
   assert.deepEqual([...minimalStatus(status).matchAll(/^Package: (.*)$/gm)].map(([, name]) => name).sort(), ['bash', 'libc6', 'liby']);
-  const uris = "Reading package lists...\n'http://x/pool/libpcl-io_1%2b2_amd64.deb' libpcl-io1.13_1.13.0_amd64.deb 123456 MD5Sum:00\n";
-  assert.deepEqual(archivesIn(uris), [{name: 'libpcl-io1.13', bytes: 123456}]);
+  const uris = "Reading package lists...\n'http://x/pool/libpcl-io_1%2b2_amd64.deb' libpcl-io1.13_1.13.0_amd64.deb 123456 MD5Sum:00\n" +
+      "'file:/x/telepalp-data_1_all.deb' telepalp-data_1_all.deb 99 \n";
+  assert.deepEqual(archivesIn(uris), [{name: 'libpcl-io1.13', bytes: 123456}, {name: 'telepalp-data', bytes: 99}]);
+});
+
+/** A folder with the packages of a thin client, which needs `needs`. */
+function thinClient(needs) {
+  const folder = mkdtempSync(join(tmpdir(), 'size-test-'));
+  made.push(folder);
+  for (const [name, depends] of [['telepalp-clients', `telepalp-data, ${needs}`], ['telepalp-data', 'libc6']]) {
+    mkdirSync(join(folder, name, 'DEBIAN'), {recursive: true});
+    writeFileSync(join(folder, name, 'DEBIAN/control'), `Package: ${name}\nVersion: 1\nArchitecture: all\nMaintainer: nobody\n` +
+        `Depends: ${depends}\nDescription: made by a test\n`);
+    execFileSync('dpkg-deb', ['--build', '-Zgzip', join(folder, name), join(folder, `${name}_1_all.deb`)]);
+  }
+  return folder;
+}
+
+const aptKnows = (name) => spawnSync('apt-cache', ['show', name]).status === 0;
+
+test('a thin client that needs a camera driver misses', {skip: aptKnows('libopenni2-0') ? false : 'apt has no lists of packages'}, () => {
+  const folder = repository(classes);
+  const [thin, thick] = [thinClient('libpng16-16'), thinClient('libopenni2-0')];
+  assert.deepEqual(rowOf(folder, 'libpcl', '--packages', thin).value, 0);
+  const row = rowOf(folder, 'to fetch', '--packages', thin);
+  assert.ok(row.value > 0.1 && row.value < 40 && row.holds, JSON.stringify(row));
+  assert.equal(rowOf(folder, 'libpcl', '--packages', thick).holds, false);
+  assert.ok(size(folder, '--packages', thick).stderr.includes('telepalp-clients needs libopenni2-0'));
 });
 
 test('the help ends with a line to paste', () => {

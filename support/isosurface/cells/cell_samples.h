@@ -16,7 +16,7 @@ struct CellSamples {
 
   [[nodiscard]] Eigen::Vector3d place(std::size_t index) const noexcept {
     const auto i = static_cast<int>(index);
-    return low + 0.5 * side_m * Eigen::Vector3d(i % 3, i / 3 % 3, i / 9);
+    return low + 0.5 * side_m * Eigen::Vector3i(i % 3, i / 3 % 3, i / 9).cast<double>();
   }
   [[nodiscard]] bool inside(std::size_t index) const noexcept { return at[index].m < 0.0; }
 };
