@@ -62,9 +62,9 @@ Server::Server(boost::asio::io_context& io, Options options)
       options_(std::move(options)),
       second_(io),
       network_(io, clock_, [this](wire::Message message) { publish_played(std::move(message)); }) {
-  hub_.on_key_frame_request([this](std::string_view topic) {
-    if (capture_ && topic == wire::kCameraDepth.name) capture_->request_key_frame();
-    if (player_ && topic == wire::kCameraDepth.name) player_->show_again();
+  hub_.on_key_frame_request([this](std::string_view) {
+    if (capture_) capture_->request_key_frame();
+    if (player_) player_->show_again();
   });
 }
 
@@ -94,7 +94,7 @@ void Server::play(std::unique_ptr<playback::SessionPlayer> player, std::function
 }
 
 void Server::publish_played(wire::Message message) {
-  const bool is_of_station = message.topic.name.starts_with("/station/");
+  const bool is_of_station = message.topic.publisher == wire::Publisher::Station;
   if (!is_of_station || listener_->stations() == 0) publish(std::move(message));
 }
 

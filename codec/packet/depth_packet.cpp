@@ -94,4 +94,9 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
   return Packet{header, reader.rest()};
 }
 
+bool is_key_frame(std::span<const std::byte> bytes) {
+  const Result<Packet> packet = read_packet(bytes);
+  return packet.ok() && packet->header.coding != Coding::Dependent;
+}
+
 }  // namespace telepalp::codec

@@ -55,9 +55,4 @@ Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> bytes) {
                          .since_key = header.since_key};
 }
 
-bool is_key_frame(std::span<const std::byte> bytes) {
-  const Result<Packet> packet = read_packet(bytes);
-  return packet.ok() && packet->header.coding != Coding::Dependent;
-}
-
 }  // namespace telepalp::codec

@@ -31,17 +31,15 @@ std::uint64_t random_number() {
   return (std::uint64_t{random()} << 32U) | random();
 }
 
-bool waits_for_a_connection(const Topic& topic) noexcept { return topic.name == kStationEvents.name; }
-
 std::string images_come_by(DatagramPhase phase) {
   return phase == DatagramPhase::Up ? "the images come by sealed datagrams (UDP)"
                                     : "no UDP datagram arrives: the images come over TCP";
 }
 
-/// From now on datagrams carry the deadline topics, or TCP does again. Messages of these topics that wait are dropped:
-/// newer ones follow. Returns their number.
+/// From now on datagrams carry the topics with a deadline, or TCP does again. Messages of these topics that wait are
+/// dropped: newer ones follow. Returns their number.
 std::size_t send_by_datagram(SendQueue& queue, bool on) {
-  const std::size_t dropped = queue.remove_if([](const Message& message) { return has_deadline(message.topic); });
+  const std::size_t dropped = queue.remove_if([](const Message& message) { return message.topic.has_deadline(); });
   queue.send_by_datagram(on);
   return dropped;
 }
@@ -113,7 +111,7 @@ void ClientLink::subscribe(std::vector<std::string> topics) {
 bool ClientLink::publish(Message message) {
   message.sequence = ++sequences_[message.topic.name];
   const bool connected = state_ == LinkState::Connected;
-  if (!connected && !waits_for_a_connection(message.topic)) {
+  if (!connected && !message.topic.kept_while_away) {
     ++counts_.not_sent;
     return false;
   }
@@ -365,8 +363,7 @@ void ClientLink::on_closed(const std::string& reason) {
   if (state_ == LinkState::Stopped) return;
   if (refusal) return refuse(*refusal);
   if (state_ == LinkState::Connected) {
-    counts_.not_sent +=
-        outgoing_.remove_if([](const Message& message) { return !waits_for_a_connection(message.topic); });
+    counts_.not_sent += outgoing_.remove_if([](const Message& message) { return !message.topic.kept_while_away; });
     become(LinkState::Lost, reason);
     if (state_ == LinkState::Stopped) return;  // the handler called stop()
     become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));

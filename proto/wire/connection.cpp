@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "codec/unmarked/unmarked_depth.h"
 #include "proto/words/demand.h"
 #include "proto/words/error_line.h"
 
@@ -63,7 +64,8 @@ std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic
 
 msg::Control hello(const Connection::Options& options) {
   msg::Control control;
-  control.mutable_hello()->set_protocol(kProtocolVersion);
+  control.mutable_hello()->set_protocol(kOldestProtocolVersion);
+  control.mutable_hello()->set_newest_protocol(kProtocolVersion);
   control.mutable_hello()->set_name(options.name);
   control.mutable_hello()->set_role(options.role);
   control.mutable_hello()->set_run(options.run);
@@ -71,6 +73,13 @@ msg::Control hello(const Connection::Options& options) {
   control.mutable_hello()->set_datagrams(options.datagrams);
   control.mutable_hello()->set_accepts_touch(options.accepts_touch);
   return control;
+}
+
+/// A frame of a version that does not mark predicted messages is decided by its payload.
+bool is_key_frame(const Topic& topic, const Frame& frame) {
+  if (!topic.predicted) return true;
+  if (frame.header.version >= kFirstVersionThatMarks) return !frame.header.predicted;
+  return codec::is_unmarked_key_frame(frame.payload);
 }
 
 msg::Control advertise(const std::vector<Topic>& publishes) {
@@ -278,12 +287,7 @@ Result<void> Connection::on_control(const Frame& frame) {
 
 Result<void> Connection::on_hello(const msg::Hello& peer) {
   if (phase_ != Phase::Greeting) return bad_peer("sends a second Hello message");
-  if (peer.protocol() != kProtocolVersion) {
-    const Error error = bad_peer("it speaks version " + std::to_string(peer.protocol()) +
-                                 " of the wire protocol instead of version " + std::to_string(kProtocolVersion));
-    refusal_ = other_version(error.what);
-    return error;
-  }
+  if (const Result<void> agreed = agree_on_version(peer); !agreed) return agreed;
   if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes || peer.token().size() > kMaxTokenBytes)
     return bad_peer("has a name or a role longer than 128 B, or a token longer than 512 B");
   phase_ = Phase::Open;
@@ -291,6 +295,20 @@ Result<void> Connection::on_hello(const msg::Hello& peer) {
   watch(kSilenceDeadline, "no message arrived for 5 s");
   owner_->on_ready(peer);
   wake();
+  return {};
+}
+
+/// Each end names the oldest and the newest version that it speaks; the newest one in common is spoken from now on.
+Result<void> Connection::agree_on_version(const msg::Hello& peer) {
+  const std::uint32_t newest_of_peer = std::max(peer.protocol(), peer.newest_protocol());
+  const std::uint32_t newest = std::min<std::uint32_t>(newest_of_peer, kProtocolVersion);
+  if (newest < peer.protocol() || !is_spoken(newest)) {
+    const Error error = bad_peer("it speaks version " + std::to_string(peer.protocol()) +
+                                 " of the wire protocol instead of version " + spoken_versions());
+    refusal_ = other_version(error.what);
+    return error;
+  }
+  version_ = static_cast<std::uint8_t>(newest);
   return {};
 }
 
@@ -350,8 +368,12 @@ Result<void> Connection::on_data(Frame frame) {
     return bad_peer("sends on channel " + std::to_string(frame.header.channel) + " without advertising it");
   Incoming& channel = found->second;
   if (!channel.topic) return {};
+  if (frame.header.predicted && !channel.topic->predicted)
+    return bad_peer("sends a predicted message of " + std::string(channel.topic->name) +
+                    ", a topic without predicted messages");
+  const bool key_frame = is_key_frame(*channel.topic, frame);
   deliver(channel, {*channel.topic, frame.header.published,
-                    std::make_shared<const std::string>(std::move(frame.payload)), frame.header.sequence});
+                    std::make_shared<const std::string>(std::move(frame.payload)), frame.header.sequence, key_frame});
   return {};
 }
 
@@ -386,7 +408,9 @@ void Connection::write() {
     return write_frame({.kind = FrameKind::Data,
                         .sequence = message->sequence,
                         .published = message->published,
-                        .channel = channel_of(options_.publishes, message->topic)},
+                        .channel = channel_of(options_.publishes, message->topic),
+                        .version = version_,
+                        .predicted = !message->key_frame},
                        std::move(message->payload));
   if (phase_ != Phase::Leaving) return;
   said_goodbye_ = true;
@@ -406,7 +430,7 @@ void Connection::write_control(msg::Control control) {
   }
   if (control.has_clock_reply())
     control.mutable_clock_reply()->set_replied_ns(stamp(owner_->session_now().time_since_epoch()));
-  write_frame({.kind = FrameKind::Control, .sequence = ++control_sequence_},
+  write_frame({.kind = FrameKind::Control, .sequence = ++control_sequence_, .version = version_},
               std::make_shared<const std::string>(control.SerializeAsString()));
 }
 

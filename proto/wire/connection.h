@@ -130,6 +130,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] Result<void> on_datagram_offer(const msg::DatagramOffer& offer);
   [[nodiscard]] Result<void> on_hand_over(const msg::HandOver& request);
   [[nodiscard]] Result<void> on_data(Frame frame);
+  [[nodiscard]] Result<void> agree_on_version(const msg::Hello& peer);
   void deliver(Incoming& channel, Message message);
 
   void send(msg::Control control);
@@ -148,6 +149,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::asio::steady_timer read_again_;
   std::chrono::steady_clock::time_point read_due_{};  // when max_read_bytes_per_s allows the next read
   Phase phase_ = Phase::Greeting;
+  std::uint8_t version_ = kOldestProtocolVersion;  // of the frames that are sent: the newest that both ends speak
   std::string leaving_because_;
   bool refuses_ = false;  // the Goodbye tells the peer not to try again: close() with `final`
   std::optional<Error> refusal_;

@@ -15,8 +15,8 @@ constexpr std::size_t kLabelBytes = 16;
 }  // namespace
 
 link::Frame frame_of(const Message& message, SessionTime now) {
-  const std::optional<std::uint8_t> channel = datagram_channel(message.topic);
-  demand(channel.has_value(), "only deadline topics travel by datagram");
+  const std::optional<std::uint8_t> channel = message.topic.datagram_channel;
+  demand(channel.has_value(), "only topics with a deadline travel by datagram");
   const bool fresh = message.published <= now && now - message.published < std::chrono::seconds(1);
   link::Frame frame{.channel = *channel,
                     .number = static_cast<std::uint32_t>(message.sequence),
@@ -30,9 +30,10 @@ link::Frame frame_of(const Message& message, SessionTime now) {
 }
 
 std::optional<Message> message_of(const link::Frame& frame) {
-  if (frame.channel >= kDeadlineTopics.size() || frame.bytes.size() < kLabelBytes) return std::nullopt;
+  const std::optional<Topic> topic = topic_of_datagram_channel(frame.channel);
+  if (!topic || frame.bytes.size() < kLabelBytes || (!frame.key_frame && !topic->predicted)) return std::nullopt;
   const auto* const payload = reinterpret_cast<const char*>(frame.bytes.data() + kLabelBytes);
-  return Message{.topic = kDeadlineTopics[frame.channel],
+  return Message{.topic = *topic,
                  .published = session_time(static_cast<std::int64_t>(get_little_endian(frame.bytes.data(), 8))),
                  .payload = std::make_shared<const std::string>(payload, frame.bytes.size() - kLabelBytes),
                  .sequence = get_little_endian(frame.bytes.data() + 8, 8),

@@ -20,6 +20,8 @@ constexpr std::size_t kSequenceAt = 8;
 constexpr std::size_t kPublishedAt = 16;
 constexpr std::size_t kChannelAt = 24;
 
+constexpr std::uint16_t kPredictedFlag = 1;
+
 template <class T>
 void put(HeaderBytes& bytes, std::size_t at, T value) noexcept {
   std::memcpy(bytes.data() + at, &value, sizeof value);
@@ -38,13 +40,23 @@ Error refused(std::string what) {
           .fix = "install the same version of telepalp at both ends; other programs must follow proto/WIRE.md"};
 }
 
+std::uint16_t known_flags(std::uint8_t version, std::uint8_t kind) noexcept {
+  return version >= kFirstVersionThatMarks && kind == static_cast<std::uint8_t>(FrameKind::Data) ? kPredictedFlag : 0;
+}
+
 }  // namespace
+
+std::string spoken_versions() {
+  const std::string newest = std::to_string(kProtocolVersion);
+  return kOldestProtocolVersion == kProtocolVersion ? newest : std::to_string(kOldestProtocolVersion) + " or " + newest;
+}
 
 HeaderBytes encode_header(const FrameHeader& header) noexcept {
   HeaderBytes bytes{};
   put(bytes, kLengthAt, header.payload_bytes);
-  put(bytes, kVersionAt, kProtocolVersion);
+  put(bytes, kVersionAt, header.version);
   put(bytes, kKindAt, header.kind);
+  if (header.predicted && header.version >= kFirstVersionThatMarks) put(bytes, kFlagsAt, kPredictedFlag);
   put(bytes, kSequenceAt, header.sequence);
   put(bytes, kPublishedAt, to_nanoseconds(header.published));
   put(bytes, kChannelAt, header.channel);
@@ -53,19 +65,23 @@ HeaderBytes encode_header(const FrameHeader& header) noexcept {
 
 Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes) {
   const auto version = get<std::uint8_t>(bytes, kVersionAt);
-  if (version != kProtocolVersion)
+  if (!is_spoken(version))
     return refused("it has version " + std::to_string(version) + " of the wire protocol instead of " +
-                   std::to_string(kProtocolVersion));
+                   spoken_versions());
   const auto kind = get<std::uint8_t>(bytes, kKindAt);
   if (kind != static_cast<std::uint8_t>(FrameKind::Control) && kind != static_cast<std::uint8_t>(FrameKind::Data))
     return refused("its kind " + std::to_string(kind) + " is unknown");
-  if (get<std::uint16_t>(bytes, kFlagsAt) != 0)
-    return refused("it sets flags that version 1 of the wire protocol does not have");
+  const auto flags = get<std::uint16_t>(bytes, kFlagsAt);
+  if ((flags & ~known_flags(version, kind)) != 0)
+    return refused("it sets flags that a frame of kind " + std::to_string(kind) + " does not have in version " +
+                   std::to_string(version) + " of the wire protocol");
   const FrameHeader header{.payload_bytes = get<std::uint32_t>(bytes, kLengthAt),
                            .kind = static_cast<FrameKind>(kind),
                            .sequence = get<std::uint64_t>(bytes, kSequenceAt),
                            .published = session_time(get<std::int64_t>(bytes, kPublishedAt)),
-                           .channel = get<std::uint32_t>(bytes, kChannelAt)};
+                           .channel = get<std::uint32_t>(bytes, kChannelAt),
+                           .version = version,
+                           .predicted = (flags & kPredictedFlag) != 0};
   const std::size_t most =
       header.kind == FrameKind::Control ? std::min(kMaxControlBytes, max_payload_bytes) : max_payload_bytes;
   if (header.payload_bytes > most)
@@ -78,8 +94,7 @@ Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payl
 }
 
 bool FrameParser::met_other_version() const noexcept {
-  return failed_ && header_filled_ == kFrameHeaderBytes &&
-         get<std::uint8_t>(header_bytes_, kVersionAt) != kProtocolVersion;
+  return failed_ && header_filled_ == kFrameHeaderBytes && !is_spoken(get<std::uint8_t>(header_bytes_, kVersionAt));
 }
 
 Result<std::optional<Frame>> FrameParser::next(std::span<const std::byte>& bytes) {

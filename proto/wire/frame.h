@@ -13,8 +13,18 @@
 
 namespace telepalp::wire {
 
-/// Version of the protocol in WIRE.md; sent in every frame and in msg.Hello.
+/// The versions of the protocol in WIRE.md that this end speaks.
 inline constexpr std::uint8_t kProtocolVersion = kWireProtocolVersion;
+inline constexpr std::uint8_t kOldestProtocolVersion = kOldestWireProtocolVersion;
+
+[[nodiscard]] constexpr bool is_spoken(std::uint32_t version) noexcept {
+  return version >= kOldestProtocolVersion && version <= kProtocolVersion;
+}
+/// "1 or 2", for errors.
+[[nodiscard]] std::string spoken_versions();
+
+/// The first version whose data frames say whether they are predicted.
+inline constexpr std::uint8_t kFirstVersionThatMarks = 2;
 
 inline constexpr std::size_t kFrameHeaderBytes = 28;
 inline constexpr std::size_t kMaxControlBytes = std::size_t{16} << 10;
@@ -28,7 +38,10 @@ struct FrameHeader {
   FrameKind kind = FrameKind::Control;
   std::uint64_t sequence = 0;  ///< number within the topic, given by the sender; a gap means lost messages
   SessionTime published{};
-  std::uint32_t channel = 0;  ///< 0 for control
+  std::uint32_t channel = 0;                      ///< 0 for control
+  std::uint8_t version = kOldestProtocolVersion;  ///< before both ends know the newest common version, the oldest
+  bool predicted =
+      false;  ///< decoding needs the topic's message before this one. Not sent below kFirstVersionThatMarks
 };
 
 struct Frame {
@@ -40,8 +53,9 @@ using HeaderBytes = std::array<std::byte, kFrameHeaderBytes>;
 
 [[nodiscard]] HeaderBytes encode_header(const FrameHeader& header) noexcept;
 
-/// Decodes a header. Error: another protocol version, an unknown kind, flags that are not 0, a control frame with a
-/// channel or a data frame without one, or a payload above `max_payload_bytes` (control: above kMaxControlBytes, too).
+/// Decodes a header. Error: a protocol version that is not spoken, an unknown kind, a flag that the version does not
+/// have, a control frame with a channel or a data frame without one, or a payload above `max_payload_bytes` (control:
+/// above kMaxControlBytes, too).
 [[nodiscard]] Result<FrameHeader> decode_header(const HeaderBytes& bytes, std::size_t max_payload_bytes);
 
 /// Splits a byte stream into frames; the stream may arrive in pieces of any size. Buffers at most one frame. Memory for
@@ -56,7 +70,7 @@ class FrameParser {
   /// bytes were consumed and the frame is still incomplete.
   [[nodiscard]] Result<std::optional<Frame>> next(std::span<const std::byte>& bytes);
 
-  /// True once a frame of another protocol version has come. next() then returns its error.
+  /// True once a frame of a protocol version that is not spoken has come. next() then returns its error.
   [[nodiscard]] bool met_other_version() const noexcept;
 
   /// Changes the payload limit for later frames [B].

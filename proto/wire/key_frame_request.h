@@ -45,15 +45,25 @@ struct GroupPosition {
 
 /// The hub's state about the key frames of one topic.
 struct KeyFrameState {
-  bool in_groups = false;        ///< a predicted frame has been published
-  bool requested = false;        ///< a key frame was requested and is not published yet
-  SessionTime last_key_frame{};  ///< when the newest key frame was published
+  bool in_groups = false;         ///< a predicted frame has been published
+  bool requested = false;         ///< a key frame was requested and is not published yet
+  SessionTime last_key_frame{};   ///< when the newest key frame was published
+  std::uint64_t last_number = 0;  ///< number that the newest message came with; 0: it had none
 };
 
+/// `number`: that with which the message came to the hub; 0: none, because it comes from the encoder, without a loss.
 [[nodiscard]] constexpr KeyFrameState after_publishing(const KeyFrameState& state, bool key_frame,
-                                                       SessionTime published) noexcept {
-  if (!key_frame) return {.in_groups = true, .requested = state.requested, .last_key_frame = state.last_key_frame};
-  return {.in_groups = state.in_groups, .requested = false, .last_key_frame = published};
+                                                       SessionTime published, std::uint64_t number = 0) noexcept {
+  return {.in_groups = state.in_groups || !key_frame,
+          .requested = state.requested && !key_frame,
+          .last_key_frame = key_frame ? published : state.last_key_frame,
+          .last_number = number};
+}
+
+/// True if the message before this predicted one did not come to the hub.
+[[nodiscard]] constexpr bool lacks_reference(const KeyFrameState& state, std::uint64_t number,
+                                             bool key_frame) noexcept {
+  return !key_frame && number != 0 && number != state.last_number + 1;
 }
 
 /// True while a subscriber that could not decode the message published at `undecodable` needs a key frame. False when a

@@ -3,26 +3,26 @@
 #include <algorithm>
 #include <utility>
 
-#include "proto/wire/datagram_message.h"
-
 namespace telepalp::wire {
 namespace {
 
-/// Of what is worthless when it is late: the message that is sent next, and the newest one.
-constexpr QueueLimit kNewest{.messages = 2, .bytes = 2 * kMaxPayloadBytes};
+/// Limits of one topic's queue to one peer.
+struct QueueLimit {
+  std::size_t messages;
+  std::size_t bytes;
+};
 
-bool is_camera(const Topic& topic) noexcept { return topic.name.starts_with("/camera/"); }
+QueueLimit queue_limit(const Topic& topic, bool by_datagram) noexcept {
+  constexpr QueueLimit kNewest{.messages = 2, .bytes = 2 * kMaxPayloadBytes};  // one is sent next, the other is newest
+  constexpr QueueLimit kHistory{.messages = 256, .bytes = std::size_t{1} << 20};  // 2.5 s of the 100 Hz topics
+  return by_datagram || topic.backlog == Backlog::Newest ? kNewest : kHistory;
+}
 
 }  // namespace
 
-QueueLimit queue_limit(std::string_view topic) noexcept {
-  constexpr QueueLimit kSmall{.messages = 256, .bytes = std::size_t{1} << 20};  // 2.5 s of the 100 Hz topics
-  return topic == kCameraDepth.name || topic == kCameraColor.name ? kNewest : kSmall;
-}
-
-SendQueue::Lane& SendQueue::lane_of(const Topic& topic) noexcept {
-  if (by_datagram_ && has_deadline(topic)) return datagrams_;
-  return is_camera(topic) ? camera_ : others_;
+SendQueue::Queue& SendQueue::queue_of(const Topic& topic) noexcept {
+  if (goes_by_datagram(topic)) return datagrams_;
+  return topic.lane == Lane::First ? first_ : others_;
 }
 
 std::size_t SendQueue::waiting(const Topic& topic) const {
@@ -34,58 +34,58 @@ void SendQueue::count_in(const Message& message) {
   Waiting& topic = waiting_[message.topic.name];
   ++topic.messages;
   topic.bytes += message.payload->size();
-  if (&lane_of(message.topic) == &others_) other_bytes_ += message.payload->size();
+  if (&queue_of(message.topic) == &others_) other_bytes_ += message.payload->size();
 }
 
 void SendQueue::count_out(const Message& message) {
   Waiting& topic = waiting_[message.topic.name];
   --topic.messages;
   topic.bytes -= message.payload->size();
-  if (&lane_of(message.topic) == &others_) other_bytes_ -= message.payload->size();
+  if (&queue_of(message.topic) == &others_) other_bytes_ -= message.payload->size();
 }
 
 bool SendQueue::has_room(const Message& message) const {
   const auto found = waiting_.find(message.topic.name);
   if (found == waiting_.end() || found->second.messages == 0) return true;
-  const QueueLimit limit = by_datagram_ && has_deadline(message.topic) ? kNewest : queue_limit(message.topic.name);
+  const QueueLimit limit = queue_limit(message.topic, goes_by_datagram(message.topic));
   return found->second.messages < limit.messages && found->second.bytes + message.payload->size() <= limit.bytes;
 }
 
-Message SendQueue::take(Lane& lane, Lane::iterator at) {
+Message SendQueue::take(Queue& queue, Queue::iterator at) {
   Message message = std::move(*at);
-  lane.erase(at);
+  queue.erase(at);
   count_out(message);
   return message;
 }
 
 void SendQueue::take_oldest(const Message& to_make_room_for, std::vector<Message>& gone) {
-  Lane& lane = lane_of(to_make_room_for.topic);
+  Queue& queue = queue_of(to_make_room_for.topic);
   const auto oldest = [&] {
-    return std::find_if(lane.begin(), lane.end(),
+    return std::find_if(queue.begin(), queue.end(),
                         [&](const Message& other) { return other.topic.name == to_make_room_for.topic.name; });
   };
-  do gone.push_back(take(lane, oldest()));
-  while (oldest() != lane.end() && !oldest()->key_frame);
+  do gone.push_back(take(queue, oldest()));
+  while (oldest() != queue.end() && !oldest()->key_frame);
 }
 
 std::vector<Message> SendQueue::push(const Message& message) {
   if (!has_room(message) && !message.key_frame) return {message};
   std::vector<Message> gone;
   while (!has_room(message)) take_oldest(message, gone);
-  lane_of(message.topic).push_back(message);
+  queue_of(message.topic).push_back(message);
   count_in(message);
   return gone;
 }
 
 std::optional<Message> SendQueue::pop() {
-  if (camera_.empty()) return others_.empty() ? std::nullopt : std::optional(take(others_, others_.begin()));
+  if (first_.empty()) return others_.empty() ? std::nullopt : std::optional(take(others_, others_.begin()));
   if (!others_.empty() && others_.front().payload->size() <= others_credit_bytes_) {
     others_credit_bytes_ -= others_.front().payload->size();
     return take(others_, others_.begin());
   }
   constexpr std::size_t kMostCredit = kMaxPayloadBytes;  // enough for the largest message
   constexpr std::size_t kShare = 4;
-  Message message = take(camera_, camera_.begin());
+  Message message = take(first_, first_.begin());
   others_credit_bytes_ = std::min(kMostCredit, others_credit_bytes_ + message.payload->size() / kShare);
   return message;
 }

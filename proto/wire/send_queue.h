@@ -11,19 +11,9 @@
 
 namespace telepalp::wire {
 
-/// Limits of one topic's queue to one peer. A message of a topic that has no queued message is always accepted.
-struct QueueLimit {
-  std::size_t messages;
-  std::size_t bytes;
-};
-
-/// The limits of a topic that TCP carries: two messages for images, because a newer image makes older ones worthless;
-/// 256 messages and 1 MiB for other topics, as a short history. A topic that datagrams carry has the limits of images.
-[[nodiscard]] QueueLimit queue_limit(std::string_view topic) noexcept;
-
-/// The queue of messages to one peer. It is bounded by topic, in messages and bytes: at a topic's limit its own oldest
-/// messages are dropped, so a large topic cannot displace a small one. It is the only message queue between publisher
-/// and socket.
+/// The queue of messages to one peer. It is bounded by topic (Topic::backlog), in messages and bytes: at a topic's
+/// limit its own oldest messages are dropped, so a large topic cannot displace a small one. A message of a topic that
+/// has no queued message is always accepted. It is the only message queue between publisher and socket.
 class SendQueue {
  public:
   /// Adds `message` and returns the dropped messages: as many of the topic's oldest messages as needed, each with the
@@ -31,12 +21,12 @@ class SendQueue {
   /// is dropped, because dropping older ones would remove its reference.
   std::vector<Message> push(const Message& message);
 
-  /// While `on`, datagrams carry the deadline topics (datagram_message.h): pop() skips their messages, and pop_newest()
-  /// takes them. Call it while no message of these topics is queued.
+  /// While `on`, datagrams carry the topics with a deadline (Topic::datagram_channel): pop() skips their messages, and
+  /// pop_newest() takes them. Call it while no message of these topics is queued.
   void send_by_datagram(bool on) noexcept { by_datagram_ = on; }
 
-  /// The next message to send. Messages of /camera/... go first, oldest first. The other topics, oldest first, get a
-  /// quarter of the camera's bytes while both wait, so that neither stops the other.
+  /// The next message to send. Messages of Lane::First go first, oldest first. The other topics, oldest first, get a
+  /// quarter of their bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
   /// The next message to send by datagram. Its topic is that of the oldest queued message of the deadline topics. It is
@@ -44,14 +34,14 @@ class SendQueue {
   /// to `gone`.
   std::optional<Message> pop_newest(std::vector<Message>& gone);
 
-  /// Of the topics outside /camera/... that wait for TCP, finds the one with the most queued bytes and removes its
+  /// Of the topics of Lane::Others that wait for TCP, finds the one with the most queued bytes and removes its
   /// oldest message.
   std::optional<Message> drop_of_largest();
 
   [[nodiscard]] std::size_t waiting(const Topic& topic) const;
   [[nodiscard]] bool empty() const noexcept { return size() == 0; }
-  [[nodiscard]] std::size_t size() const noexcept { return datagrams_.size() + camera_.size() + others_.size(); }
-  /// Queued bytes of the topics outside /camera/... that wait for TCP.
+  [[nodiscard]] std::size_t size() const noexcept { return datagrams_.size() + first_.size() + others_.size(); }
+  /// Queued bytes of the topics of Lane::Others that wait for TCP.
   [[nodiscard]] std::size_t other_bytes() const noexcept { return other_bytes_; }
 
   /// Removes all messages for which `matches` is true; returns their number.
@@ -62,7 +52,7 @@ class SendQueue {
       count_out(message);
       return true;
     };
-    return std::erase_if(datagrams_, remove) + std::erase_if(camera_, remove) + std::erase_if(others_, remove);
+    return std::erase_if(datagrams_, remove) + std::erase_if(first_, remove) + std::erase_if(others_, remove);
   }
 
  private:
@@ -70,22 +60,25 @@ class SendQueue {
     std::size_t messages = 0;
     std::size_t bytes = 0;
   };
-  using Lane = std::deque<Message>;
+  using Queue = std::deque<Message>;
 
-  Lane& lane_of(const Topic& topic) noexcept;
+  Queue& queue_of(const Topic& topic) noexcept;
+  [[nodiscard]] bool goes_by_datagram(const Topic& topic) const noexcept {
+    return by_datagram_ && topic.has_deadline();
+  }
   [[nodiscard]] bool has_room(const Message& message) const;
-  Message take(Lane& lane, Lane::iterator at);
+  Message take(Queue& queue, Queue::iterator at);
   void take_oldest(const Message& to_make_room_for, std::vector<Message>& gone);
   void count_in(const Message& message);
   void count_out(const Message& message);
 
-  Lane datagrams_;  // deadline topics while by_datagram_ is true
-  Lane camera_;
-  Lane others_;
+  Queue datagrams_;                              // topics with a deadline while by_datagram_ is true
+  Queue first_;                                  // Lane::First
+  Queue others_;                                 // Lane::Others
   std::map<std::string_view, Waiting> waiting_;  // key: topic
   bool by_datagram_ = false;
   std::size_t other_bytes_ = 0;
-  std::size_t others_credit_bytes_ = 0;  // bytes that others_ may send, earned by bytes sent from camera_
+  std::size_t others_credit_bytes_ = 0;  // bytes that others_ may send, earned by bytes sent from first_
 };
 
 }  // namespace telepalp::wire

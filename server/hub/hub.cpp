@@ -4,8 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "proto/wire/datagram_message.h"
-
 namespace telepalp::hub {
 namespace {
 
@@ -69,15 +67,20 @@ void Hub::forget_unwanted(Subscriber& subscriber) {
 
 void Hub::publish(wire::Message message) {
   TopicCount& count = topics_[message.topic.name];
-  message.sequence = ++count.published;
+  const std::uint64_t number = std::exchange(message.sequence, ++count.published);
   count.bytes += message.payload->size();
   wire::KeyFrameState& state = key_frames_[message.topic.name];
-  state = after_publishing(state, message.key_frame, message.published);
-  if (wire::is_latched(message.topic.name) || also_latched_.contains(message.topic.name))
-    latched_.insert_or_assign(message.topic.name, message);
+  if (lacks_reference(state, number, message.key_frame)) forget_references(message.topic.name);
+  state = after_publishing(state, message.key_frame, message.published, number);
+  if (message.topic.latched()) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
     if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
   drop_beyond_the_bound();
+}
+
+/// The subscribers lack the reference frame of the next predicted message of `topic`, as the hub does.
+void Hub::forget_references(std::string_view topic) {
+  for (auto& [id, subscriber] : subscribers_) subscriber.positions[topic] = {};
 }
 
 bool Hub::is_wanted(std::string_view topic) const {
@@ -145,10 +148,11 @@ void Hub::send_by_datagram(SubscriberId id, bool on) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end() || found->second.count.by_datagram == on) return;
   Subscriber& subscriber = found->second;
-  remove_waiting(subscriber, [](const wire::Message& message) { return wire::has_deadline(message.topic); });
+  remove_waiting(subscriber, [](const wire::Message& message) { return message.topic.has_deadline(); });
   subscriber.count.by_datagram = on;
   subscriber.queue.send_by_datagram(on);
-  for (const wire::Topic& topic : wire::kDeadlineTopics) restart_group(id, topic);
+  for (const wire::Topic& topic : wire::kTopics)
+    if (topic.has_deadline()) restart_group(id, topic);
 }
 
 std::optional<wire::Message> Hub::next_for_datagram(SubscriberId id) {

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,13 +20,13 @@ using SubscriberId = std::uint64_t;
 
 /// Distributes each published message to the subscribers of its topic. It does not encode or copy: all subscribers
 /// share one payload. A slow subscriber loses its own oldest messages, topic by topic; other subscribers are not
-/// affected. A new subscriber gets the last message of each latched topic (camera models, camera status, holder of the
-/// viewer's hand, structures inside the body). A predicted frame goes only to subscribers that have its reference
-/// frame. A subscriber that missed a frame gets no message of that topic until the next key frame, which the hub
-/// requests from the publisher. Owner: the server's network thread; no locks, no sockets, no clock.
+/// affected. A new subscriber gets the last message of each latched topic (wire::Topic). A predicted frame goes only to
+/// subscribers that have its reference frame. A subscriber that missed a frame gets no message of that topic until the
+/// next key frame, which the hub requests from the publisher. Owner: the server's network thread; no locks, no sockets,
+/// no clock.
 class Hub {
  public:
-  /// Limit of the bytes that wait for TCP on all topics outside /camera/..., over all subscribers. A payload that is
+  /// Limit of the bytes that wait for TCP on all topics of Lane::Others, over all subscribers. A payload that is
   /// queued for several subscribers counts once for each.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20;
 
@@ -41,24 +40,22 @@ class Hub {
   /// publisher may come later.
   void subscribe(SubscriberId subscriber, const std::vector<std::string>& topics);
 
-  /// Latches `topic`, as wire::is_latched() does for telepalp's own topics: a new subscriber gets its last message.
-  void latch(const wire::Topic& topic) { also_latched_.insert(topic.name); }
-
   /// Gives `message` the topic's next sequence number and offers it to the subscribers, which see dropped messages as
-  /// gaps.
+  /// gaps. A message that has a number already comes through a connection: if it is predicted and the number before it
+  /// is missing, its reference frame is lost, and it is offered to nobody.
   void publish(wire::Message message);
 
   /// A subscriber requests a key frame: it could not decode the message of `topic` published at `undecodable`.
   void request_key_frame(SubscriberId subscriber, const wire::Topic& topic, SessionTime undecodable);
 
   /// Sets the function that requests a key frame of a topic from its publisher. After a call for a topic, it is not
-  /// called again for this topic until a key frame comes.
+  /// called again for this topic until a key frame comes. `topic` has predicted messages.
   void on_key_frame_request(std::function<void(std::string_view topic)> handler) {
     key_frame_requested_ = std::move(handler);
   }
 
-  /// Takes the next message from the subscriber's queue. /camera/... goes first; while both wait, the other topics get
-  /// a quarter of the bytes of /camera/... (SendQueue::pop()). nullopt when the queue is empty.
+  /// Takes the next message from the subscriber's queue. Lane::First goes first; while both wait, the other topics get
+  /// a quarter of its bytes (SendQueue::pop()). nullopt when the queue is empty.
   [[nodiscard]] std::optional<wire::Message> next(SubscriberId subscriber);
 
   /// While `on`, datagrams carry the deadline topics (camera images, station state, viewer's hand: a late message is of
@@ -117,13 +114,13 @@ class Hub {
   template <class Matches>
   void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
   void start_anew(Subscriber& subscriber, const wire::Topic& topic);
+  void forget_references(std::string_view topic);
   void forget_unwanted(Subscriber& subscriber);
   void request_from_publisher(std::string_view topic);
 
   std::map<SubscriberId, Subscriber> subscribers_;
   TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
-  std::set<std::string_view> also_latched_;                     // by latch()
   std::map<std::string_view, wire::KeyFrameState> key_frames_;  // by topic
   std::function<void(std::string_view)> key_frame_requested_;
   SubscriberId last_id_ = 0;

@@ -51,8 +51,8 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
                                   .on_frame = frames_to(made->peer_.on_message),
                                   .on_key_frame_needed =
                                       [&hub, subscriber](std::uint8_t channel) {
-                                        if (channel < wire::kDeadlineTopics.size())
-                                          hub.restart_group(subscriber, wire::kDeadlineTopics[channel]);
+                                        if (const auto topic = wire::topic_of_datagram_channel(channel))
+                                          hub.restart_group(subscriber, *topic);
                                       },
                                   .on_phase = [raw = made.get()](wire::DatagramPhase phase) { raw->on_phase(phase); },
                                   .now = made->peer_.now});

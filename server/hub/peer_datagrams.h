@@ -12,7 +12,7 @@
 namespace telepalp::hub {
 
 /// The datagrams of one peer. While the peer answers datagrams, they carry the deadline topics, whose late messages are
-/// of no use (wire::kDeadlineTopics), in both directions; TCP carries the other topics. Owner: the network thread.
+/// of no use (Topic::datagram_channel), in both directions; TCP carries the other topics. Owner: the network thread.
 class PeerDatagrams : private DatagramPort::Session {
  public:
   struct Peer {

@@ -10,11 +10,10 @@
 namespace telepalp::hub {
 namespace {
 
-struct Allowed {
+/// What a payload must pass. Each topic whose publisher is a station has one.
+struct Check {
   std::string_view topic;
-  bool (*parses)(const std::string&);
-  double messages_per_s;
-  double bytes_per_s;
+  bool (*passes)(const std::string&);
 };
 
 template <class Proto>
@@ -30,40 +29,34 @@ bool parses_and_is_valid(const std::string& payload) {
 }
 
 constexpr double kKiB = 1024.0;
-constexpr std::array kAllowed{
-    Allowed{wire::kStationState.name, parses<msg::StationState>, 250, 256 * kKiB},
-    Allowed{wire::kStationTicks.name, parses<msg::StationTicks>, 250, 1024 * kKiB},
-    Allowed{wire::kStationSurface.name, parses<msg::SurfaceReport>, 150, 128 * kKiB},
-    Allowed{wire::kStationCompensation.name, parses<msg::StationCompensation>, 250, 128 * kKiB},
-    Allowed{wire::kStationEvents.name, parses<msg::StationEvent>, 50, 64 * kKiB},
-    Allowed{wire::kStationStats.name, parses<msg::StationStats>, 10, 64 * kKiB},
-    Allowed{wire::kStationUltrasound.name, parses_and_is_valid<msg::UltrasoundImage>, 60, 1024 * kKiB},
-    Allowed{wire::kStationInside.name, parses_and_is_valid<msg::InnerStructures>, 1, 512 * kKiB}};
-
-const Allowed* find(const wire::Topic& topic) noexcept {
-  const auto found =
-      std::find_if(kAllowed.begin(), kAllowed.end(), [&](const Allowed& row) { return row.topic == topic.name; });
-  return found == kAllowed.end() ? nullptr : &*found;
-}
+constexpr std::array kChecks{Check{wire::kStationState.name, parses<msg::StationState>},
+                             Check{wire::kStationTicks.name, parses<msg::StationTicks>},
+                             Check{wire::kStationSurface.name, parses<msg::SurfaceReport>},
+                             Check{wire::kStationCompensation.name, parses<msg::StationCompensation>},
+                             Check{wire::kStationEvents.name, parses<msg::StationEvent>},
+                             Check{wire::kStationStats.name, parses<msg::StationStats>},
+                             Check{wire::kStationUltrasound.name, parses_and_is_valid<msg::UltrasoundImage>},
+                             Check{wire::kStationInside.name, parses_and_is_valid<msg::InnerStructures>}};
+static_assert(std::ranges::all_of(wire::kTopics, [](const wire::Topic& topic) {
+  return (std::ranges::count(kChecks, topic.name, &Check::topic) == 1) == may_publish_upstream(topic);
+}));
 
 }  // namespace
 
-bool may_publish_upstream(const wire::Topic& topic) noexcept { return find(topic) != nullptr; }
-
 bool is_valid_upstream(const wire::Message& message) {
-  const Allowed* allowed = find(message.topic);
-  return allowed && message.payload->size() <= kMaxUpstreamBytes && allowed->parses(*message.payload);
+  const auto check = std::ranges::find(kChecks, message.topic.name, &Check::topic);
+  return check != kChecks.end() && message.payload->size() <= kMaxUpstreamBytes && check->passes(*message.payload);
 }
 
 Rate upstream_rate(const wire::Topic& topic) {
   constexpr double kBurstMessages = 512;  // a client's queue holds 256 messages of a topic
   constexpr double kLeastBurst = 256 * kKiB;
-  const Allowed* allowed = find(topic);
-  demand(allowed != nullptr, "the rate limit is requested only for a topic that peers may publish");
-  return {.messages_per_s = allowed->messages_per_s,
-          .bytes_per_s = allowed->bytes_per_s,
+  demand(may_publish_upstream(topic), "the rate limit is requested only for a topic that peers may publish");
+  const double bytes_per_s = topic.most_from_peer.KiB_per_s * kKiB;
+  return {.messages_per_s = static_cast<double>(topic.most_from_peer.messages_per_s),
+          .bytes_per_s = bytes_per_s,
           .burst_messages = kBurstMessages,
-          .burst_bytes = std::max(kLeastBurst, 2.0 * allowed->bytes_per_s)};
+          .burst_bytes = std::max(kLeastBurst, 2.0 * bytes_per_s)};
 }
 
 bool UpstreamRates::passes(const wire::Message& message, RateLimiter::TimePoint now) {

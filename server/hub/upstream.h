@@ -17,17 +17,18 @@ inline constexpr std::size_t kMaxUpstreamBytes = std::size_t{1} << 20;
 /// probe sends.
 inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 
-/// True if a peer may publish `topic`. Only the station's topics are allowed; only the server publishes camera, clock
-/// and statistics.
-[[nodiscard]] bool may_publish_upstream(const wire::Topic& topic) noexcept;
+/// True if a peer may publish `topic`.
+[[nodiscard]] constexpr bool may_publish_upstream(const wire::Topic& topic) noexcept {
+  return topic.publisher == wire::Publisher::Station;
+}
 
 /// True if a peer may publish the topic of `message`, its payload is at most kMaxUpstreamBytes and parses as the
 /// topic's type, and the values of an ultrasound image or of structures inside the body are valid (wire::is_valid()).
 /// If the server passed on other messages, every subscriber and every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 
-/// The largest rate at which a peer may publish `topic`: more than twice a station's rate, with a burst for the
-/// messages that queue during 2.5 s without a network. `topic` is one that a peer may publish.
+/// The largest rate at which a peer may publish `topic`: Topic::most_from_peer, with a burst for the messages that
+/// queue during 2.5 s without a network. `topic` is one that a peer may publish.
 [[nodiscard]] Rate upstream_rate(const wire::Topic& topic);
 
 /// Limits one peer to upstream_rate() on each topic.

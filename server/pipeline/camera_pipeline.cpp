@@ -42,7 +42,7 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
   publish_depth(frame);
   if (frame.color.rgb.empty()) return;
   const foxglove::CompressedImage color = color_message(frame, options_.jpeg_quality);
-  publish(wire::kCameraColor, clock_.now(), color);
+  publish(wire::make_message(wire::kCameraColor, clock_.now(), color));
 }
 
 void CameraPipeline::publish_depth(const RgbdFrame& frame) {
@@ -56,7 +56,7 @@ void CameraPipeline::publish_depth(const RgbdFrame& frame) {
   const SessionTime encoded = clock_.now();
   depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
   // A dropped frame cannot be a reference: the next one must be a key frame.
-  if (!publish(wire::kCameraDepth, encoded, depth, is_key)) encoder_.request_key_frame();
+  if (!publish(wire::make_message(wire::kCameraDepth, encoded, depth, is_key))) encoder_.request_key_frame();
 }
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
@@ -67,8 +67,9 @@ void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {
   if (same && now - calibration_at_ < kRepeat) return;
   calibration_ = frame.camera;
   calibration_at_ = now;
-  publish(wire::kCameraInfo, now, calibration_message(frame));
-  if (!frame.color.rgb.empty()) publish(wire::kCameraColorInfo, now, color_calibration_message(frame));
+  publish(wire::make_message(wire::kCameraInfo, now, calibration_message(frame)));
+  if (!frame.color.rgb.empty())
+    publish(wire::make_message(wire::kCameraColorInfo, now, color_calibration_message(frame)));
 }
 
 void CameraPipeline::publish_status_when_due() {
@@ -88,7 +89,7 @@ void CameraPipeline::publish_status_when_due() {
   state_ = state;
   detail_ = detail;
   status_at_ = now;
-  publish(wire::kCameraStatus, now, status);
+  publish(wire::make_message(wire::kCameraStatus, now, status));
 }
 
 void CameraPipeline::measure_rate(SessionTime now) {
@@ -99,14 +100,12 @@ void CameraPipeline::measure_rate(SessionTime now) {
   frames_at_rate_ = frames_;
 }
 
-template <class Proto>
-bool CameraPipeline::publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool key_frame) {
-  wire::Message message = wire::make_message(topic, at, proto);
-  message.key_frame = key_frame;
+bool CameraPipeline::publish(wire::Message message) {
   if (message.payload->size() <= wire::kMaxPayloadBytes) return handlers_.publish(std::move(message));
-  refused_ = std::string(topic.name) + " needs " + std::to_string(message.payload->size()) + " B, more than the " +
-             std::to_string(wire::kMaxPayloadBytes) + " B that a message may have. fix: use smaller images" +
-             (topic.name == wire::kCameraColor.name ? ", or lower --jpeg-quality" : "");
+  refused_ = std::string(message.topic.name) + " needs " + std::to_string(message.payload->size()) +
+             " B, more than the " + std::to_string(wire::kMaxPayloadBytes) +
+             " B that a message may have. fix: use smaller images" +
+             (message.topic.name == wire::kCameraColor.name ? ", or lower --jpeg-quality" : "");
   return false;
 }
 

@@ -45,8 +45,7 @@ class CameraPipeline {
   void publish_status_when_due();
   void measure_rate(SessionTime now);
   void publish_depth(const RgbdFrame& frame);
-  template <class Proto>
-  bool publish(const wire::Topic& topic, SessionTime at, const Proto& proto, bool key_frame = true);
+  bool publish(wire::Message message);
 
   capture::CaptureSource& source_;
   std::string source_name_;

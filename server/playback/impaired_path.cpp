@@ -11,8 +11,6 @@ using namespace std::chrono_literals;
 constexpr std::size_t kSegment_B = 1448;  // of a TCP connection over Ethernet
 constexpr std::size_t kMostImages = 60;   // limit of the depth images that wait; a group of pictures has 12 by default
 constexpr Nanoseconds kRoomAgain = 5ms;   // wait before the bottleneck's full queue is checked again
-constexpr std::uint8_t kDepthChannel = 0;
-static_assert(wire::datagram_channel(wire::kCameraDepth) == kDepthChannel);
 
 }  // namespace
 
@@ -37,7 +35,7 @@ void ImpairedPath::change(SessionTime now, const impaired::Profile& network) {
 }
 
 void ImpairedPath::send(SessionTime now, wire::Message message) {
-  if (wire::has_deadline(message.topic)) {
+  if (message.topic.has_deadline()) {
     wait_for_link(std::move(message));
   } else if (stream_B_ + message.payload->size() <= kMostWaiting_B) {
     const std::size_t bytes = std::max<std::size_t>(message.payload->size(), 1);
@@ -47,10 +45,9 @@ void ImpairedPath::send(SessionTime now, wire::Message message) {
   transmit(now);
 }
 
-/// The newest message of a topic waits alone. Depth images since the last key frame wait together, because each needs
-/// the one before it.
+/// The newest key frame of a topic waits with those predicted from it, because each needs the one before it.
 void ImpairedPath::wait_for_link(wire::Message message) {
-  Waiting& waiting = waiting_[*wire::datagram_channel(message.topic)];
+  Waiting& waiting = waiting_[*message.topic.datagram_channel];
   if (message.key_frame || waiting.size() >= kMostImages) waiting.clear();
   waiting.push_back(std::move(message));
 }
@@ -58,10 +55,11 @@ void ImpairedPath::wait_for_link(wire::Message message) {
 /// True if a message was handed to the link. A pose is small and goes before an image.
 bool ImpairedPath::offer_next(SessionTime now) {
   if (!server_->ready_for_frame(now)) return false;
-  for (auto channel = waiting_.rbegin(); channel != waiting_.rend(); ++channel) {
-    if (channel->empty()) continue;
-    (void)server_->offer(wire::frame_of(channel->front(), now));
-    channel->pop_front();
+  for (auto waiting = waiting_.rbegin(); waiting != waiting_.rend(); ++waiting) {
+    Waiting& messages = waiting->second;
+    if (messages.empty()) continue;
+    (void)server_->offer(wire::frame_of(messages.front(), now));
+    messages.pop_front();
     return true;
   }
   return false;
@@ -108,7 +106,7 @@ void ImpairedPath::deliver(SessionTime now, std::vector<wire::Message>& arrived)
   while (const std::optional<link::Frame> frame = client_->take(now)) {
     std::optional<wire::Message> message = wire::message_of(*frame);
     if (message && frame->newest) arrived.push_back(std::move(*message));
-    if (!frame->newest && frame->channel == kDepthChannel) ++late_images_;
+    if (!frame->newest && frame->channel == wire::kCameraDepth.datagram_channel) ++late_images_;
   }
 }
 
@@ -143,7 +141,7 @@ std::optional<SessionTime> ImpairedPath::due(SessionTime now) const {
   consider(server_->due(now));
   consider(client_->due(now));
   const bool waits = (!stream_.empty() && stream_.back().unsent_B > 0) ||
-                     std::any_of(waiting_.begin(), waiting_.end(), [](const Waiting& one) { return !one.empty(); });
+                     std::any_of(waiting_.begin(), waiting_.end(), [](const auto& one) { return !one.second.empty(); });
   if (waits) consider(now + kRoomAgain);
   return earliest;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -13,9 +13,10 @@
 
 namespace telepalp::playback {
 
-/// The messages of a played session on their way through an impaired network. Those of the deadline topics
-/// (datagram_message.h) cross it as sealed datagrams, with the loss repair of link::DatagramLink; the other messages
-/// cross it as segments of one TCP stream. Pure: time is an argument and never decreases. Owner: the network thread.
+/// The messages of a played session on their way through an impaired network. Those of the topics with a deadline
+/// (Topic::datagram_channel) cross it as sealed datagrams, with the loss repair of link::DatagramLink; the other
+/// messages cross it as segments of one TCP stream. Pure: time is an argument and never decreases. Owner: the network
+/// thread.
 class ImpairedPath {
  public:
   /// Limit for the bytes of the TCP stream's messages that have not arrived; further messages are dropped.
@@ -62,9 +63,9 @@ class ImpairedPath {
   impaired::ImpairedLink down_;  // from the patient's site
   impaired::ImpairedLink up_;    // feedback and requests for repair
   std::uint32_t link_session_ = 0;
-  std::optional<link::DatagramLink> server_;                   // set always
-  std::optional<link::DatagramLink> client_;                   // set always
-  std::array<Waiting, wire::kDeadlineTopics.size()> waiting_;  // by datagram channel
+  std::optional<link::DatagramLink> server_;  // set always
+  std::optional<link::DatagramLink> client_;  // set always
+  std::map<std::uint8_t, Waiting> waiting_;   // by datagram channel
   std::deque<Segmented> stream_;
   std::size_t stream_B_ = 0;
   std::uint64_t late_images_ = 0;

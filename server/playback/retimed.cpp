@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "codec/depth.h"
-#include "messages/camera.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
 
 namespace telepalp::playback {
@@ -70,10 +68,7 @@ std::optional<wire::Message> retimed(const wire::Message& recorded, const TimeMa
   if (!message->ParseFromString(*recorded.payload)) return std::nullopt;
   map_instants(*message, map);
   tell_sender_apart(*message);
-  wire::Message made = wire::make_message(recorded.topic, map(recorded.published), *message);
-  if (const auto* const depth = dynamic_cast<const msg::DepthImage*>(message))
-    made.key_frame = codec::is_key_frame(std::as_bytes(std::span(depth->data())));
-  return made;
+  return wire::make_message(recorded.topic, map(recorded.published), *message, recorded.key_frame);
 }
 
 }  // namespace telepalp::playback

@@ -19,7 +19,7 @@ SessionNetwork::SessionNetwork(boost::asio::io_context& io, wire::SessionClock c
     : clock_(clock), publish_(std::move(publish)), timer_(io) {}
 
 void SessionNetwork::send(wire::Message message) {
-  if (const auto channel = wire::datagram_channel(message.topic)) message.sequence = ++sequences_[*channel];
+  if (message.topic.has_deadline()) message.sequence = ++passing_[message.topic.name].taken;
   if (!path_) return arrive(std::move(message));
   path_->send(clock_.now(), std::move(message));
   pump();
@@ -46,7 +46,7 @@ Result<std::string> SessionNetwork::apply(const std::string& json) {
 void SessionNetwork::begin_counts() {
   packets_before_ = path_ ? path_->statistics() : impaired::LinkStatistics{};
   late_before_ = path_ ? path_->late_images() : 0;
-  images_before_ = sequences_[*wire::datagram_channel(wire::kCameraDepth)];
+  images_before_ = passing_[wire::kCameraDepth.name].taken;
   images_arrived_ = 0;
 }
 
@@ -57,7 +57,9 @@ std::string SessionNetwork::state() const {
   state.set_packets_delivered(packets.delivered - packets_before_.delivered);
   state.set_packets_lost(packets.lost + packets.dropped - packets_before_.lost - packets_before_.dropped);
   const std::uint64_t late = (path_ ? path_->late_images() : 0) - late_before_;
-  const std::uint64_t decided = last_image_ - std::min(last_image_, images_before_);
+  const auto images = passing_.find(wire::kCameraDepth.name);
+  const std::uint64_t last_image = images == passing_.end() ? 0 : images->second.published;
+  const std::uint64_t decided = last_image - std::min(last_image, images_before_);
   state.set_images_arrived(images_arrived_);
   state.set_images_late(late);
   state.set_images_lost(decided - std::min(decided, images_arrived_ + late));
@@ -81,17 +83,18 @@ void SessionNetwork::wake_when_due() {
   });
 }
 
-/// False: the image is predicted from one that did not arrive. The path itself checks this; an image on the way when
+/// False: the message is predicted from one that did not arrive. The path itself checks this; a message on the way when
 /// the path began or ended is checked here.
-bool SessionNetwork::is_decodable(const wire::Message& image) {
-  if (!image.key_frame && image.sequence != last_image_ + 1) return false;
-  last_image_ = image.sequence;
+bool SessionNetwork::is_decodable(const wire::Message& message) {
+  std::uint64_t& last = passing_[message.topic.name].published;
+  if (!message.key_frame && message.sequence != last + 1) return false;
+  last = message.sequence;
   return true;
 }
 
 void SessionNetwork::arrive(wire::Message message) {
+  if (message.topic.predicted && !is_decodable(message)) return;
   if (message.topic.name == wire::kCameraDepth.name) {
-    if (!is_decodable(message)) return;
     if (message.sequence > images_before_) ++images_arrived_;
     image_delay_ = std::max(clock_.now() - message.published, Nanoseconds{0});
   }

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "proto/wire/session_clock.h"
 #include "server/playback/impaired_path.h"
@@ -30,6 +32,11 @@ class SessionNetwork {
   void pump();
   void wake_when_due();
   void arrive(wire::Message message);
+  /// Sequence numbers of a topic with a deadline.
+  struct Passing {
+    std::uint64_t taken = 0;      ///< of the last message that send() took
+    std::uint64_t published = 0;  ///< of the last message that was published; counted for predicted topics alone
+  };
   [[nodiscard]] bool is_decodable(const wire::Message& message);
   void begin_counts();
 
@@ -38,9 +45,8 @@ class SessionNetwork {
   boost::asio::steady_timer timer_;
   bool stopped_ = false;
   ChosenNetwork chosen_;
-  std::optional<ImpairedPath> path_;                                     // set while the network impairs
-  std::array<std::uint64_t, wire::kDeadlineTopics.size()> sequences_{};  // of the last message taken, by channel
-  std::uint64_t last_image_ = 0;                                         // sequence of the depth image published last
+  std::optional<ImpairedPath> path_;             // set while the network impairs
+  std::map<std::string_view, Passing> passing_;  // by topic
 
   // Counts since the last change of the settings are differences to these values.
   impaired::LinkStatistics packets_before_{};

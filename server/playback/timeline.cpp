@@ -1,9 +1,7 @@
 #include "server/playback/timeline.h"
 
 #include <algorithm>
-
-#include "codec/depth.h"
-#include "messages/camera.pb.h"
+#include <set>
 
 namespace telepalp::playback {
 namespace {
@@ -25,11 +23,6 @@ std::size_t bytes_of(const std::vector<wire::Message>& messages) {
   std::size_t bytes = 0;
   for (const wire::Message& message : messages) bytes += message.payload->size();
   return bytes;
-}
-
-bool is_key_frame(const wire::Message& message) {
-  msg::DepthImage image;
-  return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
 }
 
 bool is_wanted(const std::vector<std::string>& topics, std::string_view name) {
@@ -77,14 +70,24 @@ bool Timeline::is_played(std::string_view topic) const { return is_wanted(topics
 
 /// The topics of the file whose last message a receiver needs.
 std::vector<std::string> Timeline::needed_topics() const {
-  std::vector<std::string> needed;
+  std::set<std::string_view> needed;  // a topic may have several channels
   for (const auto& [id, stored] : reader_.summary().channels.all()) {
     if (!stored.topic || !is_played(stored.topic->name)) continue;
     for (const std::string_view name :
          {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraDepth.name, wire::kCameraColor.name})
-      if (stored.topic->name == name) needed.emplace_back(name);
+      if (stored.topic->name == name) needed.insert(name);
   }
-  return needed;
+  return {needed.begin(), needed.end()};
+}
+
+/// The earliest time at which reading must begin for the messages that are valid at `at`: `back` before, or at the last
+/// key frame of a topic if that is earlier.
+SessionTime Timeline::begin_of_seek(SessionTime at, Nanoseconds back) {
+  SessionTime from = at - back;
+  for (const wire::Topic& topic : wire::kTopics)
+    if (topic.predicted && is_played(topic.name))
+      from = std::min(from, reader_.last_key_frame(topic, at).value_or(from));
+  return from;
 }
 
 std::vector<wire::Message> Timeline::seek(SessionTime at) {
@@ -97,16 +100,15 @@ std::vector<wire::Message> Timeline::seek(SessionTime at) {
     if (topics.empty()) break;
     found.clear();
     all.clear();
-    reader_.select({.topics = topics, .from = at - back, .until = at});
+    reader_.select({.topics = topics, .from = begin_of_seek(at, back), .until = at});
     while (std::optional<wire::Message> message = next()) {
       if (message->topic.name == wire::kStationState.name) {
         if (message->published >= at - kStatesBack) all.push_back(std::move(*message));
         continue;
       }
-      const bool is_predicted = message->topic.name == wire::kCameraDepth.name && !is_key_frame(*message);
       std::vector<wire::Message>& of_topic = found[message->topic.name];
-      if (!is_predicted) of_topic.clear();
-      if (!is_predicted || !of_topic.empty()) of_topic.push_back(std::move(*message));
+      if (message->key_frame) of_topic.clear();
+      if (message->key_frame || !of_topic.empty()) of_topic.push_back(std::move(*message));
       if (bytes_of(of_topic) > kMostGroupBytes) of_topic.clear();
       if (of_topic.empty()) found.erase(message->topic.name);
     }

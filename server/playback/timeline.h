@@ -23,7 +23,7 @@ class Timeline {
   /// Moves to `at`: next() then returns the messages from `at` on. Returns the earlier messages that a receiver needs
   /// at `at`, in order of time: the last camera models, the last colour image, the depth images since the last key
   /// frame, and the station's states of the last 150 ms. Looks for them in the second before `at`; if one is missing
-  /// there, in the 10 s before `at`.
+  /// there, in the 10 s before `at`; and in both cases from the last key frame on, if the file marks key frames.
   [[nodiscard]] std::vector<wire::Message> seek(SessionTime at);
   /// The next message; nullopt at the end. Damaged parts are skipped and counted.
   [[nodiscard]] std::optional<wire::Message> next();
@@ -34,6 +34,7 @@ class Timeline {
   Timeline(wire::McapReader reader, std::vector<std::string> topics);
   [[nodiscard]] bool is_played(std::string_view topic) const;
   [[nodiscard]] std::vector<std::string> needed_topics() const;
+  [[nodiscard]] SessionTime begin_of_seek(SessionTime at, Nanoseconds back);
 
   wire::McapReader reader_;
   std::vector<std::string> topics_;

@@ -32,9 +32,7 @@ std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
 }  // namespace
 
 ViewMaker::ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views)
-    : io_(io), source_(source), views_(views), patience_(io) {
-  views_.latch(kInsideView);
-}
+    : io_(io), source_(source), views_(views), patience_(io) {}
 
 ViewMaker::~ViewMaker() {
   pool_.join();

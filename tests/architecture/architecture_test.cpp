@@ -29,7 +29,8 @@ const std::vector<Rule> kRules{
     {"proto/impaired", {"proto/words", "proto/impaired"}},
     {"proto/link", {"proto/words", "proto/link"}},
     {"proto/keys", {"proto/words", "proto/keys"}},
-    {"proto/wire", {"proto/words", "proto/keys", "proto/link", "proto/wire", "messages", "foxglove"}},
+    // The codec's byte decides of a message that does not say whether it is a key frame: see codec/unmarked.
+    {"proto/wire", {"proto/words", "proto/keys", "proto/link", "codec/unmarked", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},
@@ -331,6 +332,66 @@ TEST(Architecture, NoRealTimeCodeCanWaitOrSerialise) {
       for (const std::string& include : includes(file))
         for (const std::string& banned : kNotInRealTime)
           EXPECT_EQ(include.find(banned), std::string::npos) << file << " includes " << include;
+}
+
+/// The text of a file without its comments.
+std::string code_of(const std::string& file) {
+  std::ifstream stream(root() / file);
+  std::string code;
+  for (std::string line; std::getline(stream, line);) code += line.substr(0, line.find("//")) + "\n";
+  return code;
+}
+
+/// Where a message that does not say whether it is a key frame comes in: from an old file, and from an old peer.
+const std::set<std::string> kEdgesOfOldMessages{"proto/wire/mcap/format/stored_message.cpp",
+                                                "proto/wire/connection.cpp"};
+
+/// The places in `code` that decide whether a message is a key frame, instead of asking wire::Message::key_frame: by a
+/// comparison with the name of a topic in the same statement, or by parsing what the codec wrote.
+std::vector<std::string> decisions_on_key_frames(const std::string& file, const std::string& code) {
+  static const std::regex kStatement(R"re([^;{}]+)re");
+  static const std::regex kComparesATopic(R"re((==|!=)\s*(wire::)?kCamera|kCamera\w+(\.name)?\s*(==|!=)|"/camera/)re");
+  static const std::regex kKeyFrame(R"re(key_?frame|is_key|predict)re", std::regex::icase);
+  static const std::regex kParses(R"re(codec::is_key_frame|is_key_frame\(std::as_bytes|\bsince_key\b)re");
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(code.begin(), code.end(), kStatement), end; at != end; ++at) {
+    const std::string statement = at->str();
+    const bool by_topic = std::regex_search(statement, kComparesATopic) && std::regex_search(statement, kKeyFrame);
+    const bool by_old_rule = statement.find("is_unmarked_key_frame") != std::string::npos;
+    if (by_topic || std::regex_search(statement, kParses) || (by_old_rule && !kEdgesOfOldMessages.contains(file)))
+      found.push_back(file + ": " + statement);
+  }
+  return found;
+}
+
+/// The codec, the table of topics, and what shows a user the content of a packet.
+bool may_decide_on_key_frames(const std::string& file) {
+  return is_below(file, "codec") || file == "proto/wire/topics.h" || is_below(file, "tools/codec_tool");
+}
+
+TEST(Architecture, AMessageSaysWhetherItIsAKeyFrameAndNobodyElseDecidesIt) {
+  std::vector<std::string> found;
+  for (const std::string& file : all_sources())
+    if (!may_decide_on_key_frames(file))
+      for (std::string& place : decisions_on_key_frames(file, code_of(file))) found.push_back(std::move(place));
+  for (const std::string& place : found) ADD_FAILURE() << place;
+  std::cout << found.size() << " files outside codec and the topics' table decide on key frames\n";
+}
+
+TEST(Architecture, ADecisionOnKeyFramesByTopicOrByParsingFailsTheCheck) {
+  for (const std::string planted :
+       {"const bool is_predicted = message->topic.name == wire::kCameraDepth.name && !is_key_frame(*message);",
+        "return image.ParseFromString(*message.payload) && "
+        "codec::is_key_frame(std::as_bytes(std::span(image.data())));",
+        "made.key_frame = is_key_frame(std::as_bytes(std::span(depth->data())));",
+        "if (message.channel->channel.topic != wire::kCameraDepth.name || is_key_frame(message.record)) keep();",
+        "return codec::is_unmarked_key_frame(payload);",
+        "const bool predicted = topic.name.starts_with(\"/camera/depth\");"})
+    EXPECT_EQ(decisions_on_key_frames("clients/planted.cpp", planted).size(), 1U) << planted;
+  EXPECT_TRUE(decisions_on_key_frames("clients/good.cpp",
+                                      "if (message.topic.predicted && message.key_frame) begin();"
+                                      "if (message.topic.name == wire::kCameraDepth.name) show();")
+                  .empty());
 }
 
 TEST(Architecture, AClientIsThin) {

@@ -73,9 +73,9 @@ Result<void> record(const std::string& source, const std::filesystem::path& file
     const SessionTime captured = taped->frame.captured;
     std::vector<wire::Message> messages{
         wire::make_message(wire::kCameraInfo, captured, pipeline::calibration_message(taped->frame)),
-        {wire::kCameraDepth, captured, std::make_shared<const std::string>(taped->depth)}};
+        {wire::kCameraDepth, captured, std::make_shared<const std::string>(taped->depth), 0, true}};
     if (!taped->color.empty())
-      messages.push_back({wire::kCameraColor, captured, std::make_shared<const std::string>(taped->color)});
+      messages.push_back({wire::kCameraColor, captured, std::make_shared<const std::string>(taped->color), 0, true});
     for (const wire::Message& message : messages)
       if (const Result<void> written = writer->write(message); !written) return written;
   }

@@ -73,8 +73,9 @@ std::vector<wire::Message> depth_in_groups(int frames, int group) {
     }
     image.samples[static_cast<std::size_t>(frame) % image.samples.size()] = 700;
     msg::DepthImage depth;
-    depth.set_data(encoder.encode(image).bytes);
-    messages.push_back(wire::make_message(wire::kCameraDepth, at_ms(frame * 33), depth));
+    const codec::EncodedDepth encoded = encoder.encode(image);
+    depth.set_data(encoded.bytes);
+    messages.push_back(wire::make_message(wire::kCameraDepth, at_ms(frame * 33), depth, encoded.key_frame));
   }
   return messages;
 }
@@ -258,16 +259,17 @@ TEST_F(Files, AnUnknownSchemaAndAnotherVersionOfOursAreNotesAndNoDamage) {
   ASSERT_TRUE(writer);
   const wire::mcap::Schema foreign{1, "some.Thing", "jsonschema", "{}"};
   const wire::mcap::Schema older{2, std::string(wire::kClock.schema), "protobuf", "an older definition"};
-  ASSERT_TRUE(writer->copy(&foreign,
-                           {.id = 0, .schema_id = 1, .topic = "/other", .message_encoding = "json", .metadata = {}},
-                           {1, 1, 5, 5, "{}"}));
-  ASSERT_TRUE(writer->copy(&older,
-                           {.id = 0,
-                            .schema_id = 2,
-                            .topic = std::string(wire::kClock.name),
-                            .message_encoding = "protobuf",
-                            .metadata = {}},
-                           {1, 1, 5, 5, ""}));
+  const wire::mcap::StoredChannel other{
+      .channel = {.id = 0, .schema_id = 1, .topic = "/other", .message_encoding = "json", .metadata = {}},
+      .schema = &foreign,
+      .topic = std::nullopt,
+      .key_frames = std::nullopt};
+  const wire::mcap::StoredChannel clock{.channel = wire::mcap::channel_for(wire::kClock, true),
+                                        .schema = &older,
+                                        .topic = wire::kClock,
+                                        .key_frames = true};
+  ASSERT_TRUE(writer->copy({&other, {1, 1, 5, 5, "{}"}}));
+  ASSERT_TRUE(writer->copy({&clock, {1, 1, 5, 5, ""}}));
   ASSERT_TRUE(writer->close());
   const auto facts = inspect(session());
   ASSERT_TRUE(facts);
@@ -346,6 +348,80 @@ TEST_F(Files, ACutHoldsItsTimeAndWhatAPlayerNeedsAtItsBeginning) {
   EXPECT_TRUE(has_model);
   EXPECT_EQ(decoded, 46 - 24);
   EXPECT_EQ(reader->session()->source, "synthetic");
+}
+
+/// For each depth message of `file`, in order: whether it is a key frame, and whether its channel says it.
+struct Marks {
+  std::vector<bool> key_frames;
+  bool marked = true;
+  bool true_marks = true;  ///< they agree with the packets
+};
+Marks marks_in(const std::filesystem::path& file) {
+  Marks marks;
+  auto reader = wire::McapReader::open(file);
+  EXPECT_TRUE(reader) << file;
+  for (auto next = reader->next_stored(); next && *next; next = reader->next_stored()) {
+    const wire::mcap::StoredMessage& stored = **next;
+    if (stored.channel->channel.topic != wire::kCameraDepth.name) continue;
+    msg::DepthImage image;
+    EXPECT_TRUE(image.ParseFromArray(stored.record.data.data(), static_cast<int>(stored.record.data.size())));
+    marks.key_frames.push_back(is_key_frame(stored));
+    marks.marked = marks.marked && stored.channel->key_frames.has_value();
+    const bool coded_as_key = codec::is_key_frame(std::as_bytes(std::span(image.data())));
+    marks.true_marks = marks.true_marks && coded_as_key == marks.key_frames.back();
+  }
+  return marks;
+}
+
+TEST_F(Files, AFileOfAnEarlierReleaseIsReadByItsPacketsAndItsCopiesAreMarked) {
+  const std::vector<wire::Message> messages = depth_in_groups(60, 12);
+  wire::samples::write_unmarked_file(in("old.mcap"), messages, {.bytes = 5000});
+  const Marks old = marks_in(in("old.mcap"));
+  EXPECT_FALSE(old.marked);
+  EXPECT_TRUE(old.true_marks);
+  EXPECT_EQ(std::ranges::count(old.key_frames, true), 5);
+  ASSERT_TRUE(cut(in("old.mcap"), in("cut.mcap"), {.from = 1'100ms, .topics = TopicFilter("*")}));
+  ASSERT_TRUE(merge({in("old.mcap"), write("new.mcap", messages)}, in("merged.mcap")));
+  const std::string bytes = bytes_of(in("old.mcap"));
+  std::ofstream(in("torn.mcap"), std::ios::binary) << bytes.substr(0, bytes.size() * 3 / 4);
+  ASSERT_TRUE(repair(in("torn.mcap"), in("repaired.mcap")));
+  for (const char* copy : {"cut.mcap", "merged.mcap", "repaired.mcap"}) {
+    const Marks marks = marks_in(in(copy));
+    EXPECT_TRUE(marks.marked) << copy;
+    EXPECT_TRUE(marks.true_marks) << copy;
+    EXPECT_TRUE(marks.key_frames.front()) << copy;
+    EXPECT_GT(marks.key_frames.size(), 30U) << copy;
+  }
+  const auto facts = inspect(in("old.mcap"));
+  ASSERT_TRUE(facts);
+  EXPECT_TRUE(topic(*facts, "/camera/depth").begins_with_key_frame);
+}
+
+TEST_F(Files, ATopicOfTwoChannelsIsCountedOnceAndTellsThatItBeginsWithoutAKeyFrame) {
+  std::vector<wire::Message> messages = depth_in_groups(30, 12);
+  const auto whole = inspect(write("whole.mcap", messages));
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->topics.size(), 2U);
+  EXPECT_EQ(topic(*whole, "/camera/depth").messages, 30U);
+  EXPECT_TRUE(notes_on(*whole).empty());
+  std::erase_if(messages,
+                [](const wire::Message& message) { return message.topic.predicted && message.published == at_ms(0); });
+  const auto facts = inspect(write("without.mcap", messages));
+  ASSERT_TRUE(facts);
+  ASSERT_EQ(notes_on(*facts).size(), 1U);
+  EXPECT_EQ(notes_on(*facts)[0],
+            "/camera/depth: begins with a predicted frame, so that nothing can be decoded before "
+            "the next key frame");
+}
+
+TEST_F(Files, ACutFindsTheKeyFrameOfAGroupThatBeganLongBefore) {
+  const auto file = write("session.mcap", depth_in_groups(600, 1000));
+  const auto report = cut(file, in("part.mcap"), {.from = 15s, .to = Nanoseconds(16s), .topics = TopicFilter("*")});
+  ASSERT_TRUE(report) << to_string(report.error());
+  const Marks marks = marks_in(in("part.mcap"));
+  ASSERT_FALSE(marks.key_frames.empty());
+  EXPECT_TRUE(marks.key_frames.front()) << "15 s before the end of the cut";
+  EXPECT_EQ(marks.key_frames.size(), 485U);
 }
 
 TEST_F(Files, ACutChoosesTopicsByPatternsAndRefusesAnEmptyOne) {

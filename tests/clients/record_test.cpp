@@ -24,8 +24,8 @@ using namespace std::chrono_literals;
 TEST_F(Recorder, DepthBeginsWithAFrameThatStandsAloneThoughItJoinsMidGroup) {
   Server server;
   const auto depth = [](int number, bool is_key) {
-    wire::Message message{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>()};
-    message.key_frame = is_key;
+    const wire::Message message{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>(), 0,
+                                is_key};
     return message;
   };
   server.publish(depth(1, true));
@@ -187,7 +187,7 @@ TEST_F(Recorder, NotesHowExactTheDepthIsThatItRecorded) {
   image.set_format("bounded");
   image.mutable_bound()->set_least_m(0.001);
   image.mutable_bound()->set_per_m(0.00285);
-  publish_slowly(server, {wire::make_message(wire::kCameraDepth, session_time(1), image)});
+  publish_slowly(server, {wire::make_message(wire::kCameraDepth, session_time(1), image, true)});
   const auto partial = session().string() + ".partial";
   ASSERT_TRUE(wait_for([&] { return flushed_messages(partial) == 1; }));
   std::filesystem::copy_file(partial, in("cut_off.mcap"));
@@ -312,7 +312,7 @@ TEST(DiskThread, ASlowDiskDropsWhatDoesNotFitCountsItByTopicAndNeverBlocksTheLin
   const auto payload = std::make_shared<const std::string>(872, 'x');  // with overhead 1000 bytes
   int accepted = 0;
   for (int number = 0; number < 25; ++number)
-    accepted += disk.offer({wire::kCameraDepth, session_time(number), payload}) ? 1 : 0;
+    accepted += disk.offer({wire::kCameraDepth, session_time(number), payload, 0, true}) ? 1 : 0;
   EXPECT_EQ(accepted, 10);
   EXPECT_EQ(disk.counts().dropped.at("/camera/depth"), 15u);
   disk_is_back.set_value();
@@ -325,7 +325,7 @@ TEST(DiskThread, AFailedStoreReportsOneErrorAndGetsNoMoreMessages) {
                      return Error{.what = "full", .where = "disk", .fix = "free space"};
                    },
                    .flush = [] { return Result<void>{}; }});
-  const wire::Message message{wire::kClock, session_time(1), std::make_shared<const std::string>("x")};
+  const wire::Message message{wire::kClock, session_time(1), std::make_shared<const std::string>("x"), 0, true};
   EXPECT_TRUE(disk.offer(message));
   for (int tries = 0; tries < 500 && !disk.counts().failed; ++tries) std::this_thread::sleep_for(10ms);
   EXPECT_FALSE(disk.offer(message));

@@ -257,14 +257,14 @@ TEST_F(StationProgram, RunsWithoutItsControlSocketWhereAnotherPutALinkButNotIfTh
 }
 
 /// A server that speaks the next version of the protocol.
-std::uint16_t answer_once_as_version_2(boost::asio::io_context& io, std::jthread& thread) {
+std::uint16_t answer_once_as_version_3(boost::asio::io_context& io, std::jthread& thread) {
   using boost::asio::ip::tcp;
   auto acceptor = std::make_shared<tcp::acceptor>(io, tcp::endpoint(boost::asio::ip::make_address("127.0.0.1"), 0));
   thread = std::jthread([acceptor, &io] {
     tcp::socket peer(io);
     acceptor->accept(peer);
     msg::Control hello;
-    hello.mutable_hello()->set_protocol(2);
+    hello.mutable_hello()->set_protocol(3);
     const std::string payload = hello.SerializeAsString();
     const wire::HeaderBytes header = wire::encode_header({.payload_bytes = static_cast<std::uint32_t>(payload.size())});
     boost::system::error_code ignored;
@@ -284,10 +284,10 @@ TEST_F(StationProgram, EndsAtOnceAtAServerOfAnotherProtocolVersionAndSoDoesTheRe
     std::jthread server;
     std::vector<std::string> arguments(words.begin() + 1, words.end());
     arguments.insert(arguments.end(),
-                     {"--connect", "127.0.0.1:" + std::to_string(answer_once_as_version_2(io, server))});
+                     {"--connect", "127.0.0.1:" + std::to_string(answer_once_as_version_3(io, server))});
     ChildProcess program(kPrograms / words.front(), arguments, log());
     EXPECT_EQ(program.wait(10s), 1) << words.front() << text_of(log());
-    EXPECT_NE(text_of(log()).find("speaks version 2 of the wire protocol instead of version 1"), std::string::npos)
+    EXPECT_NE(text_of(log()).find("speaks version 3 of the wire protocol instead of version 1 or 2"), std::string::npos)
         << text_of(log());
     EXPECT_FALSE(fs::exists(out));
   }

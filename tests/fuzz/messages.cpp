@@ -17,7 +17,7 @@ using namespace telepalp;
 
 /// A message that the hub takes from a station stays readable after the hub has written the sender's number into it.
 void publish(const wire::Topic& topic, const std::string& payload) {
-  const wire::Message message{topic, {}, std::make_shared<const std::string>(payload)};
+  const wire::Message message{topic, {}, std::make_shared<const std::string>(payload), 0, true};
   if (!hub::is_valid_upstream(message)) return;
   demand(hub::may_publish_upstream(topic), "only topics of a station are taken");
   const wire::Message sent = hub::with_sender(message, 7);

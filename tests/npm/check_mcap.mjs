@@ -33,7 +33,7 @@ function assertSame(decoded, json, type, path) {
 
 const { reader, messages, metadata } = await readIndexed(file);
 const decode = decoders(reader.schemasById);
-const byTopic = {};
+const byChannel = {};
 assert.equal(messages.length, expected.messages.length, "how many messages the index reaches");
 assert.equal(Number(reader.statistics.messageCount), expected.messages.length);
 assert.equal(reader.statistics.chunkCount, expected.chunks);
@@ -51,10 +51,11 @@ messages.forEach((message, at) => {
   assert.ok(Buffer.from(wanted.payload, "base64").equals(Buffer.from(message.data)), `payload of message ${at}`);
   const decoded = decode.get(schema.id)(message.data);
   assertSame(decoded, wanted.fields, decoded.$type, `message ${at} ${wanted.topic}`);
-  byTopic[channel.topic] = (byTopic[channel.topic] ?? 0) + 1;
+  assert.equal(channel.metadata.get("frames") ?? "not marked", wanted.frames);
+  byChannel[channel.id] = (byChannel[channel.id] ?? 0) + 1;
 });
 for (const [id, count] of reader.statistics.channelMessageCounts)
-  assert.equal(Number(count), byTopic[reader.channelsById.get(id).topic]);
+  assert.equal(Number(count), byChannel[id]);
 
 const session = metadata.find((record) => record.name === "telepalp.session");
 assert.equal(session.metadata.get("program"), "telepalp-test");
@@ -65,4 +66,4 @@ assert.equal(records.filter((record) => record.type === "Message").length, expec
 const bytes = await readFile(file);
 const dataEnd = records.find((record) => record.type === "DataEnd");
 assert.equal(crc32(bytes.subarray(0, Number(reader.dataEndOffset))), dataEnd.dataSectionCrc, "CRC of the data section");
-console.log(`${messages.length} messages on ${reader.channelsById.size} topics in ${expected.chunks} chunks: the same`);
+console.log(`${messages.length} messages on ${reader.channelsById.size} channels in ${expected.chunks} chunks: the same`);

@@ -44,6 +44,12 @@ std::string json_of(const Message& message) {
   return json;
 }
 
+/// How its channel marks the message.
+std::string frames_of(const Message& message) {
+  if (!message.topic.predicted) return "not marked";
+  return message.key_frame ? "key" : "predicted";
+}
+
 /// A file's content as JSON, for the scripts.
 std::string twin(const std::vector<Message>& messages, std::size_t chunks) {
   std::string json = "{\"chunks\": " + std::to_string(chunks) + ", \"schemas\": {";
@@ -61,7 +67,8 @@ std::string twin(const std::vector<Message>& messages, std::size_t chunks) {
     json += std::exchange(comma, ",\n") + "{\"topic\": \"" + std::string(message.topic.name) + "\", \"schema\": \"" +
             std::string(message.topic.schema) + "\", \"time\": \"" + std::to_string(to_nanoseconds(message.published)) +
             "\", \"sequence\": " + std::to_string(++sequences[message.topic.name]) + ", \"payload\": \"" +
-            base64(*message.payload) + "\", \"fields\": " + json_of(message) + "}";
+            base64(*message.payload) + "\", \"frames\": \"" + frames_of(message) +
+            "\", \"fields\": " + json_of(message) + "}";
   }
   return json + "]}";
 }
@@ -81,7 +88,9 @@ int run_script(const std::string& script, const std::vector<std::string>& argume
 TEST(McapOracle, TheJavaScriptReaderFindsEveryCountByteAndFieldThatWeWrote) {
   const support::TemporaryFolder folder;
   const auto file = folder.path() / "ours.mcap";
-  const auto messages = samples::session(4);
+  auto messages = samples::session(4);
+  for (std::size_t at = 0; at < messages.size(); ++at)
+    messages[at].key_frame = !messages[at].topic.predicted || at % 5 == 0;
   ASSERT_TRUE(samples::write_file(file, messages, {.bytes = 60'000}));
   auto reader = McapReader::open(file);
   ASSERT_TRUE(reader);

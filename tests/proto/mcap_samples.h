@@ -4,7 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
-
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,6 +12,7 @@
 #include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
+#include "proto/wire/mcap/format/schemas.h"
 #include "proto/wire/mcap/writer.h"
 
 /// Messages like those of a session, the same in every run.
@@ -42,7 +43,7 @@ inline std::vector<Message> session(double seconds, std::size_t thinner = 50, un
       depth.set_height(480);
       depth.set_unit_m(0.001);
       depth.set_data(noise(150'000 / thinner));
-      messages.push_back(make_message(kCameraDepth, session_time(now), depth));
+      messages.push_back(make_message(kCameraDepth, session_time(now), depth, true));
       foxglove::CompressedImage color;
       color.mutable_timestamp()->set_seconds(now / 1'000'000'000);
       color.set_frame_id("camera_color");
@@ -75,6 +76,36 @@ inline Result<void> write_file(const std::filesystem::path& file, const std::vec
   for (const Message& message : messages)
     if (const Result<void> written = writer->write(message); !written) return written;
   return writer->close();
+}
+
+/// Writes the layout of releases before the wire's version 2: each topic has one channel, which marks no key frames.
+inline void write_unmarked_file(const std::filesystem::path& file, const std::vector<Message>& messages,
+                                mcap::ChunkLimits limits = {}) {
+  mcap::Encoder encoder(limits);
+  std::string bytes;
+  encoder.begin(bytes, {.profile = "", .library = "telepalp-test 0.1.0"});
+  encoder.add(bytes,
+              mcap::Metadata{std::string(kSessionMetadata), {{"program", kInfo.program}, {"source", kInfo.source}}});
+  std::map<std::string_view, std::uint16_t> channels;
+  for (const Message& message : messages) {
+    std::uint16_t& id = channels[message.topic.name];
+    if (id == 0) {
+      const std::uint16_t schema =
+          encoder.add(bytes, mcap::Schema{.id = 0,
+                                          .name = std::string(message.topic.schema),
+                                          .encoding = "protobuf",
+                                          .data = file_descriptor_set(*descriptor_of(message.topic))});
+      id = encoder.add(bytes, mcap::Channel{.id = 0,
+                                            .schema_id = schema,
+                                            .topic = std::string(message.topic.name),
+                                            .message_encoding = "protobuf",
+                                            .metadata = {}});
+    }
+    const auto at = static_cast<std::uint64_t>(to_nanoseconds(message.published));
+    encoder.add(bytes, mcap::MessageRecord{id, static_cast<std::uint32_t>(message.sequence), at, at, *message.payload});
+  }
+  encoder.end(bytes);
+  std::ofstream(file, std::ios::binary) << bytes;
 }
 
 inline std::string bytes_of(const std::filesystem::path& file) {

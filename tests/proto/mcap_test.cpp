@@ -35,6 +35,7 @@ void expect_equal(const std::vector<Message>& got, const std::vector<Message>& e
     ASSERT_EQ(got[at].topic.name, expected[at].topic.name) << at;
     ASSERT_EQ(got[at].published, expected[at].published) << at;
     ASSERT_EQ(*got[at].payload, *expected[at].payload) << at;
+    ASSERT_EQ(got[at].key_frame, expected[at].key_frame) << at;
   }
 }
 
@@ -48,6 +49,79 @@ TEST(Mcap, WhatWasWrittenIsReadBackInOrderThroughTheIndex) {
   EXPECT_EQ(reader->summary().statistics.message_count, messages.size());
   EXPECT_EQ(reader->summary().channels.all().size(), 3u);
   expect_equal(all_of(*reader), messages);
+}
+
+/// Depth at 10 Hz, in which each `group`th message is a key frame, and states beside it.
+std::vector<Message> in_groups(int count, int group) {
+  std::vector<Message> messages;
+  for (int number = 0; number < count; ++number) {
+    const SessionTime at = session_time(1'700'000'000'000'000'000 + number * 100'000'000LL);
+    msg::DepthImage depth;
+    depth.set_sequence(static_cast<std::uint64_t>(number));
+    messages.push_back(make_message(kCameraDepth, at, depth, number % group == 0));
+    messages.push_back(make_message(kStationState, at, msg::StationState()));
+  }
+  return messages;
+}
+
+TEST(Mcap, TheKeyFramesOfATopicHaveAChannelOfTheirOwn) {
+  const auto messages = in_groups(50, 12);
+  const auto file = fresh_file("key_channel.mcap");
+  ASSERT_TRUE(write_file(file, messages, {.bytes = 500}));
+  auto reader = McapReader::open(file);
+  ASSERT_TRUE(reader) << to_string(reader.error());
+  std::map<std::optional<bool>, std::uint64_t> of_depth;
+  for (const auto& [id, stored] : reader->summary().channels.all())
+    if (stored.topic->name == kCameraDepth.name)
+      of_depth[stored.key_frames] = reader->summary().statistics.channel_message_counts.at(id);
+  EXPECT_EQ(of_depth, (std::map<std::optional<bool>, std::uint64_t>{{true, 5}, {false, 45}}));
+  expect_equal(all_of(*reader), messages);
+  auto stream = McapStreamReader::open(file);
+  ASSERT_TRUE(stream);
+  std::size_t predicted = 0;
+  for (auto next = stream->next(); next && *next; next = stream->next()) predicted += is_key_frame(**next) ? 0 : 1;
+  EXPECT_EQ(predicted, 45u);
+}
+
+TEST(Mcap, TheIndexOfThatChannelFindsTheLastKeyFrameBeforeAnyInstant) {
+  const auto messages = in_groups(50, 12);
+  const auto file = fresh_file("key_index.mcap");
+  ASSERT_TRUE(write_file(file, messages, {.bytes = 500}));
+  auto reader = McapReader::open(file);
+  ASSERT_TRUE(reader) << to_string(reader.error());
+  EXPECT_GT(reader->summary().chunks.size(), 5u);
+  std::optional<SessionTime> last;
+  for (const Message& message : messages) {
+    if (message.topic.name != kCameraDepth.name) continue;
+    EXPECT_EQ(reader->last_key_frame(kCameraDepth, message.published), last);
+    if (message.key_frame) last = message.published;
+    EXPECT_EQ(reader->last_key_frame(kCameraDepth, message.published + Nanoseconds(1)), last);
+  }
+  EXPECT_FALSE(reader->last_key_frame(kCameraColor, session_time(INT64_MAX)));
+}
+
+TEST(Mcap, ADamagedMarkIsNoticedAndADamagedIndexIsNoKeyFrame) {
+  const auto file = fresh_file("damaged_mark.mcap");
+  ASSERT_TRUE(write_file(file, in_groups(50, 12)));
+  const std::string bytes = bytes_of(file);
+  const auto mark = bytes.find(std::string("\x06\0\0\0frames", 10));  // a key of a channel's metadata
+  ASSERT_NE(mark, std::string::npos);
+  std::string changed = bytes;
+  changed[mark + 4] = 'F';
+  auto stream = McapStreamReader::open(mcap::in_memory(changed, "damaged.mcap"));
+  ASSERT_TRUE(stream);
+  const auto first = stream->next();
+  ASSERT_FALSE(first);
+  EXPECT_NE(first.error().what.find("a channel is damaged"), std::string::npos) << first.error().what;
+
+  auto whole = McapReader::open(mcap::in_memory(bytes, "whole.mcap"));
+  ASSERT_TRUE(whole);
+  changed = bytes;
+  for (const mcap::ChunkIndex& chunk : whole->summary().chunks)
+    for (const auto& [channel, offset] : chunk.message_index_offsets) changed[offset] = '\x7f';
+  auto damaged = McapReader::open(mcap::in_memory(changed, "damaged.mcap"));
+  ASSERT_TRUE(damaged);
+  EXPECT_FALSE(damaged->last_key_frame(kCameraDepth, session_time(INT64_MAX)));
 }
 
 TEST(Mcap, AFileStatesItsProgramAndItsSource) {
@@ -90,7 +164,7 @@ TEST(Mcap, TheSameMessagesGiveTheSameBytes) {
 TEST(Mcap, ALossOnTheWayShowsAsAGapInTheSequence) {
   const auto file = fresh_file("gap.mcap");
   auto messages = samples::session(0.1);
-  messages.resize(3);
+  messages.erase(messages.begin() + 3, messages.end());
   for (Message& message : messages) message.topic = kClock;
   messages[0].sequence = 41;
   messages[1].sequence = 44;

@@ -111,7 +111,7 @@ TEST(Help, IsAskedForByTheShortOptionToo) {
 TEST(Version, NamesProgramVersionCommitAndTheFormatsSpoken) {
   const std::string text = version_text("telepalp-x sub");
   EXPECT_TRUE(text.starts_with("telepalp-x ")) << text;
-  EXPECT_NE(text.find("wire protocol 1, depth codec " + std::to_string(kDepthPacketVersion) + ", MCAP 0\n"),
+  EXPECT_NE(text.find("wire protocol 2, depth codec " + std::to_string(kDepthPacketVersion) + ", MCAP 0\n"),
             std::string::npos)
       << text;
 }

@@ -32,7 +32,7 @@ Frame data_frame(std::uint32_t channel, std::uint64_t sequence, std::int64_t pub
           std::move(payload)};
 }
 
-/// The frames of golden/frames.txt: one a line, `kind channel sequence published_ns payload-in-hex`.
+/// The frames of golden/frames.txt: one a line, `version kind channel sequence published_ns payload-in-hex`.
 std::vector<Frame> frames_of_the_twin() {
   std::istringstream lines(read_golden("frames.txt"));
   std::vector<Frame> frames;
@@ -40,14 +40,17 @@ std::vector<Frame> frames_of_the_twin() {
     if (line.empty() || line.front() == '#') continue;
     std::istringstream words(line);
     std::string kind, hex;
+    unsigned version = 0;
     std::uint32_t channel = 0;
     std::uint64_t sequence = 0;
     std::int64_t published_ns = 0;
-    words >> kind >> channel >> sequence >> published_ns >> hex;
+    words >> version >> kind >> channel >> sequence >> published_ns >> hex;
     std::string payload;
     for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
       payload += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
     Frame frame = data_frame(channel, sequence, published_ns, payload);
+    frame.header.version = static_cast<std::uint8_t>(version);
+    frame.header.predicted = kind == "predicted";
     if (kind == "control") frame.header.kind = FrameKind::Control;
     frames.push_back(std::move(frame));
   }
@@ -59,6 +62,8 @@ void expect_equal(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.header.channel, b.header.channel);
   EXPECT_EQ(a.header.sequence, b.header.sequence);
   EXPECT_EQ(a.header.published, b.header.published);
+  EXPECT_EQ(a.header.version, b.header.version);
+  EXPECT_EQ(a.header.predicted, b.header.predicted);
   EXPECT_EQ(a.payload, b.payload);
 }
 
@@ -100,7 +105,7 @@ TEST(Frame, GoldenBytesParseToWhatTheReadableTwinSays) {
   const std::vector<Frame> expected = frames_of_the_twin();
   const std::vector<Frame> frames = parse_in_pieces(stream, {stream.size()});
   ASSERT_EQ(frames.size(), expected.size());
-  ASSERT_GE(frames.size(), 4u);
+  ASSERT_GE(frames.size(), 9u);
   for (std::size_t i = 0; i < frames.size(); ++i) expect_equal(frames[i], expected[i]);
 }
 
@@ -125,6 +130,8 @@ TEST(FrameParser, RandomFramesInRandomPiecesComeOutAsTheyWentIn) {
       for (char& byte : payload) byte = static_cast<char>(random());
       sent.push_back(data_frame(static_cast<std::uint32_t>(1 + random() % 9), random(),
                                 static_cast<std::int64_t>(random()), payload));
+      sent.back().header.version = random() % 2 == 0 ? kOldestProtocolVersion : kProtocolVersion;
+      sent.back().header.predicted = sent.back().header.version == kProtocolVersion && random() % 2 == 0;
       stream += encoded(sent.back());
     }
     std::vector<std::size_t> cuts;
@@ -164,22 +171,48 @@ TEST(FrameParser, StaysRefusedOnceTheStreamIsOutOfStep) {
   EXPECT_FALSE(parser.next(later).ok());
 }
 
+/// The refusal of `good` with the byte at `at` replaced.
+std::string refusal_with(HeaderBytes good, std::size_t at, int value) {
+  good[at] = static_cast<std::byte>(value);
+  return refusal(good);
+}
+
 TEST(FrameHeader, EachFieldThatVersionOneDoesNotKnowIsRefusedByName) {
-  const HeaderBytes good = encode_header({.payload_bytes = 5, .kind = FrameKind::Data, .channel = 3});
+  const HeaderBytes good = encode_header({.payload_bytes = 5, .kind = FrameKind::Data, .channel = 3, .version = 1});
   ASSERT_EQ(refusal(good), "");
-  const auto with = [&](std::size_t at, int value) {
-    HeaderBytes bytes = good;
-    bytes[at] = static_cast<std::byte>(value);
-    return refusal(bytes);
-  };
-  EXPECT_EQ(with(4, 2), "it has version 2 of the wire protocol instead of 1");
+  const auto with = [&](std::size_t at, int value) { return refusal_with(good, at, value); };
+  EXPECT_EQ(with(4, 3), "it has version 3 of the wire protocol instead of 1 or 2");
+  EXPECT_EQ(with(4, 0), "it has version 0 of the wire protocol instead of 1 or 2");
   EXPECT_EQ(with(5, 0), "its kind 0 is unknown");
   EXPECT_EQ(with(5, 3), "its kind 3 is unknown");
-  EXPECT_EQ(with(6, 1), "it sets flags that version 1 of the wire protocol does not have");
-  EXPECT_EQ(with(7, 128), "it sets flags that version 1 of the wire protocol does not have");
+  EXPECT_EQ(with(6, 1), "it sets flags that a frame of kind 2 does not have in version 1 of the wire protocol");
+  EXPECT_EQ(with(7, 128), "it sets flags that a frame of kind 2 does not have in version 1 of the wire protocol");
   EXPECT_EQ(with(5, 1), "channel 3 does not fit its kind: a control frame has channel 0, a data frame another channel");
   EXPECT_EQ(with(24, 0),
             "channel 0 does not fit its kind: a control frame has channel 0, a data frame another channel");
+}
+
+TEST(FrameHeader, VersionTwoMarksPredictedDataAndKnowsNoOtherFlag) {
+  const HeaderBytes data = encode_header({.payload_bytes = 5, .kind = FrameKind::Data, .channel = 3, .version = 2});
+  HeaderBytes marked = data;
+  marked[6] = std::byte{1};
+  const Result<FrameHeader> header = decode_header(marked, kMaxPayloadBytes);
+  ASSERT_TRUE(header.ok());
+  EXPECT_TRUE(header->predicted);
+  EXPECT_EQ(refusal_with(data, 6, 2),
+            "it sets flags that a frame of kind 2 does not have in version 2 of the wire protocol");
+  EXPECT_EQ(refusal_with(data, 7, 1),
+            "it sets flags that a frame of kind 2 does not have in version 2 of the wire protocol");
+  const HeaderBytes control = encode_header({.payload_bytes = 5, .kind = FrameKind::Control, .version = 2});
+  EXPECT_EQ(refusal_with(control, 6, 1),
+            "it sets flags that a frame of kind 1 does not have in version 2 of the wire protocol");
+}
+
+TEST(FrameHeader, AnOldPeerGetsNoFlagThatItWouldRefuse) {
+  const HeaderBytes bytes =
+      encode_header({.payload_bytes = 5, .kind = FrameKind::Data, .channel = 3, .version = 1, .predicted = true});
+  EXPECT_EQ(bytes[6], std::byte{0});
+  EXPECT_EQ(bytes[7], std::byte{0});
 }
 
 TEST(FrameHeader, ControlIsHeldToItsOwnSmallerLimit) {

@@ -70,9 +70,11 @@ TEST(DepthFiles, OfARecordingThatLacksAFrameAllThatCanBeReadIsGiven) {
   codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 4});
   for (unsigned i = 0; i < 8; ++i) {
     msg::DepthImage image;
-    image.set_data(encoder.encode(codec::kinect_like(32, 24, i)).bytes);
+    const codec::EncodedDepth encoded = encoder.encode(codec::kinect_like(32, 24, i));
+    image.set_data(encoded.bytes);
     if (i == 1) continue;  // never recorded
-    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, session_time(i + 1), image)).ok());
+    ASSERT_TRUE(
+        writer->write(wire::make_message(wire::kCameraDepth, session_time(i + 1), image, encoded.key_frame)).ok());
   }
   ASSERT_TRUE(writer->close().ok());
   std::vector<std::vector<std::uint16_t>> read;

@@ -32,7 +32,7 @@ struct RelayedSite : KeyedSite {
   /// Publishes an image; true if it arrives within `patience`.
   bool image_arrives(std::chrono::milliseconds patience) {
     const std::string payload = std::string(kJpeg) + "JFIF" + std::to_string(++published) + std::string(50'000, 'x');
-    hub.publish({wire::kCameraColor, clock.now(), std::make_shared<const std::string>(payload)});
+    hub.publish({wire::kCameraColor, clock.now(), std::make_shared<const std::string>(payload), 0, true});
     return run_until([&] { return !client.messages.empty() && *client.messages.back().payload == payload; }, patience);
   }
   /// Publishes images until one arrives. A datagram image that is late is dropped, which happens on a busy machine.
@@ -207,9 +207,7 @@ TEST(DatagramSite, ACarrierChangesWithAKeyFrame) {
   int asked = 0;
   site.hub.on_key_frame_request([&](std::string_view) { ++asked; });
   const auto publish = [&](bool key_frame) {
-    wire::Message depth{wire::kCameraDepth, site.clock.now(), std::make_shared<const std::string>("d")};
-    depth.key_frame = key_frame;
-    site.hub.publish(std::move(depth));
+    site.hub.publish({wire::kCameraDepth, site.clock.now(), std::make_shared<const std::string>("d"), 0, key_frame});
   };
   ASSERT_TRUE(site.run_until([&] { return site.client.connected(); }));
   publish(true);

@@ -113,7 +113,7 @@ class Stage {
     if (bounded_) depth.mutable_bound()->set_least_m(0.001);
     if (bounded_) depth.mutable_bound()->set_per_m(0.00285);
     depth.set_data(codec::encode_depth(seen.depth));
-    hub_.publish(wire::make_message(wire::kCameraDepth, now, depth));
+    hub_.publish(wire::make_message(wire::kCameraDepth, now, depth, true));
     foxglove::CompressedImage color;
     color.set_format("jpeg");
     color.set_data(codec::encode_color(seen.color));

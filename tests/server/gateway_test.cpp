@@ -53,7 +53,8 @@ class Running {
   }
 
   void publish(const wire::Topic& topic, std::string payload, std::int64_t at_ns = 7) {
-    const wire::Message message{topic, session_time(at_ns), std::make_shared<const std::string>(std::move(payload))};
+    const wire::Message message{topic, session_time(at_ns), std::make_shared<const std::string>(std::move(payload)), 0,
+                                true};
     on_its_thread([&] { hub_.publish(message); });
   }
   std::size_t connections() {

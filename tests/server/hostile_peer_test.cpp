@@ -113,11 +113,11 @@ TEST(HostilePeer, GarbageIsRefused) {
   std::mt19937 random(5);
   std::string garbage(64 << 10, '\0');
   for (char& byte : garbage) byte = static_cast<char>(random());
-  expect_says(answer_to(garbage), "of the wire protocol instead of 1");
+  expect_says(answer_to(garbage), "of the wire protocol instead of 1 or 2");
 }
 
 TEST(HostilePeer, AnHttpRequestIsRefused) {
-  expect_says(answer_to("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "of the wire protocol instead of 1");
+  expect_says(answer_to("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "of the wire protocol instead of 1 or 2");
 }
 
 TEST(HostilePeer, DamagedControlIsRefused) {
@@ -132,8 +132,8 @@ TEST(HostilePeer, ASubscriptionBeforeHelloIsRefused) {
 
 TEST(HostilePeer, AnotherProtocolVersionIsNamed) {
   msg::Control control = hello();
-  control.mutable_hello()->set_protocol(2);
-  expect_says(answer_to(control_frame(control)), "speaks version 2 of the wire protocol instead of version 1");
+  control.mutable_hello()->set_protocol(3);
+  expect_says(answer_to(control_frame(control)), "speaks version 3 of the wire protocol instead of version 1 or 2");
 }
 
 TEST(HostilePeer, AChannelThatWasNotAdvertisedIsRefused) {
@@ -182,9 +182,8 @@ TEST(HostilePeer, AskingForKeyFramesWithoutEndAsksThePublisherOnce) {
   int asked = 0;
   site.hub.on_key_frame_request([&](std::string_view) { ++asked; });
   for (int number = 1; number <= 2; ++number) {
-    wire::Message depth{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d")};
-    depth.key_frame = number == 1;
-    site.hub.publish(depth);
+    site.hub.publish(
+        {wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d"), 0, number == 1});
   }
   std::string bytes = control_frame(hello()) + control_frame(subscription("/camera/depth"));
   for (const std::int64_t published : {std::int64_t{0}, std::int64_t{2}, std::numeric_limits<std::int64_t>::max(),

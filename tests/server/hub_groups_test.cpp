@@ -8,10 +8,8 @@ namespace telepalp::server {
 namespace {
 
 wire::Message frame(int number, bool is_key) {
-  wire::Message message{wire::kCameraDepth, session_time(number),
-                        std::make_shared<const std::string>(std::to_string(number))};
-  message.key_frame = is_key;
-  return message;
+  return {wire::kCameraDepth, session_time(number), std::make_shared<const std::string>(std::to_string(number)), 0,
+          is_key};
 }
 
 /// A hub whose camera makes a key frame when asked, and subscribers that can be slow.
@@ -172,6 +170,26 @@ TEST(HubGroups, AKeyFrameRequestNeedsASubscriptionToATopicWithPredictedFrames) {
   stage.hub.request_key_frame(other, wire::kCameraDepth, session_time(9));
   stage.hub.request_key_frame(77, wire::kCameraDepth, session_time(9));
   EXPECT_EQ(stage.asked, 0);
+}
+
+TEST(HubGroups, APredictedFrameWhoseReferenceNeverCameIsOfferedToNobody) {
+  Stage stage;
+  const hub::SubscriberId id = stage.join();
+  const auto numbered = [&](std::uint64_t number, bool is_key) {
+    wire::Message message = frame(static_cast<int>(number), is_key);
+    message.sequence = number;
+    stage.hub.publish(message);
+  };
+  numbered(7, true);
+  numbered(8, false);
+  EXPECT_EQ(stage.taken(id), "7 8");
+  numbered(10, false);
+  EXPECT_EQ(stage.asked, 1);
+  numbered(11, false);
+  EXPECT_EQ(stage.taken(id), "");
+  numbered(12, true);
+  numbered(13, false);
+  EXPECT_EQ(stage.taken(id), "12 13");
 }
 
 TEST(HubGroups, ARepeatedSubscriptionBeginsWithAKeyFrame) {

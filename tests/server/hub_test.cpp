@@ -6,7 +6,7 @@ namespace telepalp::server {
 namespace {
 
 wire::Message message(const wire::Topic& topic, int number) {
-  return {topic, session_time(number), std::make_shared<const std::string>(std::to_string(number))};
+  return {topic, session_time(number), std::make_shared<const std::string>(std::to_string(number)), 0, true};
 }
 
 TEST(Hub, AllSubscribersShareOnePayload) {
@@ -112,7 +112,7 @@ TEST(Hub, ASubscriberThatLeftGetsNothing) {
 }
 
 wire::Message weighing(const wire::Topic& topic, std::size_t bytes) {
-  return {topic, session_time(1), std::make_shared<const std::string>(bytes, 'x')};
+  return {topic, session_time(1), std::make_shared<const std::string>(bytes, 'x'), 0, true};
 }
 
 constexpr std::size_t kMiB = std::size_t{1} << 20;

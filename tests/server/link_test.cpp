@@ -173,7 +173,7 @@ TEST(Link, AServerOfAnotherProtocolVersionIsNamedAsSuch) {
   Client client(site, {}, "test", other.local_endpoint().port());
   ASSERT_TRUE(site.run_until([&] {
     return !client.details.empty() &&
-           client.details.back().find("speaks version 7 of the wire protocol instead of version 1") !=
+           client.details.back().find("speaks version 7 of the wire protocol instead of version 1 or 2") !=
                std::string::npos;
   }));
   EXPECT_EQ(client.link.state(), wire::LinkState::Refused);
@@ -187,12 +187,12 @@ TEST(Link, AFrameOfAnotherProtocolVersionEndsTheLinkToo) {
   boost::asio::ip::tcp::acceptor other(site.io, {boost::asio::ip::make_address("127.0.0.1"), 0});
   boost::asio::ip::tcp::socket accepted(site.io);
   std::string bytes = control_frame(msg::Control());
-  bytes[4] = 2;  // the header's version
+  bytes[4] = 3;  // the header's version
   other.async_accept(
       accepted, [&](const boost::system::error_code&) { boost::asio::write(accepted, boost::asio::buffer(bytes)); });
   Client client(site, {}, "test", other.local_endpoint().port());
   EXPECT_TRUE(site.run_until([&] { return client.link.state() == wire::LinkState::Refused; }));
-  EXPECT_NE(client.details.back().find("it has version 2 of the wire protocol instead of 1"), std::string::npos)
+  EXPECT_NE(client.details.back().find("it has version 3 of the wire protocol instead of 1 or 2"), std::string::npos)
       << client.details.back();
 }
 
@@ -213,9 +213,7 @@ TEST(Link, AClientWithoutReferenceGetsAKeyFrame) {
   Client client(site, {"/camera/depth"});
   ASSERT_TRUE(site.run_until([&] { return client.connected(); }));
   const auto publish = [&](int number, bool is_key) {
-    wire::Message depth{wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d")};
-    depth.key_frame = is_key;
-    site.hub.publish(depth);
+    site.hub.publish({wire::kCameraDepth, session_time(number), std::make_shared<const std::string>("d"), 0, is_key});
   };
   publish(1, true);
   publish(2, false);

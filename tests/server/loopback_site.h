@@ -78,7 +78,7 @@ struct Client {
 };
 
 inline wire::Message message(const wire::Topic& topic, const std::string& payload) {
-  return {topic, session_time(1), std::make_shared<const std::string>(payload)};
+  return {topic, session_time(1), std::make_shared<const std::string>(payload), 0, true};
 }
 
 inline wire::Message station_state(std::int64_t stamp_ns) {

@@ -145,7 +145,8 @@ struct Onlooker {
   }
   void on_depth(const wire::Message& message) {
     const auto depth = parsed<msg::DepthImage>(message);
-    is_key.push_back(codec::is_key_frame(bytes_of(depth.data())));
+    is_key.push_back(message.key_frame);
+    EXPECT_EQ(message.key_frame, codec::is_key_frame(bytes_of(depth.data())));
     last_sequence = depth.sequence();
     unreadable += decoder.decode(bytes_of(depth.data())).ok() ? 0 : 1;
     if (asks_always) link.request_key_frame(message);

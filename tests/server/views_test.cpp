@@ -264,8 +264,9 @@ TEST(ViewMaker, DecodesNothingUntilSomebodyLooksAndNothingAfterwards) {
   codec::DepthEncoder encoder({});
   const auto publish = [&] {
     msg::DepthImage image;
-    image.set_data(encoder.encode(four_pixels(0.001)).bytes);
-    source.publish(wire::make_message(wire::kCameraDepth, session_time(1), image));
+    const codec::EncodedDepth encoded = encoder.encode(four_pixels(0.001));
+    image.set_data(encoded.bytes);
+    source.publish(wire::make_message(wire::kCameraDepth, session_time(1), image, encoded.key_frame));
     for (int tries = 0; tries < 20; ++tries) io.run_one_for(5ms);
   };
   const hub::SubscriberId viewer = views.join("viewer", "", [] {});
@@ -313,8 +314,9 @@ struct ViewStage {
   void publish_depth(std::int64_t captured_ns) {
     msg::DepthImage image;
     image.set_captured_ns(static_cast<std::uint64_t>(captured_ns));
-    image.set_data(encoder.encode(four_pixels(0.001)).bytes);
-    source.publish(wire::make_message(wire::kCameraDepth, session_time(captured_ns), image));
+    const codec::EncodedDepth encoded = encoder.encode(four_pixels(0.001));
+    image.set_data(encoded.bytes);
+    source.publish(wire::make_message(wire::kCameraDepth, session_time(captured_ns), image, encoded.key_frame));
   }
   void publish_color(std::int64_t captured_ns, std::uint8_t gray) {
     foxglove::CompressedImage image;
@@ -395,7 +397,7 @@ TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {
   const hub::SubscriberId viewer = views.join("viewer", "", [] {});
   views.subscribe(viewer, {std::string(views::kDepthView.name)});
   maker.subscriptions_changed();
-  wire::Message damaged{wire::kCameraDepth, session_time(2), std::make_shared<const std::string>("\xff\xff")};
+  wire::Message damaged{wire::kCameraDepth, session_time(2), std::make_shared<const std::string>("\xff\xff"), 0, true};
   source.publish(damaged);
   damaged.key_frame = false;
   damaged.published = session_time(3);

@@ -72,8 +72,9 @@ class Export : public testing::Test {
       const std::int64_t now = kStart_ns + frame * kFrame_ns;
       msg::DepthImage depth;
       depth.set_captured_ns(static_cast<std::uint64_t>(now));
-      depth.set_data(encoder.encode(depth_image(frame, width, height)).bytes);
-      messages.push_back(wire::make_message(wire::kCameraDepth, session_time(now), depth));
+      const codec::EncodedDepth encoded = encoder.encode(depth_image(frame, width, height));
+      depth.set_data(encoded.bytes);
+      messages.push_back(wire::make_message(wire::kCameraDepth, session_time(now), depth, encoded.key_frame));
       foxglove::CompressedImage color;
       color.mutable_timestamp()->set_seconds(now / 1'000'000'000);
       color.mutable_timestamp()->set_nanos(static_cast<std::int32_t>(now % 1'000'000'000));
@@ -156,7 +157,8 @@ TEST_F(Export, ATableHasALineForEachMessageAndForEachTickOfABatch) {
   for (const float force : {0.1F, 0.2F, 0.3F}) batch.add_force_x(force);
   const std::string lines = *ticks.lines_of(wire::make_message(wire::kStationTicks, session_time(1), batch));
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 3);
-  EXPECT_FALSE(ticks.lines_of({wire::kStationTicks, session_time(1), std::make_shared<const std::string>("\xff")}));
+  EXPECT_FALSE(
+      ticks.lines_of({wire::kStationTicks, session_time(1), std::make_shared<const std::string>("\xff"), 0, true}));
 }
 
 TEST_F(Export, TruncatedMessagesAreLeftOutAndCounted) {

@@ -51,6 +51,7 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
         if (const auto going_on = go_on(output); !going_on) return going_on.error();
         const SessionTime captured = captured_of(named, totals.frames);
         codec::EncodedDepth encoded = encoder.encode(named.depth);
+        const bool is_key = encoded.key_frame;
         const RgbdFrame frame{.captured = captured,
                               .sequence = totals.frames + 1,
                               .camera = {},
@@ -60,7 +61,7 @@ Result<void> encode_recording(const std::filesystem::path& input, const std::fil
         const msg::DepthImage image = pipeline::depth_message(frame, std::move(encoded));
         totals.add(static_cast<double>(frame.depth.samples.size()), image.data().size());
         progress.step();
-        return writer->write(wire::make_message(wire::kCameraDepth, captured, image));
+        return writer->write(wire::make_message(wire::kCameraDepth, captured, image, is_key));
       },
       input.extension() == ".oni" ? say_what_is_missing : std::function<void(const Error&)>{});
   if (done && totals.frames == 0)

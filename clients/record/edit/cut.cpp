@@ -1,26 +1,19 @@
 #include "clients/record/edit/cut.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "clients/record/edit/session_copy.h"
-#include "codec/depth.h"
-#include "messages/camera.pb.h"
 
 namespace telepalp::record {
 namespace {
 
 constexpr std::size_t kMostDamages = 100;
-constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // key frames and camera models come more often than this
+constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // what is published again comes more often than this
 
 /// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key frame.
 constexpr std::size_t kMostGroupBytes = std::size_t{64} << 20;
-
-bool is_key_frame(const wire::mcap::MessageRecord& record) {
-  msg::DepthImage image;
-  return image.ParseFromArray(record.data.data(), static_cast<int>(record.data.size())) &&
-         codec::is_key_frame(std::as_bytes(std::span(image.data())));
-}
 
 std::vector<std::string> chosen_topics(const wire::mcap::Summary& summary, const TopicFilter& filter) {
   std::vector<std::string> topics;
@@ -49,14 +42,14 @@ Result<void> for_each(wire::McapReader& reader, std::vector<std::string>& damage
 
 using KeptByTopic = std::map<std::string, std::vector<KeptMessage>>;
 
-/// Keeps the newest message of each topic between `since` and `from`, and of the depth images all since a key frame.
+/// Keeps the messages of each topic from its newest key frame between `since` and `from` on.
 void keep_newest(wire::McapReader& reader, std::vector<std::string> topics, std::uint64_t since, std::uint64_t from,
                  KeptByTopic& kept, std::vector<std::string>& damages) {
   if (topics.empty()) return;
   reader.select(between(std::move(topics), since, from));
   (void)for_each(reader, damages, [&](const wire::mcap::StoredMessage& message) -> Result<void> {
     std::vector<KeptMessage>& of_topic = kept[message.channel->channel.topic];
-    if (message.channel->channel.topic != wire::kCameraDepth.name || is_key_frame(message.record)) of_topic.clear();
+    if (is_key_frame(message)) of_topic.clear();
     of_topic.emplace_back(message);
     std::size_t bytes = 0;
     for (const KeptMessage& kept_message : of_topic) bytes += kept_message.bytes();
@@ -65,30 +58,32 @@ void keep_newest(wire::McapReader& reader, std::vector<std::string> topics, std:
   });
 }
 
-/// True for a latched topic that is published only when its value changes: its last message may be of any age.
-bool is_seldom(std::string_view topic) noexcept {
-  return topic == wire::kStationInside.name || topic == wire::kHandHolder.name;
+/// Time of the last key frame before `from`; nullopt: the file does not tell.
+std::optional<std::uint64_t> last_key_frame(wire::McapReader& reader, const wire::Topic& topic, std::uint64_t from) {
+  const auto last = reader.last_key_frame(topic, session_time(static_cast<std::int64_t>(from)));
+  return last ? std::optional(static_cast<std::uint64_t>(to_nanoseconds(*last))) : std::nullopt;
 }
 
 /// The messages before `from` that a player needs at `from`, in order of time.
 std::vector<KeptMessage> prelude(wire::McapReader& reader, std::uint64_t from, const TopicFilter& filter,
                                  std::vector<std::string>& damages) {
   std::vector<std::string> recent;
-  std::vector<std::string> seldom;  // published only when they change
+  std::vector<std::string> of_any_age;
+  std::uint64_t since = from > kPreludeNs ? from - kPreludeNs : 0;
   for (const wire::Topic& topic : wire::kTopics) {
-    const bool needed = wire::is_latched(topic.name) || topic.name == wire::kCameraDepth.name;
-    if (needed && filter.matches(topic.name)) (is_seldom(topic.name) ? seldom : recent).emplace_back(topic.name);
+    if (!(topic.latched() || topic.predicted) || !filter.matches(topic.name)) continue;
+    (topic.validity == wire::Validity::UntilChanged ? of_any_age : recent).emplace_back(topic.name);
+    if (topic.predicted) since = std::min(since, last_key_frame(reader, topic, from).value_or(since));
   }
-  KeptByTopic kept;
-  keep_newest(reader, std::move(recent), from > kPreludeNs ? from - kPreludeNs : 0, from, kept, damages);
-  keep_newest(reader, std::move(seldom), 0, from, kept, damages);
-  std::vector<KeptMessage> all;
-  for (auto& [topic, messages] : kept)
-    for (KeptMessage& message : messages) {
-      // With a time of its own from before the prelude, the cut would seem to begin then.
+  KeptByTopic kept, old;
+  keep_newest(reader, std::move(recent), since, from, kept, damages);
+  keep_newest(reader, std::move(of_any_age), 0, from, old, damages);
+  for (auto& [topic, messages] : old)
+    for (KeptMessage& message : messages)  // with an earlier time of its own, the cut would seem to begin then
       if (message.log_time() + kPreludeNs < from) message.place_at(from);
-      all.push_back(std::move(message));
-    }
+  kept.merge(old);
+  std::vector<KeptMessage> all;
+  for (auto& [topic, messages] : kept) std::ranges::move(messages, std::back_inserter(all));
   std::stable_sort(all.begin(), all.end(),
                    [](const KeptMessage& a, const KeptMessage& b) { return a.log_time() < b.log_time(); });
   return all;
@@ -143,7 +138,7 @@ Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem:
   if (copied)
     copied = for_each(*reader, report.damages, [&](const wire::mcap::StoredMessage& message) {
       ++report.messages;
-      return writer->copy(message.channel->schema, message.channel->channel, message.record);
+      return writer->copy(message);
     });
   if (copied && report.messages == 0) copied = nothing_there(file, statistics);
   copied = writer->finish(copied);

@@ -26,8 +26,9 @@ struct EditReport {
 
 /// Writes the messages on options.topics in [options.from, options.to) to `out`, with all metadata and attachments.
 /// `out` begins with the messages that a player needs at options.from, taken from the 10 s before: the last message of
-/// each latched topic (such as camera model and status), and the depth images since the last key frame. The last
-/// message of /station/inside may be older; options.from then replaces its time. Error: there is nothing to write, or
+/// each latched topic (such as camera model and status), and the depth images since the last key frame. The key frame
+/// may be older if the file marks key frames. The last message of /station/inside may be older, too; options.from then
+/// replaces its time. Error: there is nothing to write, or
 /// a file cannot be read or written.
 [[nodiscard]] Result<EditReport> cut(const std::filesystem::path& file, const std::filesystem::path& out,
                                      const CutOptions& options);

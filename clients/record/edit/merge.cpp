@@ -60,7 +60,7 @@ class Strand {
 std::optional<std::string> with_senders_apart(const wire::mcap::StoredMessage& message, std::uint32_t by) {
   if (by == 0 || !message.channel->topic) return std::nullopt;
   std::string payload(message.record.data);
-  if (message.channel->channel.topic.starts_with("/station/")) {
+  if (message.channel->topic->publisher == wire::Publisher::Station) {
     msg::Sender sender;
     if (!sender.ParseFromString(payload)) return std::nullopt;
     msg::Sender moved;  // in Protobuf the last value of a repeated scalar field on the wire counts
@@ -150,11 +150,10 @@ Result<void> copy_messages(std::vector<Strand>& strands, wire::McapWriter& write
   while (Strand* const strand = earliest(strands)) {
     const wire::mcap::StoredMessage& message = *strand->next();
     const std::optional<std::string> moved = with_senders_apart(message, strand->senders_apart());
-    wire::mcap::MessageRecord record = message.record;
-    if (moved) record.data = *moved;
-    if (duplicates.is_new(message, record.data)) {
-      const Result<void> copied = writer.copy(message.channel->schema, message.channel->channel, record);
-      if (!copied) return copied;
+    wire::mcap::StoredMessage copy = message;
+    if (moved) copy.record.data = *moved;
+    if (duplicates.is_new(message, copy.record.data)) {
+      if (const Result<void> copied = writer.copy(copy); !copied) return copied;
     } else {
       ++report.left_out;
     }

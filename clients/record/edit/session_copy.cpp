@@ -9,7 +9,7 @@ void KeptMessage::place_at(std::uint64_t time) noexcept { record_.log_time = rec
 Result<void> KeptMessage::copy_to(wire::McapWriter& writer) const {
   wire::mcap::MessageRecord record = record_;
   record.data = data_;
-  return writer.copy(channel_->schema, channel_->channel, record);
+  return writer.copy({channel_, record});
 }
 
 bool NotesCopy::is_new(const wire::mcap::Attachment& attachment) {

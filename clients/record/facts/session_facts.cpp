@@ -128,14 +128,15 @@ std::vector<std::string> notes_on(const SessionFacts& facts) {
     if (topic.lost > 0)
       notes.push_back(topic.name + ": " + counted(topic.lost, "message is", "messages are") +
                       " missing: lost between publisher and file");
+    if (!topic.begins_with_key_frame)
+      notes.push_back(topic.name +
+                      ": begins with a predicted frame, so that nothing can be decoded before the next "
+                      "key frame");
     if (topic.back_in_time > 0)
       notes.push_back(topic.name + ": " +
                       counted(topic.back_in_time, "message has an earlier time than the message before it",
                               "messages have an earlier time than the message before them"));
   }
-  if (!facts.begins_with_key_frame)
-    notes.emplace_back(
-        "/camera/depth: begins with a predicted frame; depth cannot be decoded before the next key frame");
   for (const auto& [key, value] : facts.recording)
     if (key.starts_with("dropped/"))
       notes.push_back(key.substr(7) + ": the recorder dropped " + value + (value == "1" ? " message" : " messages") +

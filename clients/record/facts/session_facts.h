@@ -18,14 +18,15 @@ struct SessionFacts {
     std::string name;
     std::string type;
     std::uint64_t messages = 0;
-    std::uint64_t bytes = 0;         ///< sum of the payloads
-    double rate_Hz = 0.0;            ///< mean over the whole session; 0: fewer than two messages
-    double longest_gap_s = 0.0;      ///< between two messages
-    std::uint64_t lost = 0;          ///< missing sequence numbers: lost between publisher and file
-    std::uint64_t back_in_time = 0;  ///< messages with an earlier time than a message before them in the file
-    std::uint64_t unreadable = 0;    ///< messages that do not parse as `type`
-    bool is_ours = false;            ///< a topic of telepalp, with its type
-    bool has_other_version = false;  ///< the type's definition differs from this program's
+    std::uint64_t bytes = 0;            ///< sum of the payloads
+    double rate_Hz = 0.0;               ///< mean over the whole session; 0: fewer than two messages
+    double longest_gap_s = 0.0;         ///< between two messages
+    std::uint64_t lost = 0;             ///< missing sequence numbers: lost between publisher and file
+    std::uint64_t back_in_time = 0;     ///< messages with an earlier time than a message before them in the file
+    std::uint64_t unreadable = 0;       ///< messages that do not parse as `type`
+    bool is_ours = false;               ///< a topic of telepalp, with its type
+    bool has_other_version = false;     ///< the type's definition differs from this program's
+    bool begins_with_key_frame = true;  ///< false: its first messages cannot be decoded
   };
   /// A peer that published through the server, or read from it.
   struct Peer {
@@ -61,7 +62,6 @@ struct SessionFacts {
   std::optional<Clock> clock;        ///< nullopt: fewer than two messages of /clock
   std::vector<std::string> damages;  ///< places that cannot be read, with offsets; at most kMostDamages
   std::uint64_t damages_in_all = 0;
-  bool begins_with_key_frame = true;  ///< false: the first depth images cannot be decoded
 };
 inline constexpr std::size_t kMostDamages = 100;
 

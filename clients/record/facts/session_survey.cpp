@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "codec/depth.h"
-#include "messages/camera.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
 
 namespace telepalp::record {
@@ -39,6 +37,7 @@ void SessionSurvey::add(const wire::mcap::StoredMessage& message) {
       place != topics_.end()
           ? place->second
           : topics_.emplace(message.channel->channel.topic, TopicSoFar{describe(*message.channel)}).first->second;
+  if (so_far.topic.messages == 0) so_far.topic.begins_with_key_frame = is_key_frame(message);
   count(so_far, message.record);
   if (message.channel->topic) read(so_far, message);
 }
@@ -64,11 +63,10 @@ void SessionSurvey::read(TopicSoFar& so_far, const wire::mcap::StoredMessage& st
     ++so_far.topic.unreadable;
     return;
   }
-  if (topic.starts_with("/station/")) note_sender(payload);
+  if (stored.channel->topic->publisher == wire::Publisher::Station) note_sender(payload);
   if (topic == wire::kServerStats.name) note_server_stats(payload);
   if (topic == wire::kStationStats.name) note_station_stats(payload);
   if (topic == wire::kClock.name) note_clock(payload);
-  if (topic == wire::kCameraDepth.name && !std::exchange(depth_seen_, true)) note_depth(payload);
 }
 
 void SessionSurvey::note_sender(const std::string& payload) {
@@ -113,12 +111,6 @@ void SessionSurvey::note_clock(const std::string& payload) {
   clock_.last = now;
 }
 
-void SessionSurvey::note_depth(const std::string& payload) {
-  msg::DepthImage image;
-  if (!image.ParseFromString(payload)) return;
-  begins_with_key_frame_ = codec::is_key_frame(std::as_bytes(std::span(image.data())));
-}
-
 void SessionSurvey::finish(SessionFacts& facts) {
   for (auto& [name, so_far] : topics_) {
     SessionFacts::Topic& topic = so_far.topic;
@@ -136,7 +128,6 @@ void SessionSurvey::finish(SessionFacts& facts) {
     facts.peers.push_back(std::move(peer));
   }
   for (const auto& [number, peer] : senders_) facts.peers.push_back(peer);
-  facts.begins_with_key_frame = begins_with_key_frame_;
   const auto session_s = static_cast<double>(clock_.last.session_ns() - clock_.first.session_ns()) * 1e-9;
   if (clock_.count < 2 || clock_.last.session_ns() <= clock_.first.session_ns()) return;
   const double utc_s =

@@ -40,14 +40,11 @@ class SessionSurvey {
   void note_server_stats(const std::string& payload);
   void note_station_stats(const std::string& payload);
   void note_clock(const std::string& payload);
-  void note_depth(const std::string& payload);
 
   std::map<std::string, TopicSoFar> topics_;
   std::map<std::uint32_t, SessionFacts::Peer> senders_;
   std::map<std::pair<std::string, std::string>, DropsOfPeer> dropped_for_;  // by name and address
   ClockSoFar clock_;
-  bool depth_seen_ = false;
-  bool begins_with_key_frame_ = true;
 };
 
 }  // namespace telepalp::record

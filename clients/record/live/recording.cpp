@@ -120,14 +120,12 @@ class Recording {
   }
 
  private:
-  /// After a dropped depth frame, the frames that depend on it are useless in the file, so a key frame is requested.
+  /// After a dropped message, those predicted from it are useless in the file, so a key frame is requested.
   void on_message(const wire::Message& message) {
     if (!options_.topics.matches(message.topic.name)) return;
     const bool taken = disk_.offer(message);
-    if (message.topic.name != wire::kCameraDepth.name) return;
-    if (!taken || files_->needs_key_frame()) link_.request_key_frame(message);
-    if (!taken) return;
-    note_depth(message);
+    if (message.topic.predicted && (!taken || files_->needs_key_frame())) link_.request_key_frame(message);
+    if (taken && message.topic.name == wire::kCameraDepth.name) note_depth(message);
   }
 
   void note_depth(const wire::Message& message) {

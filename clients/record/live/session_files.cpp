@@ -5,8 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "codec/depth.h"
-#include "messages/camera.pb.h"
 #include "proto/words/counted.h"
 
 namespace telepalp::record {
@@ -20,11 +18,6 @@ constexpr std::uintmax_t kRoomToBegin = std::uintmax_t{256} << 20;
 /// A new part waits at most this long for a key frame to begin with.
 constexpr Nanoseconds kLongestWaitForKeyFrame = 2s;
 constexpr wire::mcap::ChunkLimits kChunks{.bytes = std::size_t{1} << 20, .span_ns = 500'000'000};
-
-bool is_key_frame(const wire::Message& message) {
-  msg::DepthImage image;
-  return image.ParseFromString(*message.payload) && codec::is_key_frame(std::as_bytes(std::span(image.data())));
-}
 
 /// `latched`, which is still valid, as a message of `now` if it is older than 5 s. With its own time, a file that
 /// begins with it would seem to begin when it was published. Camera models come each second and keep their time, so
@@ -94,7 +87,7 @@ Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
 /// True if the publication time of `message` is near the present time. This is not certain for the first message of a
 /// latched topic: the server sends it to each new subscriber, even if it is an hour old.
 bool SessionFiles::tells_now(const wire::Message& message) const {
-  return !wire::is_latched(message.topic.name) ||
+  return !message.topic.latched() ||
          std::ranges::any_of(*held_back_, [&](const auto& one) { return one.topic.name == message.topic.name; });
 }
 
@@ -115,9 +108,9 @@ void SessionFiles::put_held_back() {
 }
 
 void SessionFiles::put(const wire::Message& published) {
-  const wire::Message message = wire::is_latched(published.topic.name) ? as_of(newest_, published) : published;
+  const wire::Message message = published.topic.latched() ? as_of(newest_, published) : published;
   newest_ = std::max(newest_, message.published);
-  has_depth_ = has_depth_ || message.topic.name == wire::kCameraDepth.name;
+  has_groups_ = has_groups_ || message.topic.predicted;
   if (!writer_ || is_full(message)) go_on_in_new_part(message);
   if (writer_) {
     if (!part_began_) part_began_ = message.published;
@@ -126,7 +119,7 @@ void SessionFiles::put(const wire::Message& published) {
   } else {
     ++dropped_;
   }
-  if (wire::is_latched(message.topic.name)) latched_.insert_or_assign(message.topic.name, message);
+  if (message.topic.latched()) latched_.insert_or_assign(message.topic.name, message);
 }
 
 bool SessionFiles::is_full(const wire::Message& message) const {
@@ -142,7 +135,7 @@ bool SessionFiles::is_full(const wire::Message& message) const {
 void SessionFiles::go_on_in_new_part(const wire::Message& message) {
   if (!writer_ && !may_try_again()) return;
   if (!waiting_since_) waiting_since_ = message.published;
-  const bool begins = !has_depth_ || (message.topic.name == wire::kCameraDepth.name && is_key_frame(message));
+  const bool begins = !has_groups_ || (message.topic.predicted && message.key_frame);
   const bool waits = !begins && message.published - *waiting_since_ < kLongestWaitForKeyFrame;
   needs_key_frame_ = waits && !writer_;  // a part that is still written needs the images until the key frame
   if (waits) return;

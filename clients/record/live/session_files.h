@@ -19,7 +19,7 @@ namespace telepalp::record {
 
 /// When a recording begins a new file, and which files it keeps.
 struct Splitting {
-  std::optional<std::uint64_t> bytes;    ///< at this size, a file ends at the next depth key frame, or 2 s later
+  std::optional<std::uint64_t> bytes;    ///< at this size, a file ends at the next key frame, or 2 s later
   std::optional<Nanoseconds> time;       ///< likewise at this duration of the file
   std::optional<Nanoseconds> keep_last;  ///< files last a tenth of this, at least 1 s; removed when their end is older
 
@@ -30,8 +30,8 @@ struct Splitting {
 [[nodiscard]] std::filesystem::path part_file(const std::filesystem::path& name, int number);
 
 /// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session. A
-/// later part begins with the last message of each latched topic (such as camera model and status) and with a depth key
-/// frame, unless none comes within 2 s. When a write fails, the part is completed with the messages that it holds.
+/// later part begins with the last message of each latched topic (such as camera model and status) and with a key frame
+/// of depth, unless none comes within 2 s. When a write fails, the part is completed with the messages that it holds.
 /// Messages are then dropped and counted until a new part begins, for which 256 MiB of the disk must be free. Owner:
 /// the disk thread, except where a comment says otherwise.
 class SessionFiles {
@@ -100,7 +100,7 @@ class SessionFiles {
   std::optional<SessionTime> waiting_since_;  // when a new part became due; it waits for a key frame
   SessionTime newest_{};
   std::optional<Error> failed_;  // the first failure
-  bool has_depth_ = false;       // without depth, no part waits for a key frame
+  bool has_groups_ = false;      // without a topic that may be predicted, no part waits for a key frame
   bool is_failing_ = false;
   std::chrono::steady_clock::time_point failed_at_{};
   std::atomic<std::uint64_t> dropped_{0};

@@ -1,6 +1,7 @@
 #include "clients/record/repair/definitions.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "proto/wire/mcap/format/schemas.h"
 #include "support/program/version.h"
@@ -9,7 +10,8 @@ namespace telepalp::record {
 namespace {
 
 bool is_own(const wire::mcap::StoredChannel& channel) {
-  return channel.topic && channel.schema->data == wire::file_descriptor_set(*wire::descriptor_of(*channel.topic));
+  return channel.topic && channel.key_frames &&
+         channel.schema->data == wire::file_descriptor_set(*wire::descriptor_of(*channel.topic));
 }
 
 /// The topic of a damaged definition, by its name or else by its type, if only one topic has this type.
@@ -21,14 +23,20 @@ std::optional<wire::Topic> recognised(const wire::mcap::StoredChannel& channel) 
   return *std::ranges::find_if(wire::kTopics, has_type);
 }
 
-Definition definition_of(const wire::Topic& topic) {
-  return {
-      .schema = {.id = 1,
-                 .name = std::string(topic.schema),
-                 .encoding = "protobuf",
-                 .data = wire::file_descriptor_set(*wire::descriptor_of(topic))},
-      .channel = {
-          .id = 0, .schema_id = 1, .topic = std::string(topic.name), .message_encoding = "protobuf", .metadata = {}}};
+wire::mcap::Schema schema_of(const wire::Topic& topic) {
+  return {.id = 1,
+          .name = std::string(topic.schema),
+          .encoding = "protobuf",
+          .data = wire::file_descriptor_set(*wire::descriptor_of(topic))};
+}
+
+/// The channel of `topic` with the mark of key frames that the damaged definition still has.
+wire::mcap::StoredChannel channel_of(const wire::Topic& topic, const wire::mcap::StoredChannel& damaged) {
+  const std::optional<bool> marked = topic.predicted ? damaged.key_frames : std::optional(true);
+  wire::mcap::Channel channel = wire::mcap::channel_for(topic, marked.value_or(true));
+  if (!marked) channel.metadata.clear();
+  channel.schema_id = 1;
+  return {.channel = std::move(channel), .schema = nullptr, .topic = topic, .key_frames = marked};
 }
 
 }  // namespace
@@ -47,12 +55,16 @@ std::vector<std::string> DefinitionCheck::damaged(const wire::mcap::ChannelTable
   return damaged;
 }
 
-const Definition* DefinitionCheck::mended(const wire::mcap::StoredChannel& channel) {
+const wire::mcap::StoredChannel* DefinitionCheck::mended(const wire::mcap::StoredChannel& channel) {
   if (!is_of_this_version_) return nullptr;
   const auto [place, is_new] = mended_.try_emplace(channel.channel.id);
-  if (is_new && !is_own(channel))
-    if (const std::optional<wire::Topic> topic = recognised(channel)) place->second = definition_of(*topic);
-  return place->second ? &*place->second : nullptr;
+  std::optional<Definition>& own = place->second;
+  const std::optional<wire::Topic> topic = is_new && !is_own(channel) ? recognised(channel) : std::nullopt;
+  if (topic) {
+    own = Definition{.schema = schema_of(*topic), .channel = channel_of(*topic, channel)};
+    own->channel.schema = &own->schema;
+  }
+  return own ? &own->channel : nullptr;
 }
 
 }  // namespace telepalp::record

@@ -9,12 +9,6 @@
 
 namespace telepalp::record {
 
-/// The type of a topic, and the topic itself, as records of a session file.
-struct Definition {
-  wire::mcap::Schema schema;
-  wire::mcap::Channel channel;
-};
-
 /// Definitions of a session without a CRC, compared with this program's own. A file that this very version wrote holds
 /// them unchanged, so that each difference is a damage. In a file of another version none is known to be damaged.
 class DefinitionCheck {
@@ -25,9 +19,13 @@ class DefinitionCheck {
   [[nodiscard]] std::vector<std::string> damaged(const wire::mcap::ChannelTable& channels) const;
   /// This program's own definition in place of a damaged one; nullptr: it is not damaged, or neither its topic nor its
   /// type can be recognised.
-  [[nodiscard]] const Definition* mended(const wire::mcap::StoredChannel& channel);
+  [[nodiscard]] const wire::mcap::StoredChannel* mended(const wire::mcap::StoredChannel& channel);
 
  private:
+  struct Definition {
+    wire::mcap::Schema schema;
+    wire::mcap::StoredChannel channel;  // its schema is the one above
+  };
   bool is_of_this_version_;
   std::map<std::uint16_t, std::optional<Definition>> mended_;  // by the channel's id
 };

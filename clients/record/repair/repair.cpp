@@ -90,9 +90,8 @@ Result<void> copy_messages(wire::McapStreamReader& stream, wire::McapWriter& wri
   if (found.is_cut_off) definitions.emplace(found.session);
   return read_all(stream, report.damages, [&](const wire::mcap::StoredMessage& message) {
     ++report.messages;
-    const Definition* const own = definitions ? definitions->mended(*message.channel) : nullptr;
-    return own != nullptr ? writer.copy(&own->schema, own->channel, message.record)
-                          : writer.copy(message.channel->schema, message.channel->channel, message.record);
+    const wire::mcap::StoredChannel* const own = definitions ? definitions->mended(*message.channel) : nullptr;
+    return writer.copy({own != nullptr ? own : message.channel, message.record});
   });
 }
 

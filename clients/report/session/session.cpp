@@ -1,10 +1,8 @@
 #include "clients/report/session/session.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
-#include "codec/depth.h"
 #include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/topics.h"
@@ -158,11 +156,11 @@ bool add_readable(Session& session, const wire::Message& message) {
     });
   if (topic == wire::kCameraDepth.name)
     return read<msg::DepthImage>(message, [&](const auto& image) {
-      const bool is_key = codec::is_key_frame(std::as_bytes(std::span(image.data())));
       const std::int64_t logged_ns = to_nanoseconds(message.published);
       session.depth = wire::less_exact(session.depth, wire::depth_fidelity(image));
       session.depth_captured_ns.push_back(static_cast<std::int64_t>(image.captured_ns()));
-      session.depth_key_ns.push_back(is_key || session.depth_key_ns.empty() ? logged_ns : session.depth_key_ns.back());
+      session.depth_key_ns.push_back(message.key_frame || session.depth_key_ns.empty() ? logged_ns
+                                                                                       : session.depth_key_ns.back());
       return true;
     });
   if (topic == wire::kCameraColor.name)

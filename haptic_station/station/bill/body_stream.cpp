@@ -31,8 +31,9 @@ BodyStream::BodyStream(const SeenBody& body, double seconds) : camera(body.camer
     const double time_s = static_cast<double>(i) / SeenBody::kFrames_per_s;
     const SessionTime captured = kBegin + from_seconds(time_s);
     const DepthImage depth = body.depth_at(time_s);
+    const codec::EncodedDepth encoded = encoder.encode(depth);
     images.push_back(
-        wire::make_message(wire::kCameraDepth, captured, message_of(depth, encoder.encode(depth), captured, i)));
+        wire::make_message(wire::kCameraDepth, captured, message_of(depth, encoded, captured, i), encoded.key_frame));
   }
 }
 

@@ -82,6 +82,36 @@ void McapReader::select(const McapSelection& selection) {
   });
 }
 
+std::optional<SessionTime> McapReader::last_key_frame(const Topic& topic, SessionTime at) {
+  const std::uint64_t before = stored_time(at);
+  std::optional<std::uint64_t> last;
+  for (const auto& [id, stored] : summary_.channels.all()) {
+    if (!stored.topic || stored.topic->name != topic.name || stored.key_frames != true) continue;
+    for (auto chunk = summary_.chunks.rbegin(); chunk != summary_.chunks.rend(); ++chunk)
+      if (chunk->message_start_time < before && chunk->message_end_time >= last.value_or(0))
+        last = std::max(last, last_in_chunk(*chunk, id, before));
+  }
+  if (!last || *last > INT64_MAX) return std::nullopt;
+  return session_time(static_cast<std::int64_t>(*last));
+}
+
+/// Log time of the last message of `channel` before `before`, by the chunk's index. nullopt: none, or no valid index.
+std::optional<std::uint64_t> McapReader::last_in_chunk(const ChunkIndex& chunk, std::uint16_t channel,
+                                                       std::uint64_t before) {
+  const auto at = chunk.message_index_offsets.find(channel);
+  if (at == chunk.message_index_offsets.end()) return std::nullopt;
+  std::string content;
+  const Result<mcap::RecordHead> head = mcap::read_head(*source_, at->second, source_->size());
+  if (!head || head->opcode != mcap::Opcode::MessageIndex || !mcap::read_content(*source_, *head, content))
+    return std::nullopt;
+  const auto index = mcap::parse<mcap::MessageIndex>(content);
+  std::optional<std::uint64_t> last;
+  if (index && index->channel_id == channel)
+    for (const mcap::MessageIndex::Entry& entry : index->entries)
+      if (entry.log_time < before) last = std::max(last, std::optional(entry.log_time));
+  return last;
+}
+
 Result<void> McapReader::read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
                                      std::string& into) {
   if (length > source_->size() || offset > source_->size() - length)

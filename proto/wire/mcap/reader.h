@@ -33,6 +33,10 @@ class McapReader {
   [[nodiscard]] Result<mcap::Metadata> read(const mcap::MetadataIndex& index);
   [[nodiscard]] Result<mcap::Attachment> read(const mcap::AttachmentIndex& index);
 
+  /// Log time of the last key frame of `topic` before `at`, by the indexes of the chunks, without reading a message.
+  /// nullopt: there is none, or the file is of an earlier release, which marks no key frames.
+  [[nodiscard]] std::optional<SessionTime> last_key_frame(const Topic& topic, SessionTime at);
+
   /// Restarts at the beginning with a new selection. After open() all messages are selected.
   void select(const McapSelection& selection);
 
@@ -55,6 +59,8 @@ class McapReader {
   explicit McapReader(std::unique_ptr<mcap::ByteSource> source) : source_(std::move(source)) {}
   [[nodiscard]] bool wanted(std::size_t chunk) const;
   [[nodiscard]] Result<void> open_chunk(std::size_t chunk);
+  [[nodiscard]] std::optional<std::uint64_t> last_in_chunk(const mcap::ChunkIndex& chunk, std::uint16_t channel,
+                                                           std::uint64_t before);
   void learn(mcap::Opcode opcode, std::string_view content);
   [[nodiscard]] Result<void> read_record(std::uint64_t offset, std::uint64_t length, mcap::Opcode opcode,
                                          std::string& into);

@@ -7,8 +7,6 @@
 namespace telepalp::wire {
 namespace {
 
-constexpr std::string_view kProtobuf = "protobuf";
-
 std::uint64_t stored_time(SessionTime at) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
 }
@@ -25,7 +23,7 @@ std::string identity(Record record) {
 mcap::Schema schema_of(const Topic& topic) {
   return {.id = 0,
           .name = std::string(topic.schema),
-          .encoding = std::string(kProtobuf),
+          .encoding = "protobuf",
           .data = file_descriptor_set(*descriptor_of(topic))};
 }
 
@@ -92,37 +90,35 @@ Result<void> McapWriter::store() {
 Result<void> McapWriter::write(const Message& message) {
   if (failed_) return *failed_;
   Known& known = topics_[message.topic.name];
-  if (known.id == 0) {
+  std::uint16_t& id = message.key_frame ? known.key_id : known.predicted_id;
+  if (id == 0) {
     const mcap::Schema schema = schema_of(message.topic);
-    std::uint16_t& schema_id = schemas_[identity(schema)];
-    if (schema_id == 0) schema_id = encoder_.add(ready_, schema);
-    known.id = encoder_.add(ready_, mcap::Channel{.id = 0,
-                                                  .schema_id = schema_id,
-                                                  .topic = std::string(message.topic.name),
-                                                  .message_encoding = std::string(kProtobuf),
-                                                  .metadata = {}});
+    id = add_channel(&schema, mcap::channel_for(message.topic, message.key_frame));
   }
   const std::uint64_t time = stored_time(message.published);
   ++known.messages;
   const auto sequence = message.sequence == 0 ? known.messages : static_cast<std::uint32_t>(message.sequence);
-  encoder_.add(ready_, mcap::MessageRecord{known.id, sequence, time, time, *message.payload});
+  encoder_.add(ready_, mcap::MessageRecord{id, sequence, time, time, *message.payload});
   return store();
 }
 
-Result<void> McapWriter::copy(const mcap::Schema* schema, const mcap::Channel& channel,
-                              const mcap::MessageRecord& message) {
-  if (failed_) return *failed_;
-  mcap::Channel ours = channel;
-  ours.schema_id = 0;
+/// The id of this channel in this file; writes schema and channel when they are new.
+std::uint16_t McapWriter::add_channel(const mcap::Schema* schema, mcap::Channel channel) {
+  channel.schema_id = 0;
   if (schema != nullptr) {
     std::uint16_t& schema_id = schemas_[identity(*schema)];
     if (schema_id == 0) schema_id = encoder_.add(ready_, *schema);
-    ours.schema_id = schema_id;
+    channel.schema_id = schema_id;
   }
-  std::uint16_t& id = copied_channels_[identity(ours)];
-  if (id == 0) id = encoder_.add(ready_, ours);
-  mcap::MessageRecord record = message;
-  record.channel_id = id;
+  std::uint16_t& id = channels_[identity(channel)];
+  if (id == 0) id = encoder_.add(ready_, channel);
+  return id;
+}
+
+Result<void> McapWriter::copy(const mcap::StoredMessage& message) {
+  if (failed_) return *failed_;
+  mcap::MessageRecord record = message.record;
+  record.channel_id = add_channel(message.channel->schema, mcap::marked_channel(message));
   encoder_.add(ready_, record);
   return store();
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "proto/wire/mcap/format/encoder.h"
+#include "proto/wire/mcap/format/stored_message.h"
 #include "proto/wire/mcap/writing/output_file.h"
 #include "proto/wire/message.h"
 #include "proto/words/result.h"
@@ -45,10 +46,9 @@ class McapWriter {
   /// (a full disk) each call returns the same error, and close() still completes the file with the data written before.
   [[nodiscard]] Result<void> write(const Message& message);
 
-  /// Copies a message of any schema from another file; the ids in the records are replaced by this file's ids.
-  /// `schema`: nullptr if the channel has no schema.
-  [[nodiscard]] Result<void> copy(const mcap::Schema* schema, const mcap::Channel& channel,
-                                  const mcap::MessageRecord& message);
+  /// Copies a message of any schema from another file; the ids in the records are replaced by this file's ids. The copy
+  /// marks key frames, also where the other file does not.
+  [[nodiscard]] Result<void> copy(const mcap::StoredMessage& message);
   [[nodiscard]] Result<void> add(const mcap::Metadata& metadata);
   [[nodiscard]] Result<void> add(const mcap::Attachment& attachment);
 
@@ -76,9 +76,11 @@ class McapWriter {
   [[nodiscard]] Result<void> store();
 
   struct Known {
-    std::uint16_t id = 0;
+    std::uint16_t key_id = 0;        ///< id of the channel of its key frames; 0: not written yet
+    std::uint16_t predicted_id = 0;  ///< likewise of its predicted messages
     std::uint32_t messages = 0;
   };
+  [[nodiscard]] std::uint16_t add_channel(const mcap::Schema* schema, mcap::Channel channel);
   mcap::OutputFile file_;
   mcap::Encoder encoder_;
   std::string ready_;  // encoded bytes, not yet in the file
@@ -86,7 +88,7 @@ class McapWriter {
   std::uint64_t final_bytes_ = 0;
   std::map<std::string_view, Known> topics_;  // keys point to the names in wire::kTopics
   std::map<std::string, std::uint16_t> schemas_;
-  std::map<std::string, std::uint16_t> copied_channels_;  // key: the encoded channel record
+  std::map<std::string, std::uint16_t> channels_;  // key: the encoded channel record
 };
 
 }  // namespace telepalp::wire

@@ -94,8 +94,8 @@ class Server {
     const double began_s = thread_seconds();
     auto due = SteadyClock::now();
     for (int image = 0; image < kImages; ++image) {
-      hub_.publish({wire::kCameraDepth, clock_.now(), depth_});
-      hub_.publish({wire::kCameraColor, clock_.now(), color_});
+      hub_.publish({wire::kCameraDepth, clock_.now(), depth_, 0, true});
+      hub_.publish({wire::kCameraColor, clock_.now(), color_, 0, true});
       due += kPeriod;
       io_.run_until(due);
     }

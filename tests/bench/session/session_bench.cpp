@@ -63,7 +63,7 @@ Result<void> write_session(const fs::path& file) {
     msg::DepthImage depth;
     depth.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(at)));
     depth.set_data(packets[static_cast<std::size_t>(frame) % packets.size()]);
-    Result<void> written = writer->write(wire::make_message(wire::kCameraDepth, at, depth));
+    Result<void> written = writer->write(wire::make_message(wire::kCameraDepth, at, depth, true));
     if (written) written = writer->write(color_at(at, random));
     if (written && frame % 30 == 0)
       written = writer->write(wire::make_message(wire::kCameraInfo, at, ::foxglove::CameraCalibration()));

@@ -54,7 +54,7 @@ Result<void> edit_each(const std::filesystem::path& from, const std::filesystem:
     Proto proto;
     if (message.topic.name != topic.name || !proto.ParseFromString(*message.payload) || !edit(proto)) return message;
     ++changed;
-    return wire::make_message(topic, message.published, proto);
+    return wire::make_message(topic, message.published, proto, message.key_frame);
   };
   return copy(from, to, change, changed);
 }
@@ -119,8 +119,7 @@ Result<void> scale_depths(const std::filesystem::path& from, const std::filesyst
   return edit_each<msg::DepthImage>(from, to, wire::kCameraDepth, [&](msg::DepthImage& image) {
     Result<DepthImage> depth = decoder.decode(std::as_bytes(std::span(image.data())));
     if (!depth) return false;
-    for (std::uint16_t& sample : depth->samples)
-      sample = static_cast<std::uint16_t>(std::lround(scale * sample));
+    for (std::uint16_t& sample : depth->samples) sample = static_cast<std::uint16_t>(std::lround(scale * sample));
     image.set_data(codec::encode_depth(*depth, codec::DepthMode::Fast));
     image.set_format(std::string(codec::name(codec::DepthMode::Fast)));
     return true;

@@ -27,7 +27,7 @@ void change_each(std::vector<wire::Message>& messages, const wire::Topic& topic,
     Proto proto;
     ASSERT_TRUE(proto.ParseFromString(*message.payload));
     change(proto);
-    message = wire::make_message(topic, message.published, proto);
+    message = wire::make_message(topic, message.published, proto, message.key_frame);
   }
 }
 

@@ -29,7 +29,7 @@ void change_each(Messages& messages, const wire::Topic& topic, Change change) {
     Proto proto;
     if (message.topic.name != topic.name || !proto.ParseFromString(*message.payload)) continue;
     change(proto);
-    message = wire::make_message(topic, message.published, proto);
+    message = wire::make_message(topic, message.published, proto, message.key_frame);
   }
 }
 

@@ -148,10 +148,11 @@ void add_camera(std::vector<wire::Message>& out, const MadeSession& made) {
   for (int frame = 0; frame / 30.0 < seconds; ++frame) {
     msg::DepthImage depth;
     depth.set_captured_ns(stamp(frame / 30.0));
-    depth.set_data(encoder.encode(scene).bytes);
+    const codec::EncodedDepth encoded = encoder.encode(scene);
+    depth.set_data(encoded.bytes);
     depth.set_format(std::string(codec::name(made.depth_mode)));
     if (made.depth_mode == codec::DepthMode::Bounded) *depth.mutable_bound() = default_bound();
-    out.push_back(wire::make_message(wire::kCameraDepth, time_of(frame / 30.0 + 0.002), depth));
+    out.push_back(wire::make_message(wire::kCameraDepth, time_of(frame / 30.0 + 0.002), depth, encoded.key_frame));
     foxglove::CompressedImage color;
     color.mutable_timestamp()->set_seconds(static_cast<std::int64_t>(stamp(frame / 30.0) / 1'000'000'000));
     color.mutable_timestamp()->set_nanos(static_cast<std::int32_t>(stamp(frame / 30.0) % 1'000'000'000));

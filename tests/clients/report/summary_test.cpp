@@ -300,7 +300,7 @@ TEST(Session, ABatchWithColumnsOfDifferentLengthIsCountedAsDamaged) {
 
 TEST(Session, APayloadThatIsNoProtobufIsCountedAsDamaged) {
   Session session;
-  add(session, {wire::kStationState, session_time(5), std::make_shared<const std::string>("\xff\xff\xff")});
+  add(session, {wire::kStationState, session_time(5), std::make_shared<const std::string>("\xff\xff\xff"), 0, true});
   EXPECT_EQ(session.damaged, 1U);
 }
 

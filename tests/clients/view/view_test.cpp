@@ -14,8 +14,10 @@ using Taken = NewestInstant::Taken;
 constexpr std::int64_t kCaptured_ns = 5'000'000'000;
 
 wire::Message depth_message(const RgbdFrame& frame, codec::DepthEncoder& encoder) {
-  return wire::make_message(wire::kCameraDepth, frame.captured,
-                            pipeline::depth_message(frame, encoder.encode(frame.depth)));
+  codec::EncodedDepth encoded = encoder.encode(frame.depth);
+  const bool is_key = encoded.key_frame;
+  return wire::make_message(wire::kCameraDepth, frame.captured, pipeline::depth_message(frame, std::move(encoded)),
+                            is_key);
 }
 
 /// A state whose hand is `behind_ns` after the picture, half a metre before the camera.
@@ -70,7 +72,7 @@ TEST(NewestInstant, AsksForAKeyFrameWhereItCannotDecode) {
   NewestInstant instant;
   EXPECT_EQ(instant.take(second), Taken::NeedsKeyFrame) << "it joined after the key frame";
   EXPECT_EQ(instant.take(camera.depth), Taken::Yes);
-  EXPECT_EQ(instant.take({wire::kServerStats, session_time(1), std::make_shared<const std::string>("x")}),
+  EXPECT_EQ(instant.take({wire::kServerStats, session_time(1), std::make_shared<const std::string>("x"), 0, true}),
             Taken::NotNeeded);
 }
 
@@ -100,7 +102,7 @@ TEST(NewestInstant, AnImpossibleCameraModelIsIgnored) {
 TEST(LiveFigures, CountRatesBytesAgesAndLosses) {
   LiveFigures figures;
   for (int i = 0; i < 100; ++i)
-    figures.add({wire::kClock, session_time(1'000'000LL * i), std::make_shared<const std::string>(50, 'x')},
+    figures.add({wire::kClock, session_time(1'000'000LL * i), std::make_shared<const std::string>(50, 'x'), 0, true},
                 session_time(1'000'000LL * i + (i < 50 ? 2'000'000 : 8'000'000)));
   const auto topics = figures.topics(10.0, {{wire::kClock.name, {.messages = 100, .missed = 7}}});
   ASSERT_EQ(topics.size(), 1U);

@@ -93,7 +93,7 @@ class CraftedTest : public ::testing::Test {
   static std::vector<std::vector<std::byte>> good_payloads() {
     const wire::Message message{wire::kCameraDepth, site().server.now(),
                                 std::make_shared<const std::string>(site().depth().SerializeAsString()),
-                                site().server.next_sequence(wire::kCameraDepth)};
+                                site().server.next_sequence(wire::kCameraDepth), true};
     link::FrameSender sender(100ms);
     link::PathEstimate path;
     sender.offer(wire::frame_of(message, site().server.now()));

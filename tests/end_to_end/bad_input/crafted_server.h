@@ -59,8 +59,8 @@ class CraftedServer : public wire::ConnectionOwner {
   /// Over TCP.
   void publish(const wire::Topic& topic, const google::protobuf::MessageLite& message) {
     if (!connection_ || !connection_->ready()) return;
-    waiting_.push_back(
-        {topic, now(), std::make_shared<const std::string>(message.SerializeAsString()), ++sequences_[topic.name]});
+    waiting_.push_back({topic, now(), std::make_shared<const std::string>(message.SerializeAsString()),
+                        ++sequences_[topic.name], true});
     connection_->wake();
   }
   /// By datagram, sealed with the session's key.

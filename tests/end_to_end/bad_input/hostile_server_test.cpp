@@ -51,7 +51,8 @@ class HostileServer : public ::testing::Test {
   [[nodiscard]] fs::path log() const { return folder_.path() / "station.log"; }
 
   void publish(const wire::Topic& topic, const google::protobuf::MessageLite& message) {
-    site_.hub.publish({topic, site_.clock.now(), std::make_shared<const std::string>(message.SerializeAsString())});
+    site_.hub.publish(
+        {topic, site_.clock.now(), std::make_shared<const std::string>(message.SerializeAsString()), 0, true});
   }
   msg::DepthImage good_depth() {
     const RgbdFrame frame = good_frame(++sequence_, site_.clock.now());
@@ -191,7 +192,7 @@ void expect_session_is_survived(const std::string& jpeg) {
       foxglove::CompressedImage color = pipeline::color_message(frame, 85);
       color.set_data(jpeg);
       ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, pipeline::calibration_message(frame))));
-      ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, depth)));
+      ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, depth, true)));
       ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, color)));
     }
     ASSERT_TRUE(writer->close());

@@ -29,7 +29,7 @@ DepthImage plane(int number) {
           .samples = std::vector<std::uint16_t>(kWidth * kHeight, static_cast<std::uint16_t>(900 - number))};
 }
 
-wire::Message message_of(int number, std::string packet) {
+wire::Message message_of(int number, codec::EncodedDepth encoded) {
   msg::DepthImage image;
   const SessionTime captured = session_time(1'000'000'000) + number * 33ms;
   image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
@@ -37,8 +37,8 @@ wire::Message message_of(int number, std::string packet) {
   image.set_width(kWidth);
   image.set_height(kHeight);
   image.set_unit_m(0.001);
-  image.set_data(std::move(packet));
-  return wire::make_message(wire::kCameraDepth, captured, image);
+  image.set_data(std::move(encoded.bytes));
+  return wire::make_message(wire::kCameraDepth, captured, image, encoded.key_frame);
 }
 
 /// A worker with the list of its answers, for which a test can wait.
@@ -111,7 +111,7 @@ class Bench {
 std::vector<wire::Message> stream_of(codec::DepthMode mode, int frames, int key_every) {
   codec::DepthEncoder encoder({.mode = mode, .key_every = key_every});
   std::vector<wire::Message> messages;
-  for (int i = 0; i < frames; ++i) messages.push_back(message_of(i, encoder.encode(plane(i)).bytes));
+  for (int i = 0; i < frames; ++i) messages.push_back(message_of(i, encoder.encode(plane(i))));
   return messages;
 }
 
@@ -176,7 +176,7 @@ wire::Message captured_at(SessionTime captured, wire::Message message) {
   msg::DepthImage image;
   EXPECT_TRUE(image.ParseFromString(*message.payload));
   image.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
-  return wire::make_message(wire::kCameraDepth, captured, image);
+  return wire::make_message(wire::kCameraDepth, captured, image, message.key_frame);
 }
 
 TEST(SurfaceWorker, AfterTheSessionClockStepsBackImagesBecomeSurfacesAgain) {
@@ -221,7 +221,7 @@ TEST(SurfaceWorker, ReportsThatDepthIsBoundedWithItsBound) {
   ASSERT_TRUE(image.ParseFromString(*message.payload));
   image.mutable_bound()->set_least_m(0.002);
   image.mutable_bound()->set_per_m(0.004);
-  bench.offer(wire::make_message(wire::kCameraDepth, message.published, image));
+  bench.offer(wire::make_message(wire::kCameraDepth, message.published, image, message.key_frame));
   ASSERT_TRUE(bench.answered(1));
   ASSERT_EQ(bench.reports().size(), 1u);
   EXPECT_EQ(bench.reports().front().depth_mode(), "bounded");

@@ -51,10 +51,8 @@ struct Site {
     const bool is_key = coded.key_frame;
     pacing = wire::after_encoding(pacing, is_key);
     keys += is_key ? 1 : 0;
-    wire::Message message{wire::kCameraDepth, time_of(number),
-                          std::make_shared<const std::string>(std::move(coded.bytes))};
-    message.key_frame = is_key;
-    hub.publish(std::move(message));
+    hub.publish(
+        {wire::kCameraDepth, time_of(number), std::make_shared<const std::string>(std::move(coded.bytes)), 0, is_key});
   }
 
   void join(Watcher& watcher) {

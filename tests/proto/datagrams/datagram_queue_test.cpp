@@ -70,6 +70,14 @@ TEST(DatagramQueue, OfStatesTheNewestGoesAndTheOlderOnesAreDropped) {
   EXPECT_EQ(waiting.newest(), "none");
 }
 
+TEST(DatagramQueue, TheWireFixesTheChannelOfEachTopic) {
+  const std::string_view expected[] = {"/camera/depth", "/camera/color", "/station/state", "/viewer/hand"};
+  for (std::uint8_t channel = 0; channel < std::size(expected); ++channel)
+    EXPECT_EQ(topic_of_datagram_channel(channel).value_or(kClock).name, expected[channel]);
+  for (int channel = 4; channel < 256; ++channel)
+    EXPECT_FALSE(topic_of_datagram_channel(static_cast<std::uint8_t>(channel))) << channel;
+}
+
 TEST(DatagramQueue, OverTcpStatesWaitForTwoAndAHalfSeconds) {
   SendQueue queue;
   for (std::uint64_t i = 1; i <= 300; ++i) queue.push(message(kStationState, i));

@@ -286,8 +286,10 @@ void record(const std::string& spec, const std::string& to, int frames,
     const SessionTime at = frame->captured;
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraInfo, at, pipeline::calibration_message(*frame))).ok());
     ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraColor, at, pipeline::color_message(*frame, 85))).ok());
-    const msg::DepthImage image = pipeline::depth_message(*frame, encoder.encode(frame->depth));
-    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, image)).ok());
+    codec::EncodedDepth encoded = encoder.encode(frame->depth);
+    const bool is_key = encoded.key_frame;
+    const msg::DepthImage image = pipeline::depth_message(*frame, std::move(encoded));
+    ASSERT_TRUE(writer->write(wire::make_message(wire::kCameraDepth, at, image, is_key)).ok());
   }
   ASSERT_TRUE(writer->close().ok());
 }

@@ -35,8 +35,9 @@ wire::Message depth_at(codec::DepthEncoder& encoder, int frame) {
   depth.set_captured_ns(static_cast<std::uint64_t>(now - 9'000'000));
   depth.set_encoded_ns(static_cast<std::uint64_t>(now - 1'000'000));
   depth.set_sequence(static_cast<std::uint64_t>(frame));
-  depth.set_data(encoder.encode(image).bytes);
-  return wire::make_message(wire::kCameraDepth, session_time(now), depth);
+  const codec::EncodedDepth encoded = encoder.encode(image);
+  depth.set_data(encoded.bytes);
+  return wire::make_message(wire::kCameraDepth, session_time(now), depth, encoded.key_frame);
 }
 
 /// `frames` depth images at 30 Hz in groups of twelve, a camera model at the beginning, a station's state with each.
@@ -120,6 +121,43 @@ TEST(Timeline, ASeekReturnsTheCameraModelAndTheGroupAndNextGoesOnFromThere) {
   EXPECT_TRUE(decoder.decode(std::as_bytes(std::span(depth_of(*next).data()))));
 }
 
+/// What a receiver that decodes `messages` in order cannot decode.
+int undecodable(const std::vector<wire::Message>& messages) {
+  codec::DepthDecoder decoder;
+  int failed = 0;
+  for (const wire::Message& message : messages)
+    if (message.topic.predicted) failed += decoder.decode(std::as_bytes(std::span(depth_of(message).data()))) ? 0 : 1;
+  return failed;
+}
+
+TEST(Timeline, ASeekFindsTheKeyFrameOfAGroupThatBeganLongBefore) {
+  const auto file = wire::samples::fresh_file("long_group" + std::to_string(::getpid()) + ".mcap");
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 1000});
+  std::vector<wire::Message> messages;
+  for (int frame = 0; frame < 400; ++frame) messages.push_back(depth_at(encoder, frame));
+  ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  auto timeline = Timeline::open(file, {"/camera/*"});
+  ASSERT_TRUE(timeline) << to_string(timeline.error());
+  const auto needed = timeline->seek(at_ms(33 * 390));
+  EXPECT_EQ(needed.size(), 390u) << "the key frame lies 12.9 s before";
+  EXPECT_EQ(undecodable(needed), 0);
+}
+
+TEST(Timeline, AFileOfAnEarlierReleaseHasItsKeyFrames) {
+  const auto file = wire::samples::fresh_file("old" + std::to_string(::getpid()) + ".mcap");
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 12});
+  std::vector<wire::Message> messages;
+  for (int frame = 0; frame < 60; ++frame) messages.push_back(depth_at(encoder, frame));
+  wire::samples::write_unmarked_file(file, messages, {.bytes = 3000});
+  auto timeline = Timeline::open(file, {"/camera/*"});
+  ASSERT_TRUE(timeline) << to_string(timeline.error());
+  const auto needed = timeline->seek(at_ms(33 * 30));
+  ASSERT_EQ(needed.size(), 6u);
+  EXPECT_TRUE(needed.front().key_frame);
+  EXPECT_EQ(undecodable(needed), 0);
+  for (int frame = 30; frame < 60; ++frame) EXPECT_EQ(timeline->next()->key_frame, frame % 12 == 0);
+}
+
 TEST(Timeline, ASeekReturnsTheLastColourImageSoThatAPausedPictureHasTheColourOfItsDepth) {
   const auto file = wire::samples::fresh_file("colour" + std::to_string(::getpid()) + ".mcap");
   codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 12});
@@ -187,7 +225,8 @@ TEST(Retimed, KeepsTheBytesAndAllAgesAtTheSpeedAndTellsSendersApart) {
 }
 
 TEST(Retimed, APayloadThatIsNotOfItsTypeIsLeftOut) {
-  const wire::Message broken{wire::kStationState, at_ms(0), std::make_shared<const std::string>("\xff\xff\xff")};
+  const wire::Message broken{wire::kStationState, at_ms(0), std::make_shared<const std::string>("\xff\xff\xff"), 0,
+                             true};
   EXPECT_FALSE(retimed(broken, {}));
 }
 

@@ -157,7 +157,8 @@ void write_session(const std::filesystem::path& file, double seconds, const std:
     ASSERT_TRUE(
         writer->write(wire::make_message(wire::kCameraInfo, captured, pipeline::calibration_message(taped->frame)))
             .ok());
-    ASSERT_TRUE(writer->write({wire::kCameraDepth, captured, std::make_shared<const std::string>(taped->depth)}).ok());
+    ASSERT_TRUE(
+        writer->write({wire::kCameraDepth, captured, std::make_shared<const std::string>(taped->depth), 0, true}).ok());
   }
   for (const wire::Message& message : station) ASSERT_TRUE(writer->write(message).ok());
   ASSERT_TRUE(writer->close().ok());
