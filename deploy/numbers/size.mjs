@@ -2,6 +2,7 @@ import {resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 import {buildRows} from './build_time.mjs';
+import {lawRows} from './law_rows.mjs';
 import {packageRows} from './packages.mjs';
 import {machineName, toJson, toTable} from './rows.mjs';
 import {removedLines, rowsOf} from './source_rows.mjs';
@@ -69,6 +70,7 @@ async function rowsFor(checkout, {base: name, apart, build, packages}, notes) {
     rows.push(...removedLines(await productAt(checkout, base), product, apart));
     notes.push(`compared with ${base.slice(0, 8)}: ${git(checkout, 'log', '-1', '--format=%s', base)}`);
   }
+  rows.push(...lawRows(checkout, notes));
   rows.push(...rowsOf(product, notes));
   rows.push(...packageRows(resolve(checkout, packages ?? 'build'), notes));
   return rows;

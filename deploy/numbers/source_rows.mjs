@@ -22,12 +22,6 @@ export function removedLines(before, product, apart) {
   return rows;
 }
 
-/** Files that learn whether a message is a key frame by parsing it, or by comparing its topic. */
-function decidesOnKeyFrames(text) {
-  const code = codeOf(text);
-  return /\bcodec::is_key_frame\s*\(/.test(code) || /\bkCameraDepth\b[^;{}]*\bkey_?frame/i.test(code) || /\bkey_?frame\w*[^;{}]*\bkCameraDepth\b/i.test(code);
-}
-
 /** The sequence sample, tick, apply: the haptic loop's input, its tick, and its force handed to a device. */
 const drivesTheTick = (text) => /\bTickIn\b[\s\S]*\.\s*tick\s*\([\s\S]*\b(apply|step)\s*\([^;]*\bforce\b/.test(codeOf(text));
 
@@ -53,11 +47,8 @@ function longFunctions(product) {
 
 /** `notes` gets the places that a row counts. */
 export function rowsOf(product, notes) {
-  const files = (matches, elsewhere) => [...product].filter(([file, text]) => !elsewhere(file) && matches(text)).map(([file]) => file);
   return [
-    counted('files that decide on key frames outside codec and the table of topics',
-            files(decidesOnKeyFrames, (file) => isBelow(file, 'codec') || /^proto\/wire\/topics\.(h|cpp)$/.test(file)), 'files', 0, notes),
-    counted("copies of the tick's sequence", files(drivesTheTick, () => false), 'files', 1, notes),
+    counted("copies of the tick's sequence", [...product].filter(([, text]) => drivesTheTick(text)).map(([file]) => file), 'files', 1, notes),
     ...memberRows(product, notes),
     counted(`functions over ${MOST_LINES} lines`, longFunctions(product), 'functions', 0, notes),
   ];

@@ -1,7 +1,7 @@
 // deploy/size counts what it says, on small sources whose figures are known: node size_test.mjs SOURCE_DIR
 import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
-import {mkdirSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {dirname, join} from 'node:path';
 import {after, test} from 'node:test';
@@ -136,8 +136,6 @@ test('every planted defect makes its row miss, and names the place', () => {
   const tick = `${judge}  rig_.apply(out.force, 0.0005);\n}\n`;
   const sound = {...classes, 'haptic_station/loop/rig_tick.h': tick, 'haptic_station/core/judge.cpp': `${judge}}\n`, 'tests/t.cpp': tick};
   const defects = [
-    ['key frames', {'server/play.cpp': 'bool f() { return codec::is_key_frame(bytes); }\n'}, 'server/play.cpp'],
-    ['key frames', {'server/sub.cpp': 'bool f() { return m.topic == wire::kCameraDepth && m.key_frame; }\n'}, 'server/sub.cpp'],
     ["tick's sequence", {'tools/replay/copy.cpp': tick}, 'tools/replay/copy.cpp'],
     ['members of Station', {'server/Station.h': small(Array.from({length: 16}, (_, at) => `m${at}_`)).replace('class C', 'class Station')}, undefined],
     ['members of HapticLoop', {'server/HapticLoop.h': 'class Renamed {};\n'}, 'there is no class HapticLoop'],
@@ -152,10 +150,20 @@ test('every planted defect makes its row miss, and names the place', () => {
   }
 });
 
+test('the files that decide on key frames are those that the architecture test counts', () => {
+  const program = join(sourceDir, 'build/release/bin/architecture_test');
+  const counted = existsSync(program) && / (\d+) files outside codec/.exec(
+    ` ${spawnSync(program, ['--gtest_filter=Architecture.*KeyFrame*'], {encoding: 'utf8'}).stdout.replaceAll('\n', ' ')}`)?.[1];
+  const {stdout, stderr} = size(sourceDir, '--json', '--base', 'HEAD');
+  const row = JSON.parse(stdout).rows.find(({name}) => name.startsWith('files that decide on key frames'));
+  if (counted) assert.equal(row.value, Number(counted));
+  else assert.match(stderr, /skipped: the files that decide on key frames/);
+});
+
 test('what cannot be measured here is skipped and said', () => {
   const folder = repository(classes);  // a single commit, as in a shallow clone
   const {stdout, stderr} = size(folder, '--json');
-  for (const said of ['skipped: the processor time of a build', 'skipped: the lines removed', 'has no package telepalp-clients'])
+  for (const said of ['skipped: the processor time of a build', 'skipped: the files that decide on key frames', 'skipped: the lines removed', 'has no package telepalp-clients'])
     assert.ok(stderr.includes(said), stderr);
   assert.ok(!stdout.includes('processor time'));
   assert.equal(size(folder, '--base', 'nowhere').status, 2);
