@@ -155,6 +155,7 @@ test('the files that decide on key frames are those that the architecture test c
   const counted = existsSync(program) && / (\d+) files outside codec/.exec(
     ` ${spawnSync(program, ['--gtest_filter=Architecture.*KeyFrame*'], {encoding: 'utf8'}).stdout.replaceAll('\n', ' ')}`)?.[1];
   const {stdout, stderr} = size(sourceDir, '--json', '--base', 'HEAD');
+  assert.notEqual(stdout, '', stderr);
   const row = JSON.parse(stdout).rows.find(({name}) => name.startsWith('files that decide on key frames'));
   if (counted) assert.equal(row.value, Number(counted));
   else assert.match(stderr, /skipped: the files that decide on key frames/);
