@@ -334,6 +334,7 @@ void Station::start_inside_thread() {
                                            boost::asio::post(io_, [this, made = std::move(made)]() mutable {
                                              for (const std::string& layer : made.left_out)
                                                say("the viewers do not draw the " + layer);
+                                             say("the inner surfaces for viewers are made");
                                              inside_ = std::move(made.drawn);
                                              publish_inside();
                                            });

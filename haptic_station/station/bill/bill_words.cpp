@@ -5,7 +5,7 @@
 namespace telepalp::station {
 namespace {
 
-constexpr const char* kSteps[kPartCount] = {"control loop, a tick*", "surface, an image", "collision, a plane",
+constexpr const char* kSteps[kPartCount] = {"control loop, a tick", "surface, an image", "collision, a plane",
                                             "ultrasound, an image", "messages, 10 ms"};
 
 template <class... Values>
@@ -20,11 +20,10 @@ std::string steps_table(const SceneBill& bill) {
   print(text, "%-22s %10s %10s %14s\n", "part of the station", "p50, us", "p99.9, us", "% of a core");
   for (std::size_t i = 0; i < kPartCount; ++i) {
     const auto part = static_cast<Part>(i);
-    const StationCost& cost = part == Part::Loop ? bill.paced : bill.whole;
-    const DurationHistogram& steps = cost.steps[i];
+    const DurationHistogram& steps = bill.live.steps[i];
     if (steps.total() == 0) continue;
     print(text, "%-22s %10.1f %10.1f %14.2f\n", kSteps[i], 1e-3 * steps.quantile_ns(0.5),
-          1e-3 * steps.quantile_ns(0.999), cost.share(part));
+          1e-3 * steps.quantile_ns(0.999), bill.live.share(part));
   }
   print(text, "%-22s %10s %10s %14.2f\n", "station", "", "", bill.share());
   return text;
@@ -51,7 +50,6 @@ std::string price_line(const Price& price) {
 std::string in_words(const SceneBill& bill) {
   std::string text = steps_table(bill);
   if (bill.start_ms > 0.0) print(text, "the surfaces of the layers, once at the start: %.0f ms\n", bill.start_ms);
-  text += "* with the waking of its thread\n";
   text +=
       "\nwhat each effect adds, as the station with it less the station without it\n"
       "                              % of a core                   in a tick   memory  error in motion: force and "

@@ -21,7 +21,7 @@ namespace telepalp::station {
 
 /// The parts of a station whose processor time the bill states, and the step of each.
 enum class Part : std::uint8_t {
-  Loop,       ///< the haptic thread: a tick, with its waking if it was paced
+  Loop,       ///< the haptic thread: a tick, with its waking in real time
   Surface,    ///< the surface thread: a depth image, from its message to the snapshot with the marks of the objects
   Collision,  ///< the collision thread of settings that are too slow for a tick: a plane
   Inside,     ///< the ultrasound image under the probe: an image

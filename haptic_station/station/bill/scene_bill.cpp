@@ -1,12 +1,14 @@
 #include "haptic_station/station/bill/scene_bill.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace telepalp::station {
 namespace {
 
-constexpr double kPaced_s = 2.0;
+constexpr double kTurn_s = 0.5;
+constexpr double kWarmUp_s = 1.0;
 
 /// A scene that lacks what one line of the bill prices.
 struct Without {
@@ -64,11 +66,21 @@ Result<Session> session_of(const msg::Scene& message, const std::filesystem::pat
   return Session{std::make_unique<BilledStation>(*scene, parts, stream), {}};
 }
 
-Price price_of(const std::string& name, const StationCost& with, const StationCost& without) {
+/// How much more processor time a part takes when its steps come at their own times, because its data have left the
+/// caches. 1 for the control loop: what its ticks cost more is their waking, which no effect causes.
+double slowed_when_live(const SceneBill& bill, Part part) {
+  constexpr double kLeastShare = 0.05;  // of a core [%]; of less than this the ratio says nothing
+  const double in_turn = bill.whole.share(part);
+  return part == Part::Loop || in_turn < kLeastShare ? 1.0 : bill.live.share(part) / in_turn;
+}
+
+Price price_of(const std::string& name, const SceneBill& bill, const StationCost& without) {
   Price price{.name = name};
-  for (std::size_t i = 0; i < kPartCount; ++i)
-    price.share[i] = with.share(static_cast<Part>(i)) - without.share(static_cast<Part>(i));
-  price.total_share = with.share() - without.share();
+  for (std::size_t i = 0; i < kPartCount; ++i) {
+    const auto part = static_cast<Part>(i);
+    price.share[i] = slowed_when_live(bill, part) * (bill.whole.share(part) - without.share(part));
+    price.total_share += price.share[i];
+  }
   return price;
 }
 
@@ -101,38 +113,65 @@ Result<std::vector<Session>> sessions_of(const scenes::Scene& scene, const std::
   return all;
 }
 
+/// Calls `run` for each turn of a warm-up of a second and of `seconds`, with true if the turn is measured.
+void in_turns(double seconds, const std::function<void(double done_s)>& begun, const std::function<void(bool)>& run) {
+  const int turns = static_cast<int>(std::ceil((seconds + kWarmUp_s) / kTurn_s));
+  for (int turn = 0; turn < turns; ++turn) {
+    begun(kTurn_s * turn);
+    run(kTurn_s * turn >= kWarmUp_s);
+  }
+}
+
+/// Runs the sessions in turn, forwards and backwards, so that what disturbs the computer disturbs all of them alike.
+void run_in_turn(std::vector<Session>& sessions, double seconds, const std::function<void(double done_s)>& begun) {
+  in_turns(seconds, begun, [&sessions](bool is_measured) {
+    StationCost warm_up;
+    const auto run = [&](Session& session) {
+      session.station->run(0.5 * kTurn_s, is_measured ? session.cost : warm_up);
+    };
+    std::ranges::for_each(sessions, run);
+    std::for_each(sessions.rbegin(), sessions.rend(), run);
+  });
+}
+
+/// Runs one session as live: each tick and each image at its own time.
+void run_live(Session& session, double seconds, const std::function<void(double done_s)>& begun) {
+  TickTimer timer(TickTimer::Clock::now() + kTickPeriod, kTickPeriod);
+  in_turns(seconds, begun, [&](bool is_measured) {
+    StationCost warm_up;
+    session.station->run(kTurn_s, is_measured ? session.cost : warm_up, &timer);
+  });
+}
+
 }  // namespace
 
-double SceneBill::share() const noexcept { return whole.share() - whole.share(Part::Loop) + paced.share(Part::Loop); }
+double SceneBill::share() const noexcept { return live.share(); }
 
 Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::path& file, double seconds, Detail detail,
                           const std::function<void(int done, int all)>& begun) {
   const Result<SceneParts> parts = read_parts(scene, file, true);
   if (!parts) return parts.error();
   static const SeenBody body;  // takes half a second to make
-  const BodyStream stream(body, seconds + 2.0 + kPaced_s);
+  const BodyStream stream(body, seconds + kWarmUp_s + 2.0 * kTurn_s);
   const std::vector<Without> without = scenes_without(scene, detail);
   Result<std::vector<Session>> sessions = sessions_of(scene, without, file, *parts, stream);
   if (!sessions) return sessions.error();
-  const int turns = static_cast<int>(seconds) + 1;
-  for (int turn = 0; turn < turns; ++turn) {
-    if (begun) begun(turn, turns);
-    for (Session& session : *sessions) {
-      StationCost warm_up;
-      session.station->run(1.0, turn == 0 ? warm_up : session.cost);
-    }
-  }
+  Result<Session> live = session_of(scene.message, file, *parts, stream);
+  if (!live) return live.error();
+  const auto tell = [&](double done_s) {
+    if (begun) begun(static_cast<int>(done_s), static_cast<int>(2.0 * (seconds + kWarmUp_s)));
+  };
+  run_in_turn(*sessions, seconds, tell);
+  run_live(*live, seconds, [&](double done_s) { tell(seconds + kWarmUp_s + done_s); });
   const Session& whole = sessions->front();
-  SceneBill bill{.whole = whole.cost, .paced = {}, .start_ms = whole.station->start_ms(), .prices = {}};
+  SceneBill bill{.whole = whole.cost, .live = live->cost, .start_ms = whole.station->start_ms(), .prices = {}};
   for (std::size_t i = 0; i < without.size(); ++i)
-    bill.prices.push_back(price_of(without[i].name, whole.cost, (*sessions)[i + 1].cost));
+    bill.prices.push_back(price_of(without[i].name, bill, (*sessions)[i + 1].cost));
   if (detail == Detail::EachEffect) {
     Result<std::vector<MovingError>> errors = errors_in_motion(scene, *parts, file, body, seconds);
     if (!errors) return errors.error();
     describe(scene, whole.station->effects_us(), *errors, bill);
   }
-  TickTimer timer(TickTimer::Clock::now() + kTickPeriod, kTickPeriod);
-  whole.station->run(kPaced_s, bill.paced, &timer);
   return bill;
 }
 

@@ -10,7 +10,8 @@
 
 namespace telepalp::station {
 
-/// What one part of a scene adds to a station: the station as it is, less the station without that part.
+/// What one part of a scene adds to a station: the station as it is, less the station without that part. Measured
+/// between sessions in virtual time, and enlarged by what each part of the station takes more in real time.
 struct Price {
   std::string name;                        ///< the effect's; "ultrasound probe"; "all of these"
   std::array<double, kPartCount> share{};  ///< of each part of the station, of one core [%]
@@ -22,22 +23,22 @@ struct Price {
 };
 
 struct SceneBill {
-  StationCost whole;  ///< the station with the scene as it is
-  StationCost paced;  ///< as `whole`, over two seconds in which the haptic thread waits for each tick, as it does live
-  double start_ms = 0.0;      ///< processor time of the layers' surfaces for viewers, once at the start
+  StationCost whole;      ///< the station with the scene as it is, each step as soon as the one before it is done
+  StationCost live;       ///< the same seconds, with each tick and each image at its own time, as a station has them
+  double start_ms = 0.0;  ///< processor time of the layers' surfaces for viewers, once at the start
   std::vector<Price> prices;  ///< of each effect in the scene's order; of the probe, if any; of all of them together
 
-  /// Share of one core that the station takes live [%]: `whole`, with the control loop of `paced`.
+  /// Share of one core that the station takes [%]: that of `live`.
   [[nodiscard]] double share() const noexcept;
 };
 
 /// What bill_of() prices: each effect, with its error, and all of them together; or only these.
 enum class Detail { EachEffect, Together };
 
-/// One session in virtual time for each line of the bill, second by second in turn, so that other programs disturb all
-/// of them alike. The first second is not measured. `seconds`: measured time; a trial lasts 11 to 15 s. `file`: the
-/// scene's file. `begun`: called with the number of seconds done and of all seconds. Error: as for read_parts() and
-/// errors_in_motion().
+/// One session in virtual time for each line of the bill, in turns of half a second, so that other programs disturb all
+/// of them alike; then the scene as it is in real time. The first second of each is not measured. `seconds`: measured
+/// time; a trial lasts 11 to 15 s. `file`: the scene's file. `begun`: called with the number of seconds done and of all
+/// seconds. Error: as for read_parts() and errors_in_motion().
 [[nodiscard]] Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::path& file, double seconds,
                                         Detail detail = Detail::EachEffect,
                                         const std::function<void(int done, int all)>& begun = {});

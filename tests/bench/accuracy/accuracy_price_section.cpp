@@ -60,8 +60,8 @@ void add_scene(const std::string& name, const station::SceneBill& bill, PageTabl
   const station::Price& all = bill.prices.back();
   rows.push_back(measured("scene " + name + ": the station", share, "% of a core"));
   rows.push_back(measured("scene " + name + ": what its effects add", all.total_share, "% of a core"));
-  scenes.rows.push_back({"`" + name + "`", cell(share), cell(all.total_share), quantiles(bill.paced, Part::Loop, 1e3),
-                         quantiles(bill.whole, Part::Surface, 1e6), quantiles(bill.whole, Part::Inside, 1e6),
+  scenes.rows.push_back({"`" + name + "`", cell(share), cell(all.total_share), quantiles(bill.live, Part::Loop, 1e3),
+                         quantiles(bill.live, Part::Surface, 1e6), quantiles(bill.live, Part::Inside, 1e6),
                          cell(bill.start_ms)});
 }
 

@@ -2,6 +2,7 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "haptic_station/device/trial.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/scene_bill.h"
 #include "tests/bench/users/sections.h"
@@ -22,7 +24,6 @@ namespace fs = std::filesystem;
 using support::ChildProcess;
 
 constexpr int kPairs = 5;
-constexpr double kSeconds = 12.0;  // of the measured session; a trial lasts 11 to 15 s
 constexpr double kLeastOff = 0.5;  // % of a core
 constexpr double kOff = 0.2;       // of the measured value
 
@@ -64,12 +65,19 @@ class Site {
                      log());
   }
 
-  /// Waits until the control loop runs.
-  [[nodiscard]] bool runs() const {
+  /// Waits until the control loop runs and, if the scene `has_layers`, until their surfaces for viewers are made, once.
+  [[nodiscard]] bool runs(bool has_layers) {
     for (int tenth = 0; station_ && tenth < 600; ++tenth, std::this_thread::sleep_for(100ms)) {
-      if (said().find("control loop runs at 2 kHz") != std::string::npos) return true;
+      const std::string text = said();
+      if (text.find("control loop runs at 2 kHz") == std::string::npos) continue;
+      if (!began_) began_ = std::chrono::steady_clock::now();
+      if (!has_layers || text.find("inner surfaces for viewers are made") != std::string::npos) return true;
     }
     return false;
+  }
+  /// Since the control loop runs [s].
+  [[nodiscard]] double ran_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_.value()).count();
   }
   [[nodiscard]] Spent spent() const { return spent_by(station_->pid()); }
 
@@ -93,6 +101,7 @@ class Site {
   fs::path folder_;
   std::optional<ChildProcess> server_;
   std::optional<ChildProcess> station_;
+  std::optional<std::chrono::steady_clock::time_point> began_;
 };
 
 /// Shares of a core [%] of two stations in the same seconds.
@@ -101,29 +110,30 @@ struct Shares {
   double without = 0.0;
 };
 
-/// Share of a core [%] of a station that keeps up with its camera. A station on a busy computer drops images, so the
-/// surface thread's time is taken for each image that it used, at 30 images a second.
-double share_of(Site& site, const Spent& before, std::chrono::steady_clock::time_point start) {
+/// Share of a core [%] of a station that keeps up with its camera, from what it spent in `seconds`. A station on a busy
+/// computer drops images, so its surface thread's share is that of 30 images a second.
+double share_of(Site& site, const Spent& before, const Spent& after, double seconds) {
   constexpr double kImages_per_s = 30.0;
-  const Spent after = site.spent();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double ran_s = site.ran_s();
   const double images = site.stop();
-  const double surface_s = images > 0.0 ? images / kImages_per_s : seconds;
-  return 1e-7 * ((after.surface_ns - before.surface_ns) / surface_s + (after.others_ns - before.others_ns) / seconds);
+  const double dropped = images > 0.0 ? std::max(1.0, kImages_per_s * ran_s / images) : 1.0;
+  const double surface_ns = dropped * (after.surface_ns - before.surface_ns);
+  return 1e-7 * (surface_ns + after.others_ns - before.others_ns) / seconds;
 }
 
-std::optional<Shares> measured_pair(const UsersPlace& place, const fs::path& with, const fs::path& without) {
-  Site first(place, with, "with");
-  if (!first.runs()) return std::nullopt;
-  const auto first_start = std::chrono::steady_clock::now();
-  const Spent first_spent = first.spent();
-  Site second(place, without, "without");
-  if (!second.runs()) return std::nullopt;
-  const auto second_start = std::chrono::steady_clock::now();
-  const Spent second_spent = second.spent();
-  std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
-  const double with_share = share_of(first, first_spent, first_start);
-  return Shares{with_share, share_of(second, second_spent, second_start)};
+/// Both stations run in the same seconds. `turned`: the other one is started first.
+std::optional<Shares> measured_pair(const UsersPlace& place, const fs::path& with, const fs::path& without,
+                                    bool has_layers, double window_s, bool turned) {
+  std::optional<Site> sites[2];
+  for (const int i : turned ? std::array{1, 0} : std::array{0, 1})
+    sites[i].emplace(place, i == 0 ? with : without, i == 0 ? "with" : "without");
+  if (!sites[0]->runs(has_layers) || !sites[1]->runs(false)) return std::nullopt;
+  const Spent before[2] = {sites[0]->spent(), sites[1]->spent()};
+  const auto start = std::chrono::steady_clock::now();
+  std::this_thread::sleep_for(std::chrono::duration<double>(window_s));
+  const Spent after[2] = {sites[0]->spent(), sites[1]->spent()};
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return Shares{share_of(*sites[0], before[0], after[0], seconds), share_of(*sites[1], before[1], after[1], seconds)};
 }
 
 double median(std::vector<double> values) {
@@ -155,14 +165,22 @@ double off(double billed, double truth) {
   return std::abs(billed - truth) / std::max(kLeastOff, kOff * std::abs(truth));
 }
 
+/// A whole trial [s], so that it does not matter in which of its legs the measurement begins.
+double window_of(const scenes::Scene& scene) {
+  constexpr double kRecorded_s = 12.0;
+  return scene.hand_trace ? kRecorded_s : device::duration_s(scene.trial);
+}
+
 Result<void> add_rows(const UsersPlace& place, const fs::path& file, std::vector<Row>& rows) {
   const Result<scenes::Scene> scene = scenes::read_scene(file);
   if (!scene) return scene.error();
   const fs::path bare = bare_file(place, *scene, file);
+  const double window_s = window_of(*scene);
   std::vector<double> whole;
   std::vector<double> added;
   for (int pair = 0; pair < kPairs; ++pair) {
-    const std::optional<Shares> shares = measured_pair(place, file, bare);
+    const std::optional<Shares> shares =
+        measured_pair(place, file, bare, !scene->layers.empty(), window_s, pair % 2 == 1);
     if (!shares)
       return Error{.what = "the station does not run its control loop within 60 s",
                    .where = file.string(),
@@ -170,7 +188,7 @@ Result<void> add_rows(const UsersPlace& place, const fs::path& file, std::vector
     whole.push_back(shares->with);
     added.push_back(shares->with - shares->without);
   }
-  const Result<station::SceneBill> bill = station::bill_of(*scene, file, kSeconds, station::Detail::Together);
+  const Result<station::SceneBill> bill = station::bill_of(*scene, file, window_s, station::Detail::Together);
   if (!bill) return bill.error();
   const double billed = bill->share();
   const double billed_effects = bill->prices.back().total_share;
