@@ -25,6 +25,8 @@ std::string steps_table(const SceneBill& bill) {
     print(text, "%-22s %10.1f %10.1f %14.2f\n", kSteps[i], 1e-3 * steps.quantile_ns(0.5),
           1e-3 * steps.quantile_ns(0.999), bill.live.share(part));
   }
+  if (bill.receiving_us > 0.0)
+    print(text, "%-22s %10s %10s %14.2f\n", "receiving the images", "", "", bill.receiving_share());
   print(text, "%-22s %10s %10s %14.2f\n", "station", "", "", bill.share());
   return text;
 }

@@ -18,21 +18,8 @@ constexpr auto kTotals = 1s;        // period of /station/stats
 constexpr auto kUltrasound = 40ms;  // period of the ultrasound image
 constexpr std::size_t kFirstImages = 1;
 
-/// Reading the clock costs as much as a quiet tick, so that each measured step is shortened by it.
-std::int64_t clock_ns() {
-  static const std::int64_t kCost = [] {
-    std::int64_t least = 1'000'000;
-    for (int i = 0; i < 200; ++i) {
-      const std::int64_t before = thread_ns();
-      least = std::min(least, thread_ns() - before);
-    }
-    return least;
-  }();
-  return kCost;
-}
-
 double us_since(std::int64_t before) noexcept {
-  return 1e-3 * static_cast<double>(std::max<std::int64_t>(0, thread_ns() - before - clock_ns()));
+  return 1e-3 * static_cast<double>(std::max<std::int64_t>(0, thread_ns() - before - thread_clock_ns()));
 }
 
 }  // namespace

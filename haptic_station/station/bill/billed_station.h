@@ -50,7 +50,7 @@ struct Published {
 
 /// A station in virtual time: its own haptic thread's tick, surface worker, inside thread, collision detection and
 /// telemetry, over the stream of a SeenBody and with the scene's simulated hand. Each part's processor time is that of
-/// the thread on which it runs. Sockets and encryption are left out. The parts run one
+/// the thread on which it runs. Sockets and encryption are left out (receiving.h). The parts run one
 /// after the other, so that a run's forces, surfaces and messages do not depend on the computer's speed.
 class BilledStation {
  public:

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
+
+#include "haptic_station/station/bill/receiving.h"
 
 namespace telepalp::station {
 namespace {
 
 constexpr double kTurn_s = 0.5;
 constexpr double kWarmUp_s = 1.0;
+constexpr std::size_t kReceived = 30;  // images whose receiving is measured
 
 /// A scene that lacks what one line of the bill prices.
 struct Without {
@@ -145,7 +149,9 @@ void run_live(Session& session, double seconds, const std::function<void(double 
 
 }  // namespace
 
-double SceneBill::share() const noexcept { return live.share(); }
+double SceneBill::receiving_share() const noexcept { return 1e-4 * receiving_us * SeenBody::kFrames_per_s; }
+
+double SceneBill::share() const noexcept { return live.share() + receiving_share(); }
 
 Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::path& file, double seconds, Detail detail,
                           const std::function<void(int done, int all)>& begun) {
@@ -164,7 +170,11 @@ Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::pat
   run_in_turn(*sessions, seconds, tell);
   run_live(*live, seconds, [&](double done_s) { tell(seconds + kWarmUp_s + done_s); });
   const Session& whole = sessions->front();
-  SceneBill bill{.whole = whole.cost, .live = live->cost, .start_ms = whole.station->start_ms(), .prices = {}};
+  SceneBill bill{.whole = whole.cost,
+                 .live = live->cost,
+                 .receiving_us = parts->model ? 0.0 : receiving_us(std::span(stream.images).first(kReceived)),
+                 .start_ms = whole.station->start_ms(),
+                 .prices = {}};
   for (std::size_t i = 0; i < without.size(); ++i)
     bill.prices.push_back(price_of(without[i].name, bill, (*sessions)[i + 1].cost));
   if (detail == Detail::EachEffect) {

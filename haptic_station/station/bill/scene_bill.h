@@ -23,13 +23,14 @@ struct Price {
 };
 
 struct SceneBill {
-  StationCost whole;      ///< the station with the scene as it is, each step as soon as the one before it is done
-  StationCost live;       ///< the same seconds, with each tick and each image at its own time, as a station has them
-  double start_ms = 0.0;  ///< processor time of the layers' surfaces for viewers, once at the start
+  StationCost whole;  ///< the station with the scene as it is, each step as soon as the one before it is done
+  StationCost live;   ///< the same seconds, with each tick and each image at its own time, as a station has them
+  double receiving_us = 0.0;  ///< processor time of the network thread to receive one image; 0: no images are used
+  double start_ms = 0.0;      ///< processor time of the layers' surfaces for viewers, once at the start
   std::vector<Price> prices;  ///< of each effect in the scene's order; of the probe, if any; of all of them together
 
-  /// Share of one core that the station takes [%]: that of `live`.
-  [[nodiscard]] double share() const noexcept;
+  [[nodiscard]] double receiving_share() const noexcept;  ///< of one core [%], at the camera's rate
+  [[nodiscard]] double share() const noexcept;            ///< of one core [%]: that of `live`, and of receiving
 };
 
 /// What bill_of() prices: each effect, with its error, and all of them together; or only these.

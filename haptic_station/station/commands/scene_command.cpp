@@ -109,7 +109,7 @@ Result<void> bill(const ReadScene& read, const program::Arguments& arguments) {
   if (shows) std::fputs("\r\033[K", stderr);
   if (!bill) return bill.error();
   std::printf(
-      "processor time of the station on this computer with the scene %s, without sockets and encryption: %.0f s of the "
+      "processor time of the station on this computer with the scene %s: %.0f s of the "
       "scene's simulated hand, on a breathing body before a camera of 640x480 pixels at 30 Hz\n\n%s",
       read.scene.name.c_str(), seconds, in_words(*bill).c_str());
   return {};

@@ -13,6 +13,7 @@
 #include "haptic_station/device/trial.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/scene_bill.h"
+#include "tests/bench/users/body_session.h"
 #include "tests/bench/users/sections.h"
 #include "tests/support/child_process.h"
 
@@ -47,7 +48,10 @@ Spent spent_by(pid_t pid) {
   return spent;
 }
 
-/// A server and the station that it serves, as real programs.
+fs::path body_file(const UsersPlace& place) { return place.scratch / "body.mcap"; }
+
+/// A server and the station that it serves, as real programs. The server serves the body that the bill is made of: what
+/// an object inside costs depends on the skin above it.
 class Site {
  public:
   Site(const UsersPlace& place, const fs::path& scene, const std::string& name) : folder_(place.scratch / name) {
@@ -55,7 +59,9 @@ class Site {
     const fs::path ready = folder_ / "ready";
     fs::remove(ready);
     server_.emplace(place.programs / "telepalp-server",
-                    std::vector<std::string>{"--port", "0", "--ready-file", ready.string()}, folder_ / "server.log");
+                    std::vector<std::string>{"--port", "0", "--ready-file", ready.string(), "--source",
+                                             "session:" + body_file(place).string()},
+                    folder_ / "server.log");
     const auto port = support::await_ready(ready, "port");
     if (!port) return;
     fs::remove(log());
@@ -211,6 +217,8 @@ Result<std::vector<Row>> run_bill_section(const UsersPlace& place) {
   for (const auto& entry : fs::directory_iterator(place.sources / "haptic_station/scenes"))
     if (entry.path().extension() == ".textproto") files.push_back(entry.path());
   std::ranges::sort(files);
+  constexpr double kSession_s = 30.0;
+  if (const Result<void> written = write_body_session(body_file(place), kSession_s); !written) return written.error();
   std::vector<Row> rows;
   for (const fs::path& file : files)
     if (const Result<void> done = add_rows(place, file, rows); !done) return done.error();
