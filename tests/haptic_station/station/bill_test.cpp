@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptic_station/station/bill/receiving.h"
 #include "haptic_station/station/bill/thread_time.h"
 #include "haptic_station/surface/build/mark_tracker.h"
 #include "haptic_station/surface/build/surface_builder.h"
@@ -186,6 +187,28 @@ TEST(Bill, HoldsWhatAnEffectCostsOutsideTheTick) {
   EXPECT_GT(share(3, Part::Inside), 1.0) << "the probe's image";
   EXPECT_GT(bill->prices.back().total_share, 3.0 * share(1, Part::Loop)) << "the tick is the smaller part of the price";
   EXPECT_GT(bill->start_ms, 1.0) << "the surfaces of the layers";
+}
+
+/// A step that follows another at once finds its data in the caches and needs no waking; a station's steps do not.
+TEST(Bill, IsThatOfAStationInRealTime) {
+  const scenes::Scene scene = scene_named("skin");
+  const Result<SceneBill> bill = bill_of(scene, scene_file("skin"), 2.0, Detail::Together);
+  ASSERT_TRUE(bill.ok()) << to_string(bill.error());
+  EXPECT_GT(bill->live.share(Part::Loop), 3.0 * bill->whole.share(Part::Loop)) << "the waking of the thread";
+  EXPECT_EQ(bill->live.steps[static_cast<std::size_t>(Part::Surface)].total(),
+            bill->whole.steps[static_cast<std::size_t>(Part::Surface)].total())
+      << "both see the same images";
+  EXPECT_DOUBLE_EQ(bill->share(), bill->live.share() + bill->receiving_share());
+}
+
+TEST(Bill, ReceivingAnImageCostsMoreTheMoreBytesItHas) {
+  const std::span images = std::span(stream().images).first(20);
+  std::vector<wire::Message> halves(images.begin(), images.end());
+  for (wire::Message& half : halves)
+    half.payload = std::make_shared<const std::string>(half.payload->substr(0, half.payload->size() / 2));
+  const double whole_us = receiving_us(images);
+  EXPECT_GT(whole_us, 20.0) << "some 70 datagrams are read and decrypted";
+  EXPECT_LT(receiving_us(halves), 0.8 * whole_us);
 }
 
 TEST(Bill, TheErrorIsThatOfAMovingHandOnAMovingPatient) {
