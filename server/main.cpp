@@ -3,6 +3,8 @@
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <utility>
 
 #include "server/gateway/gateway.h"
@@ -314,83 +316,122 @@ void offer_recording(gateway::GatewayOptions& options, recording::SessionRecorde
   };
 }
 
-int run(Asked asked) {
+/// All parts of a running server. The later ones use the earlier ones.
+struct Parts {
   boost::asio::io_context io;
+  std::unique_ptr<server::Server> server;
+  Opened opened;                                         // its source or player is handed to the server at the start
+  std::unique_ptr<recording::SessionRecorder> recorder;  // null: visitors may not record
+  std::unique_ptr<PlayedSession> session;                // null: a camera or a recording without commands
+  std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
+};
+
+Result<void> open_server(Parts& parts, Asked& asked) {
   if (asked.keys) {
     auto access = access::Access::with_key(*asked.keys);
-    if (!access) return program::fail(access.error());
+    if (!access) return access.error();
     asked.server.access = std::move(access).value();
   }
-  Result<std::unique_ptr<server::Server>> listening = server::Server::listen(io, asked.server);
-  if (!listening) return program::fail(listening.error());
-  server::Server& server = **listening;
-  Result<Opened> opened = open(asked, server.clock());
-  if (!opened) return program::fail(opened.error());
-  std::unique_ptr<recording::SessionRecorder> recorder;
-  if (asked.recorder) {
-    asked.recorder->server = own_address(asked.server.bind, server.port());
-    auto opens = recording::SessionRecorder::open(*asked.recorder);
-    if (!opens) return program::fail(opens.error());
-    recorder = std::move(opens).value();
+  Result<std::unique_ptr<server::Server>> listening = server::Server::listen(parts.io, asked.server);
+  if (!listening) return listening.error();
+  parts.server = std::move(listening).value();
+  Result<Opened> opened = open(asked, parts.server->clock());
+  if (!opened) return opened.error();
+  parts.opened = std::move(opened).value();
+  return {};
+}
+
+Result<void> open_recorder(Parts& parts, Asked& asked) {
+  if (!asked.recorder) return {};
+  asked.recorder->server = own_address(asked.server.bind, parts.server->port());
+  auto opened = recording::SessionRecorder::open(*asked.recorder);
+  if (!opened) return opened.error();
+  parts.recorder = std::move(opened).value();
+  return {};
+}
+
+Result<void> open_gateway(Parts& parts, Asked& asked) {
+  if (!asked.gateway) return {};
+  server::Server& server = *parts.server;
+  asked.gateway->access = asked.server.access;
+  asked.gateway->problem = [&server] { return server.problem(); };
+  asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
+  if (parts.opened.player) {
+    auto surveyed = survey(*parts.opened.player, asked.compare_folder);
+    if (!surveyed) return surveyed.error();
+    parts.session = std::move(surveyed).value();
+    offer_playback(*asked.gateway, *parts.opened.player, server.network(), *parts.session);
+    offer_comparison(*asked.gateway, *parts.session);
   }
-  std::unique_ptr<PlayedSession> session;
-  std::unique_ptr<gateway::Gateway> gateway;
-  if (asked.gateway) {
-    asked.gateway->access = asked.server.access;
-    asked.gateway->problem = [&server] { return server.problem(); };
-    asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
-    if (opened->player) {
-      auto surveyed = survey(*opened->player, asked.compare_folder);
-      if (!surveyed) return program::fail(surveyed.error());
-      session = std::move(surveyed).value();
-      offer_playback(*asked.gateway, *opened->player, server.network(), *session);
-      offer_comparison(*asked.gateway, *session);
-    }
-    if (recorder) offer_recording(*asked.gateway, *recorder);
-    auto listens = gateway::Gateway::open(
-        io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
-    if (!listens) return program::fail(listens.error());
-    gateway = std::move(listens).value();
+  if (parts.recorder) offer_recording(*asked.gateway, *parts.recorder);
+  auto listens = gateway::Gateway::open(
+      parts.io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
+  if (!listens) return listens.error();
+  parts.gateway = std::move(listens).value();
+  return {};
+}
+
+/// Ends a server once: on a signal, after a time, or when its source has ended.
+class Ending {
+ public:
+  explicit Ending(Parts& parts) : parts_(parts), signals_(parts.io, SIGINT, SIGTERM), time_is_up_(parts.io) {
+    signals_.async_wait([this](const boost::system::error_code& cancelled, int) {
+      if (!cancelled) stop("Ctrl-C or another program stopped the server");
+    });
   }
 
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  boost::asio::steady_timer time_is_up(io);
-  auto stop = [&, stopped = false](const std::string& reason) mutable {
-    if (std::exchange(stopped, true)) return;
-    program::log(kProgram, "stopping: " + reason);
-    boost::system::error_code ignored;
-    signals.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
-    program::end_within(program::kTimeToEnd,
-                        "telepalp-server: the camera or another part did not stop within 5 s; the program ends without "
-                        "closing the camera");
-    time_is_up.cancel();
-    gateway.reset();
-    recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s
-    server.stop(reason);
-  };
-  signals.async_wait([&](const boost::system::error_code& cancelled, int) {
-    if (!cancelled) stop("Ctrl-C or another program stopped the server");
-  });
-  if (asked.seconds.count() > 0.0) {
-    time_is_up.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(asked.seconds));
-    time_is_up.async_wait([&](const boost::system::error_code& cancelled) {
+  void end_after(std::chrono::duration<double> time) {
+    time_is_up_.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(time));
+    time_is_up_.async_wait([this](const boost::system::error_code& cancelled) {
       if (!cancelled) stop("the time of --seconds is over");
     });
   }
-  const auto on_end = [&] { stop("the source has ended"); };
-  if (opened->player)
-    server.play(std::move(opened->player), on_end);
+
+  void stop(const std::string& reason) {
+    if (std::exchange(stopped_, true)) return;
+    program::log(kProgram, "stopping: " + reason);
+    boost::system::error_code ignored;
+    signals_.cancel(ignored);  // not clear(): the handlers stay installed, so a second signal has no further effect
+    program::end_within(program::kTimeToEnd,
+                        "telepalp-server: the camera or another part did not stop within 5 s; the program ends without "
+                        "closing the camera");
+    time_is_up_.cancel();
+    parts_.gateway.reset();
+    parts_.recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s
+    parts_.server->stop(reason);
+  }
+
+ private:
+  Parts& parts_;
+  boost::asio::signal_set signals_;
+  boost::asio::steady_timer time_is_up_;
+  bool stopped_ = false;
+};
+
+void begin(Parts& parts, const Asked& asked, std::function<void()> on_end) {
+  if (parts.opened.player)
+    parts.server->play(std::move(parts.opened.player), std::move(on_end));
   else
-    server.start(std::move(opened->source), asked.source, on_end);
-  program::log(kProgram, "listening on " + program::to_text({asked.server.bind, server.port()}) +
+    parts.server->start(std::move(parts.opened.source), asked.source, std::move(on_end));
+  program::log(kProgram, "listening on " + program::to_text({asked.server.bind, parts.server->port()}) +
                              (asked.keys ? ", TLS with keys" : ""));
-  asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(server.port()));
-  if (gateway) program::log(kProgram, "viewer at " + gateway->url());
-  const Result<void> written = program::write_ready_file(asked.ready_file, ports_text(server.port(), gateway.get()));
+  asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(parts.server->port()));
+  if (parts.gateway) program::log(kProgram, "viewer at " + parts.gateway->url());
+}
+
+int run(Asked asked) {
+  Parts parts;
+  for (const auto open_part : {open_server, open_recorder, open_gateway})
+    if (const Result<void> opened = open_part(parts, asked); !opened) return program::fail(opened.error());
+  Ending ending(parts);
+  if (asked.seconds.count() > 0.0) ending.end_after(asked.seconds);
+  begin(parts, asked, [&ending] { ending.stop("the source has ended"); });
+  const Result<void> written =
+      program::write_ready_file(asked.ready_file, ports_text(parts.server->port(), parts.gateway.get()));
   if (!written) return program::fail(written.error());
-  io.run();
+  parts.io.run();
   asked.server.access->note(access::AuditEvent::Stopped, {});
-  program::log(kProgram, server.summary());
+  program::log(kProgram, parts.server->summary());
   return program::kDone;
 }
 
