@@ -1,7 +1,6 @@
 #include "server/playback/session_player.h"
 
 #include <algorithm>
-#include <boost/asio/post.hpp>
 #include <utility>
 
 #include "messages/camera.pb.h"
@@ -13,7 +12,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kMostOnTheWay = 64;  // messages; reading pauses while the network thread has more unhandled ones
 constexpr Nanoseconds kStatusEvery = 1s;
 constexpr Nanoseconds kRepeatedEvery = 1s;  // least time between two repeats of the picture while paused
 /// A player that is later than this (slow disk, computer was asleep) continues at normal speed instead of catching up.
@@ -22,6 +20,12 @@ constexpr Nanoseconds kBetweenRounds{33'333'333};  // from the last message to t
 constexpr Nanoseconds kLongestPause = 2s;          // a longer pause in a recording is cut to this
 
 double seconds_between(SessionTime from, SessionTime to) { return to_seconds(to - from); }
+
+msg::PlaybackCommand seek_to(double at_s) {
+  msg::PlaybackCommand command;
+  command.set_seek_s(at_s);
+  return command;
+}
 
 SessionTime captured_at(const wire::Message& depth) {
   msg::DepthImage image;
@@ -50,10 +54,8 @@ SessionPlayer::SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool l
       clock_(clock),
       playing_(!spec.paused),
       loop_(loop),
-      speed_(spec.speed) {
-  msg::PlaybackCommand beginning;
-  beginning.set_seek_s(spec.from_s);
-  commands_.push_back(beginning);
+      speed_(spec.speed),
+      commands_(seek_to(spec.from_s)) {
   position_ = timeline_.begin();
   show_state();
 }
@@ -61,86 +63,52 @@ SessionPlayer::SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool l
 SessionPlayer::~SessionPlayer() { stop(); }
 
 void SessionPlayer::start(boost::asio::io_context& network, Handlers handlers) {
-  network_ = &network;
-  handlers_ = std::move(handlers);
+  outlet_.emplace(network, std::move(handlers.on_message), std::move(handlers.on_end));
   thread_ = std::thread([this] { run(); });
 }
 
 void SessionPlayer::stop() {
-  {
-    const std::scoped_lock lock(mutex_);
-    stopping_ = true;
-  }
-  changed_.notify_one();
+  commands_.stop();
   if (thread_.joinable()) thread_.join();
 }
 
-Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) {
-  const std::scoped_lock lock(mutex_);
-  if (over_)
-    return Error{.what = "the session is over, and the server ends",
-                 .where = "playback",
-                 .fix = "start the server again; with --loop yes it plays the session again and again"};
-  if (command.has_seek_s() && command.seek_s() > state_.duration_s())
-    return Error{.what = "the session lasts only " + std::to_string(state_.duration_s()) + " s",
-                 .where = "seek_s",
-                 .fix = "give a time from 0 s to the length of the session"};
-  commands_.push_back(command);
-  changed_.notify_one();
-  return {};
-}
+Result<void> SessionPlayer::apply(const msg::PlaybackCommand& command) { return commands_.add(command); }
 
-void SessionPlayer::show_again() {
-  const std::scoped_lock lock(mutex_);
-  again_ = true;
-  changed_.notify_one();
-}
+void SessionPlayer::show_again() { commands_.ask_again(); }
 
-msg::PlaybackState SessionPlayer::state() const {
-  const std::scoped_lock lock(mutex_);
-  return state_;
-}
+msg::PlaybackState SessionPlayer::state() const { return commands_.state(); }
 
 void SessionPlayer::show_state() {
-  const std::scoped_lock lock(mutex_);
-  state_.set_file(file_);
-  state_.set_position_s(seconds_between(timeline_.begin(), position_));
-  state_.set_duration_s(seconds_between(timeline_.begin(), timeline_.end()));
-  state_.set_speed(speed_);
-  state_.set_loop(loop_);
-  state_.set_playing(playing_);
-  state_.set_damaged(timeline_.damaged());
-  state_.set_begin_ns(static_cast<std::uint64_t>(to_nanoseconds(timeline_.begin())));
-  if (!shown_) return;
-  state_.set_shown_ns(static_cast<std::uint64_t>(to_nanoseconds(shown_->map(shown_->instant))));
-  state_.set_shown_s(seconds_between(timeline_.begin(), shown_->instant));
-  state_.set_shown_speed(shown_->map.speed);
+  msg::PlaybackState state;
+  state.set_file(file_);
+  state.set_position_s(seconds_between(timeline_.begin(), position_));
+  state.set_duration_s(seconds_between(timeline_.begin(), timeline_.end()));
+  state.set_speed(speed_);
+  state.set_loop(loop_);
+  state.set_playing(playing_);
+  state.set_damaged(timeline_.damaged());
+  state.set_begin_ns(static_cast<std::uint64_t>(to_nanoseconds(timeline_.begin())));
+  if (shown_) {
+    state.set_shown_ns(static_cast<std::uint64_t>(to_nanoseconds(shown_->map(shown_->instant))));
+    state.set_shown_s(seconds_between(timeline_.begin(), shown_->instant));
+    state.set_shown_speed(shown_->map.speed);
+  }
+  commands_.show(std::move(state));
 }
 
 /// Sleeps until `due`, at most until the next status. False: a command came, or the player stops.
 bool SessionPlayer::wait_until(SessionTime due) {
-  std::unique_lock lock(mutex_);
-  const Nanoseconds patience = std::min(due, status_at_ + kStatusEvery) - clock_.now();
-  if (patience > 0ns) changed_.wait_for(lock, patience, [&] { return stopping_ || again_ || !commands_.empty(); });
-  return !stopping_ && commands_.empty();
+  return commands_.wait_for(std::min(due, status_.at + kStatusEvery) - clock_.now());
 }
 
 void SessionPlayer::run() {
-  for (;;) {
-    std::vector<msg::PlaybackCommand> commands;
-    bool again = false;
-    {
-      const std::scoped_lock lock(mutex_);
-      if (stopping_) return;
-      commands = std::exchange(commands_, {});
-      again = std::exchange(again_, false);
-    }
-    for (const msg::PlaybackCommand& command : commands) carry_out(command);
+  while (const std::optional<PlayerCommands::Taken> taken = commands_.take()) {
+    for (const msg::PlaybackCommand& command : taken->commands) carry_out(command);
     if (playing_ && at_end()) {
-      if (finish()) return boost::asio::post(*network_, handlers_.on_end);
+      if (finish()) return outlet_->end();
       continue;  // a command came meanwhile: it may seek
     }
-    if (again && !playing_) repeat_picture();
+    if (taken->again && !playing_) repeat_picture();
     publish_status_when_due();
     show_state();
     if (playing_)
@@ -161,11 +129,7 @@ bool SessionPlayer::at_end() {
 
 /// From here on, no command is accepted. False: one is waiting.
 bool SessionPlayer::finish() {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (!commands_.empty()) return false;
-    over_ = true;
-  }
+  if (!commands_.end()) return false;
   ended_ = true;
   publish_status_when_due();
   playing_ = false;
@@ -263,7 +227,7 @@ void SessionPlayer::publish(const wire::Message& recorded) {
   std::optional<wire::Message> message = retimed(recorded, map_);
   if (!message) return;
   note_shown(recorded);
-  hand_over(std::move(*message));
+  outlet_->hand_over(std::move(*message), commands_);
 }
 
 void SessionPlayer::note_shown(const wire::Message& recorded) {
@@ -284,9 +248,8 @@ void SessionPlayer::publish_status_when_due() {
   const SessionTime now = clock_.now();
   const std::string how = ended_ ? "at its end" : playing_ ? "playing" : "paused";
   const std::string speed = speed_ == 1.0 ? "" : ", speed " + std::to_string(speed_).substr(0, 4);
-  if (status_ == how + speed && now - status_at_ < kStatusEvery) return;
-  status_ = how + speed;
-  status_at_ = now;
+  if (status_.text == how + speed && now - status_.at < kStatusEvery) return;
+  status_ = {.text = how + speed, .at = now};
   msg::CaptureStatus status;
   status.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
   status.set_state(ended_ ? msg::CAPTURE_STATE_ENDED : playing_ ? msg::CAPTURE_STATE_LIVE : msg::CAPTURE_STATE_WAITING);
@@ -296,22 +259,7 @@ void SessionPlayer::publish_status_when_due() {
     status.set_detail(status.detail() + "; " + counted(damaged, "damaged part skipped", "damaged parts skipped"));
   status.set_frames(depth_images_);
   status.set_color_registered(color_registered_);
-  hand_over(wire::make_message(wire::kCameraStatus, now, status));
-}
-
-void SessionPlayer::hand_over(wire::Message message) {
-  while (on_the_way_ >= kMostOnTheWay) {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (stopping_) return;
-    }
-    std::this_thread::sleep_for(1ms);
-  }
-  ++on_the_way_;
-  boost::asio::post(*network_, [this, message = std::move(message)]() mutable {
-    --on_the_way_;
-    handlers_.on_message(std::move(message));
-  });
+  outlet_->hand_over(wire::make_message(wire::kCameraStatus, now, status), commands_);
 }
 
 }  // namespace telepalp::playback

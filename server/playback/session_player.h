@@ -2,17 +2,16 @@
 
 #include <atomic>
 #include <boost/asio/io_context.hpp>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "messages/playback.pb.h"
 #include "proto/wire/session_clock.h"
 #include "server/playback/playback_command.h"
+#include "server/playback/player/network_outlet.h"
+#include "server/playback/player/player_commands.h"
 #include "server/playback/retimed.h"
 #include "server/playback/timeline.h"
 
@@ -58,6 +57,11 @@ class SessionPlayer {
     SessionTime published;
     TimeMap map;  ///< with which it was published
   };
+  /// The status published last.
+  struct Status {
+    std::optional<std::string> text = {};
+    SessionTime at{};
+  };
   SessionPlayer(Timeline timeline, const PlaybackSpec& spec, bool loop, wire::SessionClock clock);
   void run();
   void carry_out(const msg::PlaybackCommand& command);
@@ -73,11 +77,10 @@ class SessionPlayer {
   void publish(const wire::Message& recorded);
   void note_shown(const wire::Message& recorded);
   void publish_status_when_due();
-  void hand_over(wire::Message message);
   [[nodiscard]] bool wait_until(SessionTime due);
   void show_state();
 
-  Timeline timeline_;  // after start(): the player's thread alone uses it and the members up to repeated_at_
+  Timeline timeline_;  // after start(): the player's thread alone uses it and the members up to outlet_
   const std::string file_;
   const SessionTime begin_;  // begin() reads it on any thread
   const wire::SessionClock clock_;
@@ -91,20 +94,11 @@ class SessionPlayer {
   bool ended_ = false;
   bool picture_shown_ = false;  // a depth image was published since the last seek
   std::optional<Shown> shown_;
-  SessionTime status_at_{};
-  std::optional<std::string> status_;  // text of the status published last
+  Status status_;
   SessionTime repeated_at_{};
+  std::optional<NetworkOutlet> outlet_;  // from start() on
 
-  boost::asio::io_context* network_ = nullptr;  // set by start()
-  Handlers handlers_;                           // set by start(); called on the network thread
-  mutable std::mutex mutex_;                    // guards commands_, again_, state_, over_ and stopping_
-  std::condition_variable changed_;
-  std::vector<msg::PlaybackCommand> commands_;
-  bool again_ = false;  // show_again() was called
-  msg::PlaybackState state_;
-  bool over_ = false;  // the thread has ended or is about to, and carries out no more commands
-  bool stopping_ = false;
-  std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
+  PlayerCommands commands_;
   std::atomic<std::uint64_t> depth_images_{0};
   std::thread thread_;  // last member: the thread uses the others
 };
