@@ -206,6 +206,25 @@ TEST(LinkProgram, LogsEachSecondAndEndsWithSuccessOnCtrlC) {
   EXPECT_NE(link.log().find("10 new packets, lost 0.0 %"), std::string::npos) << link.log();
 }
 
+/// glibc overwrites freed memory, so that a part of the proxy that is used after its end ends the program.
+TEST(LinkProgram, EndsWithSuccessWhileConnectionsThroughItAreOpen) {
+  ::setenv("MALLOC_PERTURB_", "165", 1);
+  for (int run = 0; run < 5; ++run) {
+    asio::io_context io;
+    tcp::acceptor server(io, {kLoopback, 0});
+    RunningLink link(server.local_endpoint().port(), {"--profile", "lan", "--quiet"});
+    ASSERT_NE(link.port(), 0) << link.log();
+    tcp::socket client(io);
+    client.connect({kLoopback, link.port()});
+    tcp::socket accepted = server.accept();
+    asio::write(client, asio::buffer(std::string(100'000, 'x')));
+    asio::write(accepted, asio::buffer(std::string(100'000, 'y')));
+    link.process().signal(SIGTERM);
+    EXPECT_EQ(link.process().wait(5s), 0) << "139: a segmentation fault";
+  }
+  ::unsetenv("MALLOC_PERTURB_");
+}
+
 TEST(LinkProgram, WhatIsAskedWronglyEndsWithTwo) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--profile", "wifi"},
                                                 {"--loss-percent", "101"},

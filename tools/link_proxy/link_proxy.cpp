@@ -66,12 +66,14 @@ void add_totals(program::Json& json, std::string_view name, const LinkStatistics
 
 struct LinkProxy::Parts {
   Parts(asio::io_context& io, const ProxyOptions& options, const asio::ip::address& server)
-      : lines{ImpairedLine(io, {options.up, options.seed, options.trace}),
-              ImpairedLine(io, {options.down, options.seed + 1, options.trace})},
-        tcp_proxy(io, lines, tcp::endpoint(server, options.server.port)),
+      : shared_lines(new Lines{ImpairedLine(io, {options.up, options.seed, options.trace}),
+                               ImpairedLine(io, {options.down, options.seed + 1, options.trace})}),
+        lines(*shared_lines),
+        tcp_proxy(io, shared_lines, tcp::endpoint(server, options.server.port)),
         udp_proxy(io, lines, udp::endpoint(server, options.server.port)) {}
 
-  Lines lines;
+  std::shared_ptr<Lines> shared_lines;  // with the TCP pairs
+  Lines& lines;
   TcpProxy tcp_proxy;
   UdpProxy udp_proxy;
   LinkStatistics last_up;

@@ -20,13 +20,14 @@ constexpr auto kLookAgain = 1ms;  ///< pause before the next check for room in t
 
 }  // namespace
 
-TcpPair::TcpPair(asio::io_context& io, Lines& lines, Socket client, std::function<void()> on_closed)
-    : flow_(lines.new_flow()),
+TcpPair::TcpPair(asio::io_context& io, std::shared_ptr<Lines> lines, Socket client, std::function<void()> on_closed)
+    : lines_(std::move(lines)),
+      flow_(lines_->new_flow()),
       client_(std::move(client)),
       server_(io),
       on_closed_(std::move(on_closed)),
-      up_{client_, server_, lines.to_server, asio::steady_timer(io)},
-      down_{server_, client_, lines.to_client, asio::steady_timer(io)} {}
+      up_{client_, server_, lines_->to_server, asio::steady_timer(io)},
+      down_{server_, client_, lines_->to_client, asio::steady_timer(io)} {}
 
 TcpPair::~TcpPair() {
   up_.line.close(flow_);

@@ -16,7 +16,7 @@ class TcpPair : public std::enable_shared_from_this<TcpPair> {
  public:
   using Socket = boost::asio::ip::tcp::socket;
 
-  TcpPair(boost::asio::io_context& io, Lines& lines, Socket client, std::function<void()> on_closed);
+  TcpPair(boost::asio::io_context& io, std::shared_ptr<Lines> lines, Socket client, std::function<void()> on_closed);
   ~TcpPair();
   /// Connects to the server and starts to forward.
   void start(const boost::asio::ip::tcp::endpoint& server);
@@ -41,6 +41,7 @@ class TcpPair : public std::enable_shared_from_this<TcpPair> {
   void write(Way& way);
   void end_of_stream(Way& way);
 
+  std::shared_ptr<Lines> lines_;  // shared: the handlers of a pair's last reads and writes outlive the proxy
   std::uint64_t flow_;
   Socket client_;
   Socket server_;

@@ -16,8 +16,8 @@ constexpr std::chrono::milliseconds kAcceptBackOff{100};
 
 }  // namespace
 
-TcpProxy::TcpProxy(boost::asio::io_context& io, Lines& lines, tcp::endpoint server)
-    : io_(io), lines_(lines), server_(std::move(server)), acceptor_(io), accept_again_(io) {}
+TcpProxy::TcpProxy(boost::asio::io_context& io, std::shared_ptr<Lines> lines, tcp::endpoint server)
+    : io_(io), lines_(std::move(lines)), server_(std::move(server)), acceptor_(io), accept_again_(io) {}
 
 TcpProxy::~TcpProxy() = default;
 

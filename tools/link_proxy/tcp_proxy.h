@@ -16,7 +16,7 @@ class TcpPair;
 /// window. While 256 connections are open, a further one is closed at once.
 class TcpProxy {
  public:
-  TcpProxy(boost::asio::io_context& io, Lines& lines, boost::asio::ip::tcp::endpoint server);
+  TcpProxy(boost::asio::io_context& io, std::shared_ptr<Lines> lines, boost::asio::ip::tcp::endpoint server);
   ~TcpProxy();
 
   [[nodiscard]] boost::system::error_code listen(const boost::asio::ip::tcp::endpoint& at);
@@ -30,7 +30,7 @@ class TcpProxy {
   void join(boost::asio::ip::tcp::socket client);
 
   boost::asio::io_context& io_;
-  Lines& lines_;
+  std::shared_ptr<Lines> lines_;  // shared with the pairs
   boost::asio::ip::tcp::endpoint server_;
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer accept_again_;
