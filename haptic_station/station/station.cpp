@@ -29,6 +29,7 @@ constexpr auto kStatePeriod = 10ms;  // /station/state at 100 Hz
 constexpr auto kTotalsPeriod = 1s;   // /station/stats
 constexpr auto kImagePeriod = 40ms;  // /station/ultrasound at 25 Hz
 constexpr auto kSayStillWaiting = 5s;
+constexpr auto kBetweenRefusals = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
 
@@ -67,6 +68,7 @@ Station::Station(boost::asio::io_context& io, StationSignals& signals, const Sta
              .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { on_datagrams(detail); },
              .on_hand_over = [this](bool done, const std::string& outcome) { hand_over_.on_answer(done, outcome); }}),
       hand_over_(link_),
+      device_refusals_(std::move(rig.device_refusals)),
       in_tick_(options.model || surface::runs_in_tick(surface)),
       loop_(loop_of(scene)),
       rig_(std::move(rig.rig)),
@@ -406,8 +408,19 @@ void Station::say_clock_step() {
   telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, text);
 }
 
+/// One line at most every 5 s, with the number of datagrams since the last one.
+void Station::say_device_refusals() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!device_refusals_ || (refusals_said_ && now - *refusals_said_ < kBetweenRefusals)) return;
+  const std::optional<Error> refused = device_refusals_();
+  if (!refused) return;
+  refusals_said_ = now;
+  say(to_string(*refused));
+}
+
 void Station::every_second() {
   look_at_clock();
+  say_device_refusals();
   if (haptic_)
     publish_totals();
   else if (const auto waited = std::chrono::steady_clock::now() - started_; waited % kSayStillWaiting < kTotalsPeriod)

@@ -84,6 +84,7 @@ class Station {
   void every_second();
   void look_at_clock();
   void say_clock_step();
+  void say_device_refusals();
   void publish_totals();
   void look_at_signals();
   void stop(const std::string& reason);
@@ -111,6 +112,8 @@ class Station {
   Nanoseconds clock_stepped_{0};                                    // sum of the session clock's steps that were logged
   ImageAges ages_;
   DroppedMessages dropped_;
+  std::function<std::optional<Error>()> device_refusals_;  // see ConnectedRig; refers to the device in rig_
+  std::optional<std::chrono::steady_clock::time_point> refusals_said_;
 
   const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
   LatestValue<loop::TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists

@@ -5,6 +5,9 @@
 #include <limits>
 #include <random>
 #include <thread>
+#include <utility>
+
+#include "proto/words/counted.h"
 
 namespace telepalp::device {
 namespace {
@@ -47,13 +50,13 @@ Result<void> UdpDevice::start(std::chrono::milliseconds limit) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (read().age_s < 1.0) return {};
   }
-  const std::string why = faulted_       ? "reports that its motors are off"
-                          : refused_ > 0 ? "answers with datagrams that break the protocol in telepalp's UDP_DEVICE.md"
-                                         : "does not answer";
+  const std::string why = faulted_        ? "reports that its motors are off"
+                          : refused() > 0 ? "answers with datagrams that break the protocol in telepalp's UDP_DEVICE.md"
+                                          : "does not answer";
   const std::string fix =
-      faulted_       ? "switch the device's motors on"
-      : refused_ > 0 ? "run a program for the device that keeps to this protocol"
-                     : "start the device's program, which must keep to the protocol in telepalp's UDP_DEVICE.md";
+      faulted_        ? "switch the device's motors on"
+      : refused() > 0 ? "run a program for the device that keeps to this protocol"
+                      : "start the device's program, which must keep to the protocol in telepalp's UDP_DEVICE.md";
   return Error{.what = why, .where = name_, .fix = fix + ", or try the station without a device by --device simulated"};
 }
 
@@ -64,22 +67,61 @@ ports::DeviceReading UdpDevice::read() noexcept {
     const std::size_t size = socket_.receive(asio::buffer(datagram), 0, error);
     if (error == asio::error::would_block || error == asio::error::try_again) break;
     if (error) continue;  // "connection refused", once for each datagram sent; the reading's age shows the silence
-    const auto pose = udp::decode_pose(std::span(datagram).first(size));
-    if (!pose || order_.judge(*pose) != udp::PoseOrder::Verdict::Newest) {
-      ++refused_;
-      continue;
-    }
-    newest_.at = pose->end_effector;
-    newest_.velocity = pose->velocity;
-    newest_at_ = Clock::now();
-    faulted_ = pose->faulted;
-    has_reading_ = true;
+    take(std::span(datagram).first(size));
   }
   ports::DeviceReading reading = newest_;
   // A device whose motors are off gives no force, so the watchdog treats it as silent.
   reading.age_s = has_reading_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
                                             : std::numeric_limits<double>::infinity();
   return reading;
+}
+
+void UdpDevice::take(std::span<const std::byte> datagram) noexcept {
+  const auto pose = udp::decode_pose(datagram);
+  if (!pose) return refuse(Refusal::Damaged);
+  switch (order_.judge(*pose)) {
+    case udp::PoseOrder::Verdict::Newest:
+      break;
+    case udp::PoseOrder::Verdict::Repeated:
+      return refuse(Refusal::Repeated);
+    case udp::PoseOrder::Verdict::OldSession:
+      return refuse(Refusal::OldSession);
+    case udp::PoseOrder::Verdict::ClockStands:
+      return refuse(Refusal::ClockStands);
+  }
+  newest_.at = pose->end_effector;
+  newest_.velocity = pose->velocity;
+  newest_at_ = Clock::now();
+  faulted_ = pose->faulted;
+  has_reading_ = true;
+}
+
+void UdpDevice::refuse(Refusal why) noexcept {
+  newest_refusal_.store(why, std::memory_order_relaxed);
+  refused_.fetch_add(1, std::memory_order_relaxed);
+}
+
+std::optional<Error> UdpDevice::new_refusals() {
+  const std::uint64_t refused = this->refused(), since = refused - std::exchange(told_, refused);
+  if (since == 0) return std::nullopt;
+  const char* why = "";
+  switch (newest_refusal_.load(std::memory_order_relaxed)) {
+    case Refusal::Damaged:
+      why = "it is damaged, or holds a number that is out of range";
+      break;
+    case Refusal::Repeated:
+      why = "its sequence number does not rise";
+      break;
+    case Refusal::OldSession:
+      why = "it is of the device's session before this one";
+      break;
+    case Refusal::ClockStands:
+      why = "the device's clock does not advance: the device's program hangs";
+      break;
+  }
+  return Error{.what = counted(since, "datagram", "datagrams") + " refused; the newest because " + why,
+               .where = name_,
+               .fix = "run a program for the device that keeps to the protocol in telepalp's UDP_DEVICE.md"};
 }
 
 void UdpDevice::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double) noexcept {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "haptic_station/device/protocol/udp_device.h"
@@ -27,13 +30,20 @@ class UdpDevice final : public ports::Device {
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
-  /// Number of datagrams received so far that were damaged, old, repeated or stale (see udp::PoseOrder).
-  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_; }
+  /// Number of datagrams received so far that were damaged, old, repeated or stale (see udp::PoseOrder). Any thread.
+  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
+
+  /// The datagrams refused since the last call, as one error: their number, and why the newest one was refused.
+  /// nullopt: none. Call it on one thread, not the haptic thread.
+  [[nodiscard]] std::optional<Error> new_refusals();
 
  private:
   using Clock = std::chrono::steady_clock;
   explicit UdpDevice(std::string name);
+  enum class Refusal : std::uint8_t { Damaged, Repeated, OldSession, ClockStands };
   void send(udp::Command command) noexcept;
+  void take(std::span<const std::byte> datagram) noexcept;
+  void refuse(Refusal why) noexcept;
 
   const std::string name_;
   boost::asio::io_context io_{1};
@@ -45,7 +55,9 @@ class UdpDevice final : public ports::Device {
   Clock::time_point newest_at_;
   bool has_reading_ = false;
   bool faulted_ = false;
-  std::uint64_t refused_ = 0;
+  std::atomic<std::uint64_t> refused_{0};                  // written by: haptic thread
+  std::atomic<Refusal> newest_refusal_{Refusal::Damaged};  // written by: haptic thread
+  std::uint64_t told_ = 0;  // refusals that new_refusals() has returned; owner: its caller
 };
 
 }  // namespace telepalp::device

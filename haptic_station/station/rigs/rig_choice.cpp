@@ -106,6 +106,8 @@ Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& s
   if (choice.is_simulated()) return connected;
   Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, scene);
   if (!device) return device.error();
+  if (auto* const udp = dynamic_cast<device::UdpDevice*>(device->get()))
+    connected.device_refusals = [udp] { return udp->new_refusals(); };
   std::unique_ptr<ports::Tracker> tracker = std::make_unique<tracking::GripTracker>();
   if (const auto* leap = std::get_if<Leap>(&choice.tracker)) {
     Result<std::unique_ptr<tracking::LeapTracker>> made = connect_leap(*leap, scene);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,9 @@ struct ConnectedRig {
   tracking::ViewerHandTracker* browser = nullptr;  ///< the rig's tracker if it follows a viewer's hand, else nullptr
   /// The calibration by which the rig's tracker transforms hands to H; nullopt: it needs none.
   std::optional<Transform<HapticBase, HandTracker>> haptic_from_tracker;
+  /// The messages of the rig's device that were refused since the last call; returns nullopt if there are none. Empty:
+  /// the device logs its refusals itself, or sends no messages. Network thread.
+  std::function<std::optional<Error>()> device_refusals;
 };
 
 /// Connects the chosen rig. Error: the device or the tracker does not answer; the error names which, and a fix.

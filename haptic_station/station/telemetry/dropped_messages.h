@@ -1,21 +1,18 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 
-#include "proto/words/result.h"
+#include "proto/words/repeated_errors.h"
 
 namespace telepalp::station {
 
-/// Messages of the server that the station could not use, for the log: a reason is logged at once, and while it
-/// repeats, every 5 s with the number of its messages. A camera that sees no patient would otherwise fill the log with
-/// 30 lines a second. Pure: the caller gives the time. Owner: network thread.
+/// Messages of the server that the station could not use, for the log. A camera that sees no patient would fill the log
+/// with 30 lines a second, so RepeatedErrors chooses the lines. Pure: the caller gives the time. Owner: network thread.
 class DroppedMessages {
  public:
-  using TimePoint = std::chrono::steady_clock::time_point;
+  using TimePoint = RepeatedErrors::TimePoint;
 
   /// Counts a depth image that gave no surface. Returns the line for the log when one is due, such as "depth image
   /// dropped, 151 so far for this reason: …".
@@ -28,13 +25,7 @@ class DroppedMessages {
   [[nodiscard]] const std::optional<Error>& newest_image() const noexcept { return newest_image_; }
 
  private:
-  struct Reason {
-    std::uint64_t messages = 0;
-    TimePoint next_line;
-  };
-  [[nodiscard]] std::optional<std::string> line(const std::string& kind, const Error& error, TimePoint now);
-
-  std::map<std::string, Reason> reasons_;  // by Error::what
+  RepeatedErrors lines_;
   std::optional<Error> newest_image_;
   std::uint64_t images_ = 0;
 };

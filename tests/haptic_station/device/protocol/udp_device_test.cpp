@@ -144,6 +144,28 @@ TEST(UdpDevice, AgesUnderEveryFaultAndComesBack) {
   }));
 }
 
+TEST(UdpDevice, TellsHowManyDatagramsItRefusedAndWhy) {
+  using Fault = FakeUdpDevice::Fault;
+  FakeUdpDevice fake;
+  auto device = UdpDevice::open({"localhost", fake.port()});
+  ASSERT_TRUE(device && (*device)->start(5s));
+  EXPECT_FALSE((*device)->new_refusals());
+  for (const auto& [fault, why] : {std::pair{Fault::Garbage, "damaged"}, {Fault::Hung, "clock does not advance"}}) {
+    fake.fault = fault;
+    const std::uint64_t before = (*device)->refused();
+    EXPECT_TRUE(soon([&] {
+      (*device)->apply({}, {}, 0.0005);
+      (void)(*device)->read();
+      return (*device)->refused() > before + 10;
+    }));
+    const std::optional<Error> said = (*device)->new_refusals();
+    ASSERT_TRUE(said);
+    EXPECT_NE(said->what.find(" datagrams refused; the newest because "), std::string::npos) << said->what;
+    EXPECT_NE(said->what.find(why), std::string::npos) << said->what;
+    EXPECT_FALSE((*device)->new_refusals()) << "each is told once";
+  }
+}
+
 TEST(UdpDevice, IsOfThisMachineAloneAndSaysWhenNobodyAnswers) {
   for (const char* host : {"192.168.1.7", "0.0.0.0", "example.org", "8.8.8.8"}) {
     const auto refused = UdpDevice::open({host, 5000});
