@@ -55,7 +55,8 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, hub::Hub& h
   const std::string session_id = std::to_string(to_nanoseconds(now()));
   auto context = std::make_shared<GatewayContext>(
       GatewayContext{hub, std::move(options), std::move(files), std::move(now), session_id, {}});
-  context->view_maker = std::make_unique<views::ViewMaker>(io, hub, context->views);
+  context->view_maker = std::make_unique<views::ViewMaker>(
+      io, hub, context->views, context->options.log ? context->options.log : [](const std::string&) {});
   return std::unique_ptr<Gateway>(new Gateway(std::move(acceptor).value(), std::move(context)));
 }
 

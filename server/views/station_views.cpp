@@ -24,6 +24,10 @@ SessionTime stamp_of(const msg::StationState& station) {
   return session_time(static_cast<std::int64_t>(station.stamp_ns()));
 }
 
+std::string words_of(const msg::StationState& station) {
+  return std::string(phase_name(static_cast<int>(station.phase())).words);
+}
+
 void set(foxglove::Color& color, const Rgba& rgba) {
   color.set_r(rgba.r);
   color.set_g(rgba.g);
@@ -103,7 +107,7 @@ void add_phase(foxglove::SceneUpdate& scene, const msg::StationState& station) {
   text.set_billboard(true);
   text.set_font_size(kLetters_m);
   set(*text.mutable_color(), kDevice);
-  text.set_text(std::string(phase_name(static_cast<int>(station.phase())).words));
+  text.set_text(words_of(station));
 }
 
 /// The hand's attitude as a unit quaternion; the identity when the station sent none, or one that is not a rotation.
@@ -138,6 +142,13 @@ std::optional<foxglove::PoseInFrame> hand_view(const msg::StationState& station)
   hand.set_frame_id(wire::kDepthFrameId);
   set(*hand.mutable_pose(), wire::vector_of(station.displayed_hand_camera()), attitude(station));
   return hand;
+}
+
+foxglove::KeyValuePair phase_view(const msg::StationState& station) {
+  foxglove::KeyValuePair phase;
+  phase.set_key("phase");
+  phase.set_value(words_of(station));
+  return phase;
 }
 
 std::optional<foxglove::CompressedImage> ultrasound_view(const msg::UltrasoundImage& image) {

@@ -4,6 +4,7 @@
 
 #include "foxglove/CompressedImage.pb.h"
 #include "foxglove/FrameTransforms.pb.h"
+#include "foxglove/KeyValuePair.pb.h"
 #include "foxglove/PoseInFrame.pb.h"
 #include "foxglove/SceneUpdate.pb.h"
 #include "messages/inside.pb.h"
@@ -24,6 +25,9 @@ namespace telepalp::views {
 
 /// The displayed hand with its attitude, in the depth camera's frame; nullopt while the station has no hand.
 [[nodiscard]] std::optional<foxglove::PoseInFrame> hand_view(const msg::StationState& station);
+
+/// The phase in a doctor's words, for a panel of states: the key is "phase", the value "Above the skin".
+[[nodiscard]] foxglove::KeyValuePair phase_view(const msg::StationState& station);
 
 /// The image under the station's ultrasound probe, in the frame "probe"; nullopt while the probe is not on the skin.
 [[nodiscard]] std::optional<foxglove::CompressedImage> ultrasound_view(const msg::UltrasoundImage& image);

@@ -31,8 +31,8 @@ std::optional<Intrinsics> intrinsics_in(const std::string& payload) {
 
 }  // namespace
 
-ViewMaker::ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views)
-    : io_(io), source_(source), views_(views), patience_(io) {}
+ViewMaker::ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views, Say say)
+    : io_(io), source_(source), views_(views), say_(std::move(say)), patience_(io) {}
 
 ViewMaker::~ViewMaker() {
   pool_.join();
@@ -50,6 +50,7 @@ std::vector<std::string> ViewMaker::topics_needed() const {
   need(kTransformsView, {wire::kStationState, wire::kCameraInfo, wire::kStationInside, wire::kStationCompensation});
   need(kSceneView, {wire::kStationState});
   need(kHandView, {wire::kStationState});
+  need(kPhaseView, {wire::kStationState});
   need(kUltrasoundView, {wire::kStationUltrasound});
   need(kInsideView, {wire::kStationInside});
   return {needed.begin(), needed.end()};
@@ -75,17 +76,35 @@ void ViewMaker::pull() {
 void ViewMaker::take(const wire::Message& message) {
   const std::string_view topic = message.topic.name;
   if (topic == wire::kCameraInfo.name) take_camera(message);
-  if (topic == wire::kCameraColorInfo.name) color_camera_ = intrinsics_in(*message.payload);
+  if (topic == wire::kCameraColorInfo.name) take_color_camera(message);
   if (topic == wire::kCameraColor.name) take_color(message);
   if (topic == wire::kCameraDepth.name) take_depth(message);
   if (topic == wire::kStationState.name) take_station(message);
   if (topic == wire::kStationUltrasound.name) take_ultrasound(message);
   if (topic == wire::kStationInside.name) take_inside(message);
-  if (topic == wire::kStationCompensation.name) (void)compensation_.ParseFromString(*message.payload);
+  if (topic == wire::kStationCompensation.name && !compensation_.ParseFromString(*message.payload))
+    say_unreadable(message);
+}
+
+void ViewMaker::say(const Error& error) {
+  const auto line = errors_.line("left out of the views for Foxglove", error, std::chrono::steady_clock::now());
+  if (line) say_(*line);
+}
+
+void ViewMaker::say_unreadable(const wire::Message& message) {
+  say({.what = "the message is not of the type of " + std::string(message.topic.name) + ", or holds impossible values",
+       .where = std::string(message.topic.name),
+       .fix = "install the same version of telepalp at server and station; record the session again if it is a file"});
+}
+
+void ViewMaker::take_color_camera(const wire::Message& message) {
+  color_camera_ = intrinsics_in(*message.payload);
+  if (!color_camera_) say_unreadable(message);
 }
 
 void ViewMaker::take_camera(const wire::Message& message) {
   depth_camera_ = intrinsics_in(*message.payload);
+  if (!depth_camera_) say_unreadable(message);
   if (views_.is_wanted(kTransformsView.name))
     views_.publish(
         wire::make_message(kTransformsView, message.published, transforms_view(std::nullopt, message.published)));
@@ -93,7 +112,7 @@ void ViewMaker::take_camera(const wire::Message& message) {
 
 void ViewMaker::take_station(const wire::Message& message) {
   msg::StationState state;
-  if (!state.ParseFromString(*message.payload)) return;
+  if (!state.ParseFromString(*message.payload)) return say_unreadable(message);
   if (views_.is_wanted(kSceneView.name))
     views_.publish(wire::make_message(kSceneView, message.published, scene_view(state)));
   if (views_.is_wanted(kTransformsView.name)) {
@@ -101,20 +120,22 @@ void ViewMaker::take_station(const wire::Message& message) {
     add_inside_transforms(all, inside_, compensation_, message.published);
     views_.publish(wire::make_message(kTransformsView, message.published, all));
   }
+  if (views_.is_wanted(kPhaseView.name))
+    views_.publish(wire::make_message(kPhaseView, message.published, phase_view(state)));
   const std::optional<foxglove::PoseInFrame> hand = views_.is_wanted(kHandView.name) ? hand_view(state) : std::nullopt;
   if (hand) views_.publish(wire::make_message(kHandView, message.published, *hand));
 }
 
 void ViewMaker::take_ultrasound(const wire::Message& message) {
   msg::UltrasoundImage image;
-  if (!image.ParseFromString(*message.payload)) return;
+  if (!image.ParseFromString(*message.payload)) return say_unreadable(message);
   if (const std::optional<foxglove::CompressedImage> view = ultrasound_view(image))
     views_.publish(wire::make_message(kUltrasoundView, message.published, *view));
 }
 
 void ViewMaker::take_inside(const wire::Message& message) {
   msg::InnerStructures inside;
-  if (!inside.ParseFromString(*message.payload) || !wire::is_valid(inside)) return;
+  if (!inside.ParseFromString(*message.payload) || !wire::is_valid(inside)) return say_unreadable(message);
   inside_ = std::move(inside);
   if (views_.is_wanted(kInsideView.name))
     views_.publish(wire::make_message(kInsideView, message.published, inside_view(inside_)));
@@ -122,7 +143,7 @@ void ViewMaker::take_inside(const wire::Message& message) {
 
 void ViewMaker::take_color(const wire::Message& message) {
   foxglove::CompressedImage image;
-  if (!image.ParseFromString(*message.payload)) return;
+  if (!image.ParseFromString(*message.payload)) return say_unreadable(message);
   color_ = Color{.captured_ns = wire::stamp_ns(image.timestamp()),
                  .registered = image.frame_id() == wire::kDepthFrameId,
                  .jpeg = std::move(*image.mutable_data())};
@@ -168,38 +189,65 @@ void ViewMaker::decode(const wire::Message& depth, std::int64_t captured_ns) {
 }
 
 ViewMaker::Made ViewMaker::make(const Job& job) {
+  const std::string where(job.depth.topic.name);
   msg::DepthImage packet;
-  if (!packet.ParseFromString(*job.depth.payload)) return {};
+  if (!packet.ParseFromString(*job.depth.payload))
+    return {.unreadable = Error{.what = "the message is not of the type of " + where,
+                                .where = where,
+                                .fix = "install the same version of telepalp at both ends"}};
   Result<DepthImage> depth = decoder_.decode(std::as_bytes(std::span(packet.data())));
-  if (!depth) return {};
+  if (!depth) return {.unreadable = depth.error()};
   RgbdFrame frame;
   frame.captured = session_time(static_cast<std::int64_t>(packet.captured_ns()));
   frame.depth = std::move(*depth);
-  const SessionTime published = job.depth.published;
-  Made made{.readable = true, .messages = {}};
+  Made made;
   if (job.wanted.image)
-    made.messages.push_back(wire::make_message(kDepthView, published, depth_view(frame.depth, frame.captured)));
-  if (!job.wanted.cloud || !job.depth_camera) return made;
+    made.messages.push_back(
+        wire::make_message(kDepthView, job.depth.published, depth_view(frame.depth, frame.captured)));
+  if (job.wanted.cloud && job.depth_camera) add_cloud(made, job, std::move(frame));
+  return made;
+}
+
+void ViewMaker::add_cloud(Made& made, const Job& job, RgbdFrame frame) const {
   frame.camera = {.depth = *job.depth_camera,
                   .color = job.color_camera.value_or(*job.depth_camera),
                   .color_registered = !job.color || job.color->registered};
-  if (job.color)
-    if (Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(job.color->jpeg))))
+  if (job.color) {
+    Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(job.color->jpeg)));
+    if (color)
       frame.color = std::move(*color);
-  if (is_well_formed(frame)) made.messages.push_back(wire::make_message(kCloudView, published, cloud_view(frame)));
-  return made;
+    else
+      made.left_out = color.error();
+  }
+  if (is_well_formed(frame))
+    made.messages.push_back(wire::make_message(kCloudView, job.depth.published, cloud_view(frame)));
+  else
+    made.left_out = Error{.what = "the images do not have the size that the camera's model states",
+                          .where = std::string(kCloudView.name),
+                          .fix = "correct width and height in the server's camera.textproto"};
 }
 
 void ViewMaker::on_made(const wire::Message& depth, Made made) {
   decoding_ = false;
-  if (made.readable) {
+  if (made.unreadable) {
+    on_unreadable(depth, *made.unreadable);
+  } else {
     ++decoded_;
-  } else if (subscriber_ != 0) {
-    source_.request_key_frame(subscriber_, depth.topic, depth.published);
+    unreadable_since_.reset();
   }
+  if (made.left_out) say(*made.left_out);
   for (wire::Message& message : made.messages) views_.publish(std::move(message));
   pull();
   if (waiting_ && patience_.expiry() <= std::chrono::steady_clock::now()) stop_waiting();
+}
+
+/// A view that begins within a group of pictures decodes nothing until the next key frame, which comes within a second.
+void ViewMaker::on_unreadable(const wire::Message& depth, const Error& error) {
+  constexpr std::chrono::seconds kLongestWait{2};
+  const auto now = std::chrono::steady_clock::now();
+  if (!unreadable_since_) unreadable_since_ = now;
+  if (now - *unreadable_since_ > kLongestWait) say(error);
+  if (subscriber_ != 0) source_.request_key_frame(subscriber_, depth.topic, depth.published);
 }
 
 }  // namespace telepalp::views

@@ -4,6 +4,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "codec/depth_stream.h"
 #include "messages/inside.pb.h"
 #include "messages/station.pb.h"
+#include "proto/words/repeated_errors.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 #include "server/hub/hub.h"
@@ -25,7 +27,11 @@ namespace telepalp::views {
 /// at most 0.1 s. Owner: the network thread.
 class ViewMaker {
  public:
-  ViewMaker(boost::asio::io_context& io, hub::Hub& source, hub::Hub& views);
+  /// Takes a line about messages from which no view can be made; see RepeatedErrors for how often it is called.
+  using Say = std::function<void(const std::string& line)>;
+
+  ViewMaker(
+      boost::asio::io_context& io, hub::Hub& source, hub::Hub& views, Say say = [](const std::string&) {});
   ~ViewMaker();
   ViewMaker(const ViewMaker&) = delete;
   ViewMaker& operator=(const ViewMaker&) = delete;
@@ -55,13 +61,15 @@ class ViewMaker {
     std::optional<Intrinsics> color_camera;
   };
   struct Made {
-    bool readable = false;
-    std::vector<wire::Message> messages;
+    std::optional<Error> unreadable{};  ///< why the depth image could not be decoded
+    std::optional<Error> left_out{};    ///< why a view lacks a part, or is not made
+    std::vector<wire::Message> messages{};
   };
   [[nodiscard]] std::vector<std::string> topics_needed() const;
   void pull();
   void take(const wire::Message& message);
   void take_camera(const wire::Message& message);
+  void take_color_camera(const wire::Message& message);
   void take_station(const wire::Message& message);
   void take_ultrasound(const wire::Message& message);
   void take_inside(const wire::Message& message);
@@ -70,11 +78,18 @@ class ViewMaker {
   void stop_waiting();  ///< decodes the depth image that waits for its colour, if there is one
   void decode(const wire::Message& depth, std::int64_t captured_ns);
   void on_made(const wire::Message& depth, Made made);
+  void on_unreadable(const wire::Message& depth, const Error& error);
+  void say(const Error& error);
+  void say_unreadable(const wire::Message& message);
   [[nodiscard]] Made make(const Job& job);
+  void add_cloud(Made& made, const Job& job, RgbdFrame frame) const;
 
   boost::asio::io_context& io_;
   hub::Hub& source_;
   hub::Hub& views_;
+  Say say_;
+  RepeatedErrors errors_;
+  std::optional<std::chrono::steady_clock::time_point> unreadable_since_;  // no depth image has been decoded since then
   hub::SubscriberId subscriber_ = 0;  // 0: `views` has no subscriber of a view topic
   std::vector<std::string> topics_;
   std::optional<Intrinsics> depth_camera_;

@@ -18,13 +18,14 @@ inline constexpr wire::Topic kCloudView{
 inline constexpr wire::Topic kTransformsView{"/transforms", "foxglove.FrameTransforms"};
 inline constexpr wire::Topic kSceneView{"/station/scene", "foxglove.SceneUpdate"};
 inline constexpr wire::Topic kHandView{"/station/hand", "foxglove.PoseInFrame"};
+inline constexpr wire::Topic kPhaseView{"/station/phase", "foxglove.KeyValuePair"};
 
 inline constexpr wire::Topic kUltrasoundView{"/station/ultrasound/image", "foxglove.CompressedImage"};
 inline constexpr wire::Topic kInsideView{
     .name = "/station/inside/scene", .schema = "foxglove.SceneUpdate", .validity = wire::Validity::UntilChanged};
 
-inline constexpr std::array kViewTopics{kDepthView, kCloudView,      kTransformsView, kSceneView,
-                                        kHandView,  kUltrasoundView, kInsideView};
+inline constexpr std::array kViewTopics{kDepthView, kCloudView, kTransformsView, kSceneView,
+                                        kHandView,  kPhaseView, kUltrasoundView, kInsideView};
 
 /// The Protobuf type of one of kViewTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_view(const wire::Topic& topic);

@@ -144,7 +144,7 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
     const types = {
       '/camera/color': 'CompressedImage', '/camera/depth/image': 'RawImage', '/camera/points': 'PointCloud',
       '/transforms': 'FrameTransforms', '/station/scene': 'SceneUpdate', '/camera/info': 'CameraCalibration',
-      '/camera/color/info': 'CameraCalibration', '/station/hand': 'PoseInFrame',
+      '/camera/color/info': 'CameraCalibration', '/station/hand': 'PoseInFrame', '/station/phase': 'KeyValuePair',
     };
     for (const [topic, type] of Object.entries(types))
       assert.equal(page.heard.channels.find((one) => one.topic === topic)?.schemaName, `foxglove.${type}`, topic);

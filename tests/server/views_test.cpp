@@ -249,6 +249,13 @@ TEST(SceneView, NamesThePhaseInADoctorsWords) {
   EXPECT_EQ(phase.texts(0).text(), "Side of an inner object");
 }
 
+TEST(PhaseView, NamesThePhaseAsThePageDoes) {
+  msg::StationState station;
+  station.set_phase(msg::PHASE_PLANE_TO_BODY);
+  EXPECT_EQ(views::phase_view(station).key(), "phase");
+  EXPECT_EQ(views::phase_view(station).value(), "Approaching the skin");
+}
+
 TEST(SceneView, RemovesWhatTheStationDoesNotReport) {
   const foxglove::SceneUpdate scene = views::scene_view(msg::StationState());
   EXPECT_EQ(scene.entities_size(), 0);
@@ -304,9 +311,9 @@ struct ViewStage {
       io.run_one_for(5ms);
     }
   }
-  void publish_camera() {
+  void publish_camera(std::uint32_t width = 2) {
     foxglove::CameraCalibration model;
-    model.set_width(2);
+    model.set_width(width);
     model.set_height(2);
     for (const double k : {2.0, 0.0, 0.0, 0.0, 4.0, 1.0, 0.0, 0.0, 1.0}) model.add_k(k);
     source.publish(wire::make_message(wire::kCameraInfo, session_time(1), model));
@@ -330,7 +337,8 @@ struct ViewStage {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> stay = boost::asio::make_work_guard(io);
   hub::Hub source;
   hub::Hub views;
-  views::ViewMaker maker{io, source, views};
+  std::vector<std::string> said;
+  views::ViewMaker maker{io, source, views, [this](const std::string& line) { said.push_back(line); }};
   codec::DepthEncoder encoder{codec::DepthStreamSettings{}};
   hub::SubscriberId viewer = views.join("viewer", "", [] {});
 };
@@ -378,12 +386,24 @@ TEST(ViewMaker, AViewerThatComesLaterGetsTheLayersThatWerePublishedOnce) {
   EXPECT_EQ(scene.entities_size(), 2);
 }
 
-TEST(ViewMaker, LayersThatAreNotValidAreNotShown) {
+TEST(ViewMaker, LayersThatAreNotValidAreNotShownAndSaidOnce) {
   ViewStage stage(views::kInsideView);
   msg::InnerStructures inside = two_layers();
   inside.mutable_structures(0)->set_triangles(std::string("\x09\x00\x01\x00\x02\x00", 6));
-  stage.source.publish(wire::make_message(wire::kStationInside, session_time(1), inside));
+  for (int time = 1; time < 4; ++time)
+    stage.source.publish(wire::make_message(wire::kStationInside, session_time(time), inside));
   EXPECT_FALSE(stage.next(100ms));
+  ASSERT_EQ(stage.said.size(), 1u);
+  EXPECT_NE(stage.said[0].find("/station/inside"), std::string::npos) << stage.said[0];
+}
+
+TEST(ViewMaker, SaysThatImagesDoNotFitTheCamerasModel) {
+  ViewStage stage(views::kCloudView);
+  stage.publish_camera(3);
+  stage.publish_depth(10'000'000);
+  EXPECT_FALSE(stage.next(500ms));
+  ASSERT_EQ(stage.said.size(), 1u);
+  EXPECT_NE(stage.said[0].find("the camera's model"), std::string::npos) << stage.said[0];
 }
 
 TEST(ViewMaker, DepthThatCannotBeReadMakesNothingAndAsksForAKeyFrame) {

@@ -216,7 +216,7 @@ TEST_F(Export, AFoxgloveSessionHoldsFoxglovesTypesAndTheNumbersOfTheStation) {
         << stored.channel.topic;
   const auto topics = topics_of(*reader);
   for (const char* topic :
-       {"/camera/points", "/camera/depth/image", "/station/scene", "/station/state", "/camera/color"})
+       {"/camera/points", "/camera/depth/image", "/station/scene", "/station/phase", "/station/state", "/camera/color"})
     EXPECT_EQ(topics.at(topic), static_cast<std::uint64_t>(kFrames)) << topic;
   reader->select({.topics = {"/station/state"}});
   for (int frame = 0; frame < kFrames; ++frame) {

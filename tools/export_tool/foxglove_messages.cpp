@@ -60,6 +60,7 @@ class StationViews {
     views::add_inside_transforms(transforms, inside_, compensation_, message.published);
     Result<void> given = give(views::kTransformsView, message.published, transforms);
     if (given) given = give(views::kSceneView, message.published, views::scene_view(state));
+    if (given) given = give(views::kPhaseView, message.published, views::phase_view(state));
     if (const auto hand = views::hand_view(state); given && hand)
       given = give(views::kHandView, message.published, *hand);
     return given;
