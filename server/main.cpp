@@ -32,6 +32,8 @@ using namespace telepalp;
 constexpr const char* kProgram = "telepalp-server";
 constexpr std::string_view kSession = "session:";  // the source that plays a session
 
+void log_line(const std::string& text) { program::log(kProgram, text); }
+
 program::Usage usage() {
   return {.program = kProgram,
           .purpose = "captures a patient and sends the images to stations, recorders and browsers",
@@ -107,7 +109,7 @@ Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Ar
   options.address = address;
   options.port = static_cast<std::uint16_t>(*port);
   options.server_name = arguments.text("name");
-  options.log = [](const std::string& text) { program::log(kProgram, text); };
+  options.log = log_line;
   options.policy.allowed_origins = arguments.all("allow-origin");
   for (const std::string& origin : options.policy.allowed_origins)
     if (const Result<void> exact = gateway::check_origin(origin); !exact) return exact.error();
@@ -128,7 +130,7 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
     return std::optional(access::Access::Options{.key = arguments.text("key"),
                                                  .revoked = arguments.text("revoked"),
                                                  .audit = arguments.text("audit"),
-                                                 .say = [](const std::string& text) { program::log(kProgram, text); }});
+                                                 .say = log_line});
   for (const char* option : {"revoked", "audit"})
     if (arguments.has(option)) return no_effect_without("key", option);
   return std::optional<access::Access::Options>{};
@@ -188,7 +190,6 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!recorder) return recorder.error();
   const Result<std::filesystem::path> compare_folder = compare_option(arguments);
   if (!compare_folder) return compare_folder.error();
-  const auto say = [](const std::string& text) { program::log(kProgram, text); };
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
                .seconds = std::chrono::duration<double>(*seconds),
@@ -198,7 +199,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .bind = address->to_string(),
                           .port = static_cast<std::uint16_t>(*port),
                           .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
-                          .log = say},
+                          .log = log_line},
                .gateway = *gateway,
                .recorder = *recorder,
                .compare_folder = *compare_folder};
@@ -247,12 +248,12 @@ Result<std::unique_ptr<PlayedSession>> survey(const playback::SessionPlayer& pla
   if (!notes) return notes.error();
   std::unique_ptr<playback::SessionComparison> comparison;
   if (!others.empty()) {
-    auto opened = playback::SessionComparison::open(state.file(), others);
+    auto opened = playback::SessionComparison::open(state.file(), others, log_line);
     if (!opened) return opened.error();
     comparison = std::move(opened).value();
   }
   return std::unique_ptr<PlayedSession>(
-      new PlayedSession{{state.file(), player.begin()}, std::move(*notes), std::move(comparison)});
+      new PlayedSession{{state.file(), player.begin(), log_line}, std::move(*notes), std::move(comparison)});
 }
 
 /// Lets the gateway's visitors see, move, impair and note on the session.

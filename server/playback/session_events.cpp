@@ -4,6 +4,7 @@
 
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
+#include "proto/words/counted.h"
 
 namespace telepalp::playback {
 namespace {
@@ -18,8 +19,8 @@ void fill(msg::SessionEvents::Event& event, const msg::StationEvent& told, doubl
 
 }  // namespace
 
-SessionEvents::SessionEvents(std::filesystem::path file, SessionTime begin)
-    : thread_([this, file = std::move(file), begin] { read(file, begin); }) {}
+SessionEvents::SessionEvents(std::filesystem::path file, SessionTime begin, Say say)
+    : thread_([this, file = std::move(file), begin, say = std::move(say)] { read(file, begin, say); }) {}
 
 SessionEvents::~SessionEvents() {
   stopping_ = true;
@@ -31,27 +32,44 @@ msg::SessionEvents SessionEvents::events() const {
   return events_;
 }
 
-void SessionEvents::read(const std::filesystem::path& file, SessionTime begin) {
-  read_events(file, begin);
+void SessionEvents::read(const std::filesystem::path& file, SessionTime begin, const Say& say) {
+  const LeftOut left_out = read_events(file, begin);
+  const std::string list = "the page's list of events of " + file.filename().string();
+  if (left_out.file)
+    say(list + " is empty: " + to_string(*left_out.file));
+  else if (left_out.damaged > 0)
+    say(list + " lacks the events of " + counted(left_out.damaged, "damaged part", "damaged parts") +
+        " of the file. fix: telepalp-record verify names the damage");
+  else if (left_out.too_many)
+    say(list + " ends after " + std::to_string(kMostEvents) + " events. fix: cut the session: telepalp-record cut");
   const std::scoped_lock lock(mutex_);
   events_.set_complete(true);
 }
 
-/// A damaged chunk costs only its own events: reading continues after it. SessionPlayer counts the damaged chunks.
-void SessionEvents::read_events(const std::filesystem::path& file, SessionTime begin) {
+/// A damaged chunk costs only its own events: reading continues after it.
+SessionEvents::LeftOut SessionEvents::read_events(const std::filesystem::path& file, SessionTime begin) {
+  LeftOut left_out;
   Result<wire::McapReader> reader = wire::McapReader::open(file);
-  if (!reader) return;
+  if (!reader) return {.file = reader.error()};
   reader->select({.topics = {std::string(wire::kStationEvents.name)}});
-  for (int count = 0; count < kMostEvents && !stopping_;) {
+  for (int count = 0; !stopping_;) {
     const Result<std::optional<wire::Message>> message = reader->next();
-    if (!message) continue;
-    if (!*message) return;
-    const std::scoped_lock lock(mutex_);
     msg::StationEvent event;
-    if (!event.ParseFromString(*(*message)->payload)) continue;
+    const bool is_event = message && *message && event.ParseFromString(*(*message)->payload);
+    if (message && !*message) break;
+    if (!is_event) {
+      ++left_out.damaged;
+      continue;
+    }
+    if (count == kMostEvents) {
+      left_out.too_many = true;
+      break;
+    }
+    const std::scoped_lock lock(mutex_);
     fill(*events_.add_events(), event, to_seconds((*message)->published - begin));
     ++count;
   }
+  return left_out;
 }
 
 }  // namespace telepalp::playback

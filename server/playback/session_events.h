@@ -2,10 +2,14 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "messages/playback.pb.h"
+#include "proto/words/result.h"
 #include "proto/words/time.h"
 
 namespace telepalp::playback {
@@ -16,8 +20,12 @@ class SessionEvents {
  public:
   static constexpr int kMostEvents = 5000;
 
-  /// Begins to read. `begin`: session time of the session's first message, from which the events' times count.
-  SessionEvents(std::filesystem::path file, SessionTime begin);
+  using Say = std::function<void(const std::string& line)>;
+
+  /// Begins to read. `begin`: session time of the session's first message, from which the events' times count. `say` is
+  /// called at most once, on the thread that reads, when the list lacks events: what is left out, and why.
+  SessionEvents(
+      std::filesystem::path file, SessionTime begin, Say say = [](const std::string&) {});
   ~SessionEvents();
   SessionEvents(const SessionEvents&) = delete;
   SessionEvents& operator=(const SessionEvents&) = delete;
@@ -26,8 +34,14 @@ class SessionEvents {
   [[nodiscard]] msg::SessionEvents events() const;
 
  private:
-  void read(const std::filesystem::path& file, SessionTime begin);
-  void read_events(const std::filesystem::path& file, SessionTime begin);
+  /// What read_events() could not read.
+  struct LeftOut {
+    std::optional<Error> file;  ///< the whole file
+    std::uint64_t damaged = 0;  ///< chunks and events
+    bool too_many = false;      ///< the events after the first kMostEvents
+  };
+  void read(const std::filesystem::path& file, SessionTime begin, const Say& say);
+  LeftOut read_events(const std::filesystem::path& file, SessionTime begin);
 
   mutable std::mutex mutex_;
   msg::SessionEvents events_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "proto/words/counted.h"
 #include "server/playback/comparison/compare_tracks.h"
 #include "server/playback/comparison/state_track.h"
 #include "support/program/message_json.h"
@@ -22,14 +23,26 @@ msg::ComparisonState failed(const Error& error) {
   return state;
 }
 
+/// Says what the comparison leaves out of `file`.
+void say_left_out(const SessionComparison::Say& say, const fs::path& file, const StateTrack& track) {
+  const std::string begin = "the page's comparison leaves out a part of " + file.filename().string() + ": ";
+  if (track.damaged > 0)
+    say(begin + counted(track.damaged, "damaged part", "damaged parts") +
+        ". fix: telepalp-record verify names the damage");
+  if (track.is_cut)
+    say(begin + "what follows the first " + std::to_string(kMostTrackPoints) +
+        " states, which are two hours. fix: compare the whole sessions by telepalp-report A B");
+}
+
 }  // namespace
 
-Result<std::unique_ptr<SessionComparison>> SessionComparison::open(fs::path played, fs::path folder) {
+Result<std::unique_ptr<SessionComparison>> SessionComparison::open(fs::path played, fs::path folder, Say say) {
   std::error_code problem;
   if (!fs::is_directory(folder, problem))
     return Error{
         .what = "is not a folder", .where = folder.string(), .fix = "name a folder of sessions by --compare-dir"};
-  return std::unique_ptr<SessionComparison>(new SessionComparison(std::move(played), std::move(folder)));
+  return std::unique_ptr<SessionComparison>(
+      new SessionComparison(std::move(played), std::move(folder), std::move(say)));
 }
 
 std::vector<std::string> SessionComparison::sessions() const {
@@ -76,6 +89,8 @@ void SessionComparison::stop() {
 void SessionComparison::compare(const fs::path& other) {
   const Result<StateTrack> a = read_track(played_, stopping_);
   const Result<StateTrack> b = a ? read_track(other, stopping_) : a;
+  if (a) say_left_out(say_, played_, *a);
+  if (a && b) say_left_out(say_, other, *b);
   msg::ComparisonState state = b ? compare_tracks(*a, *b) : failed(b.error());
   const std::scoped_lock lock(mutex_);
   state.set_with(state_.with());

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -19,9 +20,12 @@ class SessionComparison {
  public:
   static constexpr std::size_t kMostSessions = 200;  ///< largest number of the folder's sessions that json() lists
 
-  /// `folder`: its files *.mcap may be compared with `played`. Error: it is not a folder.
-  [[nodiscard]] static Result<std::unique_ptr<SessionComparison>> open(std::filesystem::path played,
-                                                                       std::filesystem::path folder);
+  using Say = std::function<void(const std::string& line)>;
+
+  /// `folder`: its files *.mcap may be compared with `played`. `say` is called on the thread that reads, once for each
+  /// session of which a part is left out: the part, and why. Error: it is not a folder.
+  [[nodiscard]] static Result<std::unique_ptr<SessionComparison>> open(
+      std::filesystem::path played, std::filesystem::path folder, Say say = [](const std::string&) {});
   ~SessionComparison() { stop(); }
   SessionComparison(const SessionComparison&) = delete;
   SessionComparison& operator=(const SessionComparison&) = delete;
@@ -32,8 +36,8 @@ class SessionComparison {
   [[nodiscard]] std::string json() const;  ///< msg::ComparisonState as JSON
 
  private:
-  SessionComparison(std::filesystem::path played, std::filesystem::path folder)
-      : played_(std::move(played)), folder_(std::move(folder)) {}
+  SessionComparison(std::filesystem::path played, std::filesystem::path folder, Say say)
+      : played_(std::move(played)), folder_(std::move(folder)), say_(std::move(say)) {}
   [[nodiscard]] std::vector<std::string> sessions() const;
   void begin(const std::string& with);
   void stop();
@@ -41,6 +45,7 @@ class SessionComparison {
 
   std::filesystem::path played_;
   std::filesystem::path folder_;
+  Say say_;
   mutable std::mutex mutex_;
   msg::ComparisonState state_;  // without `sessions`, which each json() lists anew
   std::atomic<bool> stopping_{false};

@@ -24,19 +24,25 @@ Result<StateTrack> read_track(const std::filesystem::path& file, const std::atom
   if (!reader) return reader.error();
   StateTrack track{.begin_ns = static_cast<std::int64_t>(reader->summary().statistics.message_start_time),
                    .end_ns = static_cast<std::int64_t>(reader->summary().statistics.message_end_time),
-                   .points = {}};
+                   .points = {},
+                   .damaged = 0,
+                   .is_cut = false};
   reader->select({.topics = {std::string(wire::kStationState.name)}});
   std::uint32_t station = 0;
-  while (!stopping && track.points.size() < kMostTrackPoints) {
+  while (!stopping && !track.is_cut) {
     const Result<std::optional<wire::Message>> message = reader->next();
-    if (!message) continue;
-    if (!*message) break;
+    if (message && !*message) break;
     msg::StationState state;
-    if (!state.ParseFromString(*(*message)->payload)) continue;
+    if (!message || !state.ParseFromString(*(*message)->payload)) {
+      ++track.damaged;
+      continue;
+    }
     if (track.points.empty()) station = state.sender();
     const TrackPoint point = point_of(state);
     const bool is_later = track.points.empty() || point.at_ns > track.points.back().at_ns;
-    if (state.sender() == station && is_later) track.points.push_back(point);
+    if (state.sender() != station || !is_later) continue;
+    track.is_cut = track.points.size() == kMostTrackPoints;
+    if (!track.is_cut) track.points.push_back(point);
   }
   if (track.points.empty())
     return Error{.what = "holds no state of a station",

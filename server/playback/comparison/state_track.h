@@ -25,6 +25,8 @@ struct StateTrack {
   std::int64_t begin_ns = 0;  ///< session time of the session's first message
   std::int64_t end_ns = 0;    ///< session time of the session's last message
   std::vector<TrackPoint> points;
+  std::uint64_t damaged = 0;  ///< chunks and states that could not be read
+  bool is_cut = false;        ///< the file has states after the first kMostTrackPoints
 };
 
 /// Two hours at 100 Hz; later states are left out.

@@ -113,7 +113,8 @@ class Comparison : public testing::Test {
     write_session(folder_ / "played.mcap", 2.0, true);
     write_session(folder_ / "other.mcap", 2.5, true);
     write_session(folder_ / "camera.mcap", 0.0, false);
-    auto opened = SessionComparison::open(folder_ / "played.mcap", folder_);
+    auto opened = SessionComparison::open(folder_ / "played.mcap", folder_,
+                                          [this](const std::string& line) { said_.push_back(line); });
     ASSERT_TRUE(opened) << to_string(opened.error());
     comparison_ = std::move(opened).value();
   }
@@ -132,8 +133,22 @@ class Comparison : public testing::Test {
   }
 
   std::filesystem::path folder_;
+  std::vector<std::string> said_;  // read it after complete()
   std::unique_ptr<SessionComparison> comparison_;
 };
+
+TEST_F(Comparison, SaysThatDamagedStatesAreLeftOut) {
+  std::vector<wire::Message> messages;
+  for (int i = 0; i < 10; ++i)
+    messages.push_back(wire::make_message(wire::kStationState, session_time(kStart_ns + i), msg::StationState()));
+  messages[4].payload = std::make_shared<const std::string>("\xff\xff");
+  std::filesystem::remove(folder_ / "other.mcap");
+  ASSERT_TRUE(wire::samples::write_file(folder_ / "other.mcap", messages, {.bytes = 3000}));
+  ASSERT_TRUE(comparison_->apply(R"({"with": "other.mcap"})"));
+  (void)complete();
+  ASSERT_EQ(said_.size(), 1u);
+  EXPECT_NE(said_[0].find("leaves out a part of other.mcap: 1 damaged part"), std::string::npos) << said_[0];
+}
 
 TEST_F(Comparison, ListsTheFolderAndComparesTheChosenSession) {
   EXPECT_EQ(state().sessions_size(), 3);

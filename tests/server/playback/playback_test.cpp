@@ -458,11 +458,39 @@ TEST(SessionEvents, TellsTheWholeSessionBeforeItIsPlayed) {
   std::filesystem::remove(file);
 }
 
-TEST(SessionEvents, AFileThatCannotBeReadHasNoneAndIsComplete) {
-  const SessionEvents reading("/nonexistent.mcap", at_ms(0));
+/// The events of `file`, and the line about those that the list lacks.
+std::pair<msg::SessionEvents, std::string> events_of(const std::filesystem::path& file) {
+  std::string said;
+  const SessionEvents reading(file, at_ms(0), [&](const std::string& line) { said += line; });
   for (int look = 0; look < 3000 && !reading.events().complete(); ++look) std::this_thread::sleep_for(10ms);
-  EXPECT_TRUE(reading.events().complete()) << "a page asks until it is";
-  EXPECT_EQ(reading.events().events_size(), 0);
+  return {reading.events(), said};
+}
+
+TEST(SessionEvents, AFileThatCannotBeReadHasNoneAndIsCompleteAndSaysSo) {
+  const auto [events, said] = events_of("/nonexistent.mcap");
+  EXPECT_TRUE(events.complete()) << "a page asks until it is";
+  EXPECT_EQ(events.events_size(), 0);
+  EXPECT_NE(said.find("list of events of nonexistent.mcap is empty"), std::string::npos) << said;
+}
+
+TEST(SessionEvents, SaysWhichEventsTheListLacks) {
+  const auto file = wire::samples::fresh_file("lacking" + std::to_string(::getpid()) + ".mcap");
+  std::vector<wire::Message> messages;
+  for (int ms = 0; ms < 5001; ++ms)
+    messages.push_back(wire::make_message(wire::kStationEvents, at_ms(ms), msg::StationEvent()));
+  ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  EXPECT_NE(events_of(file).second.find("ends after 5000 events"), std::string::npos) << events_of(file).second;
+  messages.resize(10);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  EXPECT_EQ(events_of(file).second, "");
+  messages[3].payload = std::make_shared<const std::string>("\xff\xff");
+  std::filesystem::remove(file);
+  ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
+  EXPECT_NE(events_of(file).second.find("lacks the events of 1 damaged part"), std::string::npos)
+      << events_of(file).second;
+  EXPECT_EQ(events_of(file).first.events_size(), 9);
+  std::filesystem::remove(file);
 }
 
 TEST(PlaybackCommand, WrongJsonAndValuesOutOfRangeAreNamed) {
