@@ -102,8 +102,7 @@ std::string help_text(const Usage& usage) {
 }
 
 std::string version_text(std::string_view program) {
-  const std::string commit_text = *commit() == '\0' ? "unknown" : commit();
-  return std::string(program.substr(0, program.find(' '))) + " " + version() + ", commit " + commit_text +
+  return software(program.substr(0, program.find(' '))) + (*commit() == '\0' ? ", commit unknown" : "") +
          "\nwire protocol " + std::to_string(kWireProtocolVersion) + ", depth codec " +
          std::to_string(kDepthPacketVersion) + ", MCAP " + std::to_string(kMcapVersion) + "\n";
 }

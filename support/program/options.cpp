@@ -1,10 +1,14 @@
 #include "support/program/options.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
+#include <mutex>
 #include <system_error>
 
 #include "proto/words/error_line.h"
@@ -73,6 +77,24 @@ Result<T> parse_bounded(std::string_view option, const std::string& text, T leas
   return value;
 }
 
+Error output_error() {
+  return {.what = "the output could not be written" +
+                  (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()),
+          .where = "standard output",
+          .fix = "make room on the disk, or write to another place"};
+}
+
+bool output_is_lost = false;  // print() has said so
+
+/// At the process's end: what the program wrote to stdout is written, or the exit code is kFailed.
+void check_output() {
+  errno = 0;
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (written || output_is_lost) return;
+  (void)fail(output_error());
+  ::_exit(kFailed);
+}
+
 }  // namespace
 
 bool Arguments::has(std::string_view flag) const {
@@ -101,6 +123,8 @@ Result<std::int64_t> Arguments::whole(std::string_view option, std::int64_t leas
 }
 
 Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv) try {
+  static std::once_flag once;
+  std::call_once(once, [] { (void)std::atexit(check_output); });
   const po::options_description description = describe(usage);
   // Only complete long options are accepted: a guessed prefix could select the wrong safety setting.
   using namespace po::command_line_style;
@@ -144,9 +168,8 @@ std::optional<int> run_command(const Usage& usage, int argc, const char* const* 
 
 int print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
-  return fail({.what = "the output could not be written: " + std::generic_category().message(errno),
-               .where = "standard output",
-               .fix = "make room on the disk, or write to another place"});
+  output_is_lost = true;
+  return fail(output_error());
 }
 
 int fail(const Error& error, int code) {

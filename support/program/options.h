@@ -37,7 +37,9 @@ class Arguments {
 };
 
 /// Reads argv. Error: an unknown option or word, an empty value, or an option given twice that is not `repeatable`.
-/// nullopt: `--help` or `--version` was given, and its text has been printed to stdout; exit with kDone.
+/// nullopt: `--help` or `--version` was given, and its text has been printed to stdout; exit with kDone. If stdout
+/// cannot take what the process prints, as on a full disk, the process says so when it ends, and its exit code becomes
+/// kFailed.
 [[nodiscard]] Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv);
 
 /// Runs the command that argv[1] names and returns the command's exit code; nullopt: argv[1] names no command whose

@@ -8,4 +8,9 @@ const char* version() noexcept { return TELEPALP_VERSION; }
 // one.
 [[gnu::weak]] const char* commit() noexcept { return ""; }
 
+std::string software(std::string_view program) {
+  const std::string built_from = commit();
+  return std::string(program) + " " + version() + (built_from.empty() ? "" : ", commit " + built_from);
+}
+
 }  // namespace telepalp::program

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Holds every program, and every command that has a help of its own, to what a user may expect of it: `-h` prints what
 # --help prints, which fits a terminal of 80 columns and 40 lines (but for the line to paste) and ends with an example;
-# --version tells version, commit and formats; an option given twice, or with an empty value, ends with 2.
+# --version tells version, commit and formats; where neither can be written, as on a full disk, the exit code is 1; an
+# option given twice, or with an empty value, ends with 2.
 # usage: help_test.sh SOURCE_DIR BIN_DIR
 set -uo pipefail
 source_dir=$1 bin=$2
@@ -25,6 +26,12 @@ check() { # PROGRAM [COMMAND]
   "$bin/$1" ${2:+"$2"} --version | tr '\n' ' ' |
     grep -qE "^$1 [0-9.]+, commit ([0-9a-f]{7,}(-modified)?|unknown) wire protocol [0-9]+, depth codec [0-9]+, MCAP [0-9]+ $" ||
     failed "$* --version tells something else"
+  local asked said
+  for asked in --version --help; do
+    said=$("$bin/$1" ${2:+"$2"} $asked 2>&1 >/dev/full)
+    [ $? = 1 ] && grep -q 'error: standard output: the output could not be written: No space left' <<<"$said" ||
+      failed "$* $asked to a full disk ends well, or says: $said"
+  done
   local option
   option=$(sed -n 's/^  \(--[a-z-]* [A-Z][^ ]*\).*/\1/p' <<<"$help" | head -n 1)
   [ -n "$option" ] || return 0
