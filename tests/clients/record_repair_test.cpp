@@ -172,6 +172,22 @@ TEST_F(Repair, AnUnfinishedRecordingWithAChangedDefinitionIsKeptAndTheTopicNamed
   EXPECT_FALSE(std::filesystem::exists(partial())) << log();
 }
 
+TEST_F(Repair, AnUnfinishedRecordingWithChangedMetadataIsKeptAndSaysWhichMayBeWrong) {
+  const std::string whole = recorded();
+  for (const std::string text : {wire::samples::kInfo.source, wire::samples::kInfo.scene}) {
+    std::string bytes = whole.substr(0, summary().chunks.back().chunk_start_offset);
+    const std::size_t place = bytes.find(text);
+    ASSERT_NE(place, std::string::npos) << text;
+    bytes[place + text.size() / 2] ^= 0x01;
+    leave_unfinished(bytes);
+    ASSERT_EQ(run({"repair", session()}), 0) << log();
+    EXPECT_NE(log().find("the metadata telepalp.session are damaged"), std::string::npos) << log();
+    EXPECT_TRUE(std::filesystem::exists(partial())) << "a damaged file is kept";
+    std::filesystem::remove(partial());
+    write(session(), whole);
+  }
+}
+
 TEST_F(Repair, EveryCommandThatMeetsAnUnfinishedRecordingNamesIt) {
   leave_unfinished(recorded().substr(0, 9'000));
   for (const std::vector<std::string>& words : {std::vector<std::string>{"info", session()},

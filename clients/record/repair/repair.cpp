@@ -48,10 +48,17 @@ wire::SessionInfo session_of(const std::vector<wire::mcap::Metadata>& metadata) 
           .scene = {}};
 }
 
-/// Damage that no single record shows: the file's CRC shows it or, where its end is missing, a definition that differs
-/// from this program's own.
+/// Damage that no single record shows: the file's CRC shows it. Where the file's end is missing, the check sum of the
+/// session's metadata shows it, or a definition that differs from this program's own.
 std::vector<std::string> unplaced_damages(wire::McapStreamReader& stream, const wire::SessionInfo& session) {
-  if (!stream.complete()) return DefinitionCheck(session).damaged(stream.channels());
+  if (!stream.complete()) {
+    std::vector<std::string> damages = DefinitionCheck(session).damaged(stream.channels());
+    for (const wire::mcap::Metadata& record : stream.metadata())
+      if (!wire::is_intact(record))
+        damages.push_back("the metadata " + record.name +
+                          " are damaged: who recorded, the consent or the scene may be wrong");
+    return damages;
+  }
   const Result<void> checked = stream.check_bytes(is_of_telepalp(stream));
   return checked ? std::vector<std::string>{} : std::vector{checked.error().what};
 }

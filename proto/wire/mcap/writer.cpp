@@ -1,7 +1,9 @@
 #include "proto/wire/mcap/writer.h"
 
 #include <algorithm>
+#include <cstdio>
 
+#include "proto/wire/mcap/format/compression.h"
 #include "proto/wire/mcap/format/schemas.h"
 
 namespace telepalp::wire {
@@ -27,6 +29,18 @@ mcap::Schema schema_of(const Topic& topic) {
           .data = file_descriptor_set(*descriptor_of(topic))};
 }
 
+constexpr const char* kCheckSum = "crc32";
+
+/// CRC-32 of the record's name and its other entries, each text followed by a zero byte, in hexadecimal digits.
+std::string check_sum_of(const mcap::Metadata& metadata) {
+  std::string all = metadata.name + '\0';
+  for (const auto& [key, value] : metadata.values)
+    if (key != kCheckSum) all += key + '\0' + value + '\0';
+  char text[12];
+  std::snprintf(text, sizeof text, "%08x", mcap::crc32(all));
+  return text;
+}
+
 mcap::Metadata as_metadata(const SessionInfo& info) {
   mcap::Metadata metadata{std::string(kSessionMetadata),
                           {{"program", info.program},
@@ -36,6 +50,7 @@ mcap::Metadata as_metadata(const SessionInfo& info) {
                            {"scene", info.scene}}};
   if (!info.recorded_by.empty()) metadata.values["recorded_by"] = info.recorded_by;
   if (!info.consent.empty()) metadata.values["consent"] = info.consent;
+  metadata.values[kCheckSum] = check_sum_of(metadata);
   return metadata;
 }
 
@@ -55,6 +70,11 @@ SessionInfo session_info(const mcap::Metadata& metadata) {
           .scene = value_or_empty(values, "scene"),
           .recorded_by = value_or_empty(values, "recorded_by"),
           .consent = value_or_empty(values, "consent")};
+}
+
+bool is_intact(const mcap::Metadata& metadata) {
+  const std::string stated = value_or_empty(metadata.values, kCheckSum);
+  return stated.empty() || stated == check_sum_of(metadata);
 }
 
 Result<McapWriter> McapWriter::open(const std::filesystem::path& name, const SessionInfo& info,

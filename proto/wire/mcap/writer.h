@@ -30,6 +30,10 @@ inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  //
 /// Parses the record "telepalp.session"; a field that the record lacks is empty.
 [[nodiscard]] SessionInfo session_info(const mcap::Metadata& metadata);
 
+/// False if the record "telepalp.session" is damaged: it states a check sum that its entries do not have. The check sum
+/// is the only one that a file without its end has for this record. True for a record that states none.
+[[nodiscard]] bool is_intact(const mcap::Metadata& metadata);
+
 /// Writes a session file. Owner: one thread, which may block on the disk. While it grows, the file is called
 /// NAME.partial, and every flushed chunk survives a crash. close() renames it to NAME. The destructor also closes, but
 /// its errors are lost.
