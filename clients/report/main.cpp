@@ -54,9 +54,26 @@ Result<std::filesystem::path> finished(const std::filesystem::path& asked) {
   return report->file;
 }
 
+/// The session file of `asked`, a file or a folder that telepalp-replay wrote. Error: a folder without session.mcap; it
+/// names the sessions that the folder holds.
+Result<std::filesystem::path> session_of(const std::filesystem::path& asked) {
+  std::error_code none;
+  const std::filesystem::path file = report::session_file(asked);
+  if (!std::filesystem::is_directory(asked, none) || std::filesystem::exists(file, none) || record::unfinished(file))
+    return file;
+  std::string others;
+  for (const auto& entry : std::filesystem::directory_iterator(asked, none))
+    if (entry.path().extension() == ".mcap") others += (others.empty() ? "" : ", ") + entry.path().filename().string();
+  return Error{.what = "the folder holds no session.mcap" + (others.empty() ? "" : ", but " + others),
+               .where = asked.string(),
+               .fix = "name a session file, or a folder that telepalp-replay --out wrote"};
+}
+
 Result<void> write_report(const std::filesystem::path& asked, const std::filesystem::path& folder,
                           const report::PathLimits& path) {
-  const Result<std::filesystem::path> whole = finished(asked);
+  const Result<std::filesystem::path> session_file = session_of(asked);
+  if (!session_file) return session_file.error();
+  const Result<std::filesystem::path> whole = finished(*session_file);
   if (!whole) return whole.error();
   const std::filesystem::path& file = *whole;
   Result<report::Session> session = report::read_session(file);
@@ -67,7 +84,7 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
 
   const report::Summary summary = report::summarise(*session);
-  const report::Verdict verdict = report::judge(summary, path);
+  const report::Verdict verdict = report::judge(summary, path, &*session);
   const std::int64_t moment_ns = report::deepest_moment_ns(*session);
   const auto frame = report::read_frame(file, *session, moment_ns);
   if (!frame) return frame.error();
@@ -84,9 +101,12 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
                  "its camera\n";
   }
   std::cout << verdict.headline << "\n";
-  for (std::size_t i = 0; i < verdict.causes.size(); ++i)
-    std::cout << "  " << i + 1 << ". " << verdict.causes[i].what << ".\n     What to do: " << verdict.causes[i].to_do
+  for (std::size_t i = 0; i < verdict.causes.size(); ++i) {
+    const report::Cause& cause = verdict.causes[i];
+    std::cout << "  " << i + 1 << ". " << cause.what << ".\n"
+              << (cause.when.empty() ? "" : "     When: " + cause.when + ".\n") << "     What to do: " << cause.to_do
               << ".\n";
+  }
   std::cout << verdict.account << "\n" << (folder / "report.html").string() << "\n";
   return {};
 }

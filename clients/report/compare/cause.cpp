@@ -58,8 +58,9 @@ std::string ages(double a_ms, double b_ms) {
 
 /// Settings that do not act on the force by themselves: what they change shows in the images or in the contacts.
 bool acts_on_the_force(const Setting& setting) {
-  constexpr auto kOthers = std::to_array<std::string_view>(
-      {"source of the images", "software", "images", "station's computer", "mean depth m"});
+  constexpr auto kOthers =
+      std::to_array<std::string_view>({"source of the images", "software", "server's software", "station's software",
+                                       "images", "station's computer", "mean depth m"});
   return std::find(kOthers.begin(), kOthers.end(), setting.name) == kOthers.end();
 }
 

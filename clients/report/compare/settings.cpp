@@ -95,6 +95,8 @@ std::vector<Setting> settings_of(const Run& a, const Run& b) {
   std::vector<Setting> all{
       {"network", network_of(a), network_of(b)},
       {"software", software_of(a.info), software_of(b.info)},
+      {"server's software", provenance_of(a.session).server, provenance_of(b.session).server},
+      {"station's software", provenance_of(a.session).station, provenance_of(b.session).station},
       {"source of the images", source_of(a.session), source_of(b.session)},
       {"recorded from (server or file)", a.session.origin, b.session.origin},
       {"scene", scene_name(a.info.scene), scene_name(b.info.scene) + (said.empty() ? "" : "; " + said)},

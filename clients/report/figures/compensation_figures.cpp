@@ -26,9 +26,20 @@ Series over_time(const Session& session, std::string name, std::string_view colo
 Chart chart_of(std::string title, std::string unit, std::vector<Series> series) {
   return {.title = std::move(title),
           .x = {"time [s]"},
-          .y = {std::move(unit), plot::Range{0.0, 0.0}},
+          .y = {std::move(unit), plot::Range{0.0, 1.0}},  // a micrometre of noise must not fill the chart
           .series = std::move(series),
           .height_px = 240.0};
+}
+
+/// A chart of which the y axis has words instead of numbers: `words[i]` stands at the value i.
+Chart chart_of_words(std::string title, std::vector<std::string> words, Series series) {
+  Chart chart{.title = std::move(title),
+              .x = {"time [s]"},
+              .y = {.label = "", .include = plot::Range{0.0, static_cast<double>(words.size()) - 1.0}},
+              .series = {std::move(series)},
+              .height_px = 130.0};
+  for (std::size_t i = 0; i < words.size(); ++i) chart.y.ticks.push_back({static_cast<double>(i), std::move(words[i])});
+  return chart;
 }
 
 /// `take` of the object with the number `at` of every message; 0 where the message has no such object.
@@ -39,22 +50,25 @@ Series over_object(const Session& session, int at, std::string name, std::string
   });
 }
 
-/// One chart for each object inside the body: how far it has moved with the skin, and how well that is known.
+/// Two charts for each object inside the body: how far it has moved with the skin, and what is seen of the skin.
 void add_objects(const Session& session, std::vector<Chart>& charts) {
   using Object = const msg::ObjectPlacement&;
   const msg::StationCompensation& last = session.compensations.back();
-  for (int at = 0; at < last.objects_size(); ++at)
-    charts.push_back(chart_of(
-        "The " + last.objects(at).name() + " inside the body, following the skin", "distance [mm]",
-        {over_object(session, at, "moved up", plot::kBlue, [](Object o) { return o.moved().y() * 1e3; }),
-         over_object(session, at, "moved sideways", plot::kVermilion,
-                     [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
-         over_object(session, at, "uncertainty of the place along the skin, 1 sigma", plot::kGrey,
-                     [](Object o) { return o.sigma_slide_m() * 1e3; }),
-         over_object(session, at, "0: follows the skin, -1: sideways motion not seen, -2: skin not seen", plot::kBlack,
-                     [](Object o) { return o.unseen()         ? -2.0
-                                           : o.slide_unseen() ? -1.0
-                                                              : 0.0; })}));
+  for (int at = 0; at < last.objects_size(); ++at) {
+    const std::string name = "The " + last.objects(at).name() + " inside the body";
+    charts.push_back(
+        chart_of(name + ", following the skin", "distance [mm]",
+                 {over_object(session, at, "moved up", plot::kBlue, [](Object o) { return o.moved().y() * 1e3; }),
+                  over_object(session, at, "moved sideways", plot::kVermilion,
+                              [](Object o) { return std::hypot(o.moved().x(), o.moved().z()) * 1e3; }),
+                  over_object(session, at, "uncertainty of the place along the skin, 1 sigma", plot::kGrey,
+                              [](Object o) { return o.sigma_slide_m() * 1e3; })}));
+    charts.push_back(chart_of_words(name + ": how it follows the skin above it",
+                                    {"not: skin not seen", "up and down only", "in every direction"},
+                                    over_object(session, at, "", plot::kBlack, [](Object o) {
+                                      return o.unseen() ? 0.0 : o.slide_unseen() ? 1.0 : 2.0;
+                                    })));
+  }
 }
 
 }  // namespace
@@ -81,8 +95,9 @@ std::vector<Chart> compensation(const Session& session) {
            over_time(session, "uncertainty, 1 sigma", plot::kGrey, [](Sample t) { return t.hand_sigma_m() * 1e3; })})};
   if (std::any_of(session.compensations.begin(), session.compensations.end(),
                   [](Sample t) { return t.unmodelled() > 0.5; }))
-    charts.push_back(chart_of("Does the patient's motion fit the prediction?", "0: it fits, 1: it does not",
-                              {over_time(session, "", plot::kBlue, [](Sample t) { return t.unmodelled(); })}));
+    charts.push_back(chart_of_words("The patient's motion, compared with the seconds before",
+                                    {"as before", "unlike before"},
+                                    over_time(session, "", plot::kBlue, [](Sample t) { return t.unmodelled(); })));
   add_objects(session, charts);
   return charts;
 }

@@ -14,7 +14,9 @@ h1 { font-size: 26px; margin: 0 0 2px; } h2 { font-size: 20px; margin: 0 0 2px; 
 .facts div { display: flex; gap: 6px; } .facts dt { color: #667080; } .facts dd { margin: 0; overflow-wrap: anywhere; }
 .notice { color: #566070; margin: 0 0 14px; font-size: 13px; }
 .causes { margin: 12px 0 4px; padding-left: 24px; } .causes li { margin: 0 0 8px; }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; } details > summary { cursor: pointer; padding: 6px 0; color: #22262d; }
+.meanings { display: grid; grid-template-columns: max-content 1fr; gap: 4px 16px; margin: 0; font-size: 14.5px; }
+.meanings dt { font-weight: 600; } .meanings dd { margin: 0; color: #566070; }
 .verdict, section { background: #fff; border: 1px solid #e1e5ea; border-radius: 10px; padding: 18px 20px; margin: 0 0 18px; }
 .verdict { border-left: 10px solid #009e73; } .verdict.look { border-left-color: #d55e00; }
 .verdict.none { border-left-color: #8a8f98; }

@@ -139,6 +139,18 @@ Chart position_by_state(const Session& session) {
   return position_chart(session.ticks, seconds_of(session), "Height of the end-effector and of the tracked hand");
 }
 
+std::vector<Band> contact_bands(const Session& session) {
+  const Ticks& ticks = session.ticks;
+  const std::vector<double> seconds = seconds_of(session);
+  std::vector<Band> bands;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    if (!is_contact(ticks, i)) continue;
+    if (i == 0 || !is_contact(ticks, i - 1)) bands.push_back({seconds[i], seconds[i], "#8a8f98", "", ""});
+    bands.back().to = seconds[i] + ticks.period_ns * 1e-9;
+  }
+  return bands;
+}
+
 std::vector<Chart> force_against_indentation(const Session& session) {
   const Ticks& ticks = session.ticks;
   const auto contact = [&](std::size_t i) { return is_contact(ticks, i); };
@@ -147,15 +159,15 @@ std::vector<Chart> force_against_indentation(const Session& session) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name(kAxisNames[axis]);
     charts.push_back({.title = "Along " + name + (axis == 1 ? " (vertical)" : ""),
-                      .x = {"indentation d_" + name + " [mm]"},
-                      .y = {"force F_" + name + " [N]"},
+                      .x = {"indentation d_" + name + " [mm]", plot::Range{-1.0, 1.0}},
+                      .y = {"force F_" + name + " [N]", plot::Range{-0.1, 0.1}},
                       .series = {{"", indentation_mm(ticks, axis), only(scaled(ticks.force[axis], 1.0), contact),
                                   std::string(kColors[axis]), Style::Path}},
                       .width_px = kHalfWidth});
   }
   charts.push_back({.title = "Magnitudes of force and indentation",
-                    .x = {"indentation |d| [mm]", plot::Range{0.0, 0.0}},
-                    .y = {"force |F| [N]", plot::Range{0.0, 0.0}},
+                    .x = {"indentation |d| [mm]", plot::Range{0.0, 1.0}},
+                    .y = {"force |F| [N]", plot::Range{0.0, 0.1}},
                     .series = {{"", only(scaled(ticks.indentation_m, 1e3), contact), only(force_norm_N(ticks), contact),
                                 std::string(plot::kBlack), Style::Path}},
                     .width_px = kHalfWidth});

@@ -10,6 +10,9 @@ namespace telepalp::report {
 /// Like Fig. 5 of paper S1 (docs/sources.md): heights of end-effector and tracked hand over time, with the states.
 [[nodiscard]] plot::Chart position_by_state(const Session& session);
 
+/// The contacts, as grey bands over a time axis.
+[[nodiscard]] std::vector<plot::Band> contact_bands(const Session& session);
+
 /// Like S1 Fig. 6: force against indentation along x, y and z of the haptic base, and their norms. The indentation is
 /// measured from the proxy at first contact (S1 eq. 8).
 [[nodiscard]] std::vector<plot::Chart> force_against_indentation(const Session& session);

@@ -5,12 +5,14 @@
 #include "clients/ar/messages/phases.h"
 #include "clients/report/figures/compensation_figures.h"
 #include "clients/report/figures/energy_figures.h"
+#include "clients/report/figures/events.h"
 #include "clients/report/figures/html.h"
+#include "clients/report/figures/image_counts.h"
 #include "clients/report/figures/motion_figures.h"
+#include "clients/report/figures/page_words.h"
 #include "clients/report/figures/timing_figures.h"
 #include "clients/report/summary/provenance.h"
 #include "proto/words/counted.h"
-#include "proto/words/phase_names.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
 
@@ -55,8 +57,8 @@ std::string fact(const char* name, const std::string& text) {
 
 std::string provenance(const Session& session) {
   const Provenance from = provenance_of(session);
-  return "<dl class=\"facts\">\n" + fact("date", from.date) + fact("scene", from.scene) +
-         fact("written by", from.software) + fact("recorded by", from.recorder) +
+  return "<dl class=\"facts\">\n" + fact("date", from.date) + fact("scene", from.scene) + fact("server", from.server) +
+         fact("station", from.station) + fact("file written by", from.software) + fact("recorded by", from.recorder) +
          fact("patient's consent", from.consent) + "</dl>\n<p class=\"notice\">" +
          escaped(std::string(kNotAMedicalDevice)) + "</p>\n";
 }
@@ -66,7 +68,8 @@ std::string causes_list(const Verdict& verdict) {
   if (verdict.causes.empty()) return "";
   std::string out = "<ol class=\"causes\">\n";
   for (const Cause& cause : verdict.causes)
-    out += "<li>" + escaped(cause.what) + ".<br><b>What to do:</b> " + escaped(cause.to_do) + ".</li>\n";
+    out += "<li>" + escaped(cause.what) + (cause.when.empty() ? "" : ".<br><b>When:</b> " + escaped(cause.when)) +
+           ".<br><b>What to do:</b> " + escaped(cause.to_do) + ".</li>\n";
   return out + "</ol>\n";
 }
 
@@ -109,16 +112,20 @@ std::string notes_section(const Session& session) {
 }
 
 std::string states_section(const Summary& summary) {
+  double all_s = 0.0;
+  for (const Dwell& dwell : summary.dwells) all_s += dwell.seconds;
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < ar::kPhases.size(); ++i)
-    rows.push_back(
-        {std::string(ar::kPhases[i].words), std::string(ar::kPhases[i].mark), std::to_string(summary.dwells[i].entries),
-         number(summary.dwells[i].seconds, 3),
-         summary.seconds > 0.0 ? number(100.0 * summary.dwells[i].seconds / summary.seconds, 1) + " %" : "–"});
-  return section("States",
-                 "How often the controller entered each state, and how long it stayed there. The numbers are those of "
-                 "paper S1 (docs/sources.md); R and F are not in S1.",
-                 table({"state", "number", "times entered", "time in the state [s]", "share of the session"}, rows));
+    rows.push_back({std::string(ar::kPhases[i].words), std::string(ar::kPhases[i].mark),
+                    std::to_string(summary.dwells[i].entries), number(summary.dwells[i].seconds, 3),
+                    all_s > 0.0 ? number(100.0 * summary.dwells[i].seconds / all_s, 1) + " %" : "–"});
+  return section(
+      "States",
+      "How often the controller entered each state, and how long it stayed there. The shares are of the " +
+          number(all_s, 1) +
+          " s in which the station's control loop ran. The numbers are those of paper S1 (docs/sources.md); "
+          "R and F are not in S1.",
+      table({"state", "number", "times entered", "time in the state [s]", "share of the loop's time"}, rows));
 }
 
 std::string motion_sections(const Session& session, const Summary& summary) {
@@ -144,8 +151,8 @@ std::string motion_sections(const Session& session, const Summary& summary) {
                        in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
   return out + section("The whole run",
                        "State, height and force on one time axis. Only the force of contact comes from the patient. "
-                       "Outside the body, the drive moves the end-effector, and the hand feels only its lift in state "
-                       "1. The drive gave at most " +
+                       "Outside the body, a drive moves the end-effector; of its force the hand feels only the lift in "
+                       "state 1. The drive gave at most " +
                            readable(summary.force_of_drive_max_N) + " N.",
                        stacked(timeline(session)));
 }
@@ -192,7 +199,11 @@ std::string timing_sections(const Session& session, const Summary& summary) {
   if (!session.surfaces.empty()) way += plot::to_svg(latency_by_stage(summary));
   if (!session.states.empty()) way += plot::to_svg(surface_age(session));
   way += plot::to_svg(frame_rate(session));
-  out += section("From the camera to the hand", "Latency by stage, age of the touched surface, and frame rate.", way);
+  out +=
+      section("From the camera to the hand",
+              "Latency of each part of a depth image's way, age of the surface that the hand touches, and images per "
+              "second. A surface begins as old as its image's latency, and ages until the next surface replaces it.",
+              way);
   if (const std::vector<plot::Chart> done = compensation(session); !done.empty())
     out += section(
         "Compensation of delay",
@@ -222,33 +233,12 @@ std::string senders_section(const Summary& summary) {
   return section(
       "Senders",
       "Programs that published on a station's topics. All other figures on this page are those of the first program, "
-      "which has the most ticks. Depth frames are counted during the recording: those that the server sent to the "
-      "program, those that the program received, and those that the server replaced by a newer frame before sending "
+      "which has the most ticks. Depth images are counted during the recording: those that the server sent to the "
+      "program, those that the program received, and those that the server replaced by a newer image before sending "
       "them (dropped).",
-      table({"program", "messages published", "ticks recorded", "contacts", "depth frames sent to the program",
-             "depth frames received by the program", "depth frames dropped by the server"},
+      table({"program", "messages published", "ticks recorded", "contacts", "depth images sent to the program",
+             "depth images received by the program", "depth images dropped by the server"},
             rows));
-}
-
-std::string events_section(const Session& session) {
-  constexpr std::size_t kMost = 60;
-  std::vector<std::vector<std::string>> rows;
-  for (const msg::StationEvent& event : session.events) {
-    if (rows.size() == kMost) break;
-    const double at =
-        static_cast<double>(static_cast<std::int64_t>(event.stamp_ns()) - session.first_ns.value_or(0)) * 1e-9;
-    const std::string text =
-        event.kind() == msg::EVENT_KIND_PHASE  // a station of an older version has other words in its text
-            ? change_in_words(static_cast<int>(event.from()), static_cast<int>(event.to()))
-            : event.text();
-    rows.push_back({number(at, 3) + " s", text});
-  }
-  if (rows.empty()) return "";
-  const std::string more = session.events.size() > kMost
-                               ? "The first " + std::to_string(kMost) + " of " + std::to_string(session.events.size()) +
-                                     " events. Times count from the session's beginning."
-                               : "The events of the station, in order. Times count from the session's beginning.";
-  return section("Events", more, table({"time", "event"}, rows, Cells::Words));
 }
 
 }  // namespace
@@ -260,7 +250,8 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
          first_screen(session, summary, verdict) + senders_section(summary) + view_section(session, view_png) +
          notes_section(session) + motion_sections(session, summary) + states_section(summary) +
-         timing_sections(session, summary) + events_section(session) + "</body></html>\n";
+         image_counts_section(session, summary) + timing_sections(session, summary) + events_section(session) +
+         page_words_section() + "</body></html>\n";
 }
 
 }  // namespace telepalp::report

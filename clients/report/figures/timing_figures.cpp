@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clients/report/figures/motion_figures.h"
 #include "support/plot/histogram.h"
 #include "support/plot/palette.h"
 
@@ -73,7 +74,7 @@ plot::BarChart latency_by_stage(const Summary& summary) {
   const auto bar = [](std::string name, const Quantiles& values, std::string_view color) {
     return plot::Bar{std::move(name), values.p50, values.p99, std::string(color)};
   };
-  return {"Latency of a frame from the camera to the hand (bar: p50, whisker: p99)",
+  return {"Latency of a depth image from the camera to the hand (bar: p50, whisker: p99)",
           "ms",
           {bar("capture to encoded", summary.capture_to_encoded_ms, plot::kSky),
            bar("encoded to received", summary.encoded_to_received_ms, plot::kSky),
@@ -91,21 +92,31 @@ Chart surface_age(const Session& session) {
                         ? kUnknown
                         : static_cast<double>(at - static_cast<std::int64_t>(state.surface_captured_ns())) * 1e-6);
   }
-  return {.title = "Age of the surface under the hand",
+  return {.title = "Age of the surface under the hand (grey: contact)",
           .x = {"time [s]"},
           .y = {"age [ms]", plot::Range{0.0, 0.0}},
           .series = {std::move(age)},
+          .bands = contact_bands(session),
           .height_px = 240.0};
 }
 
 Chart frame_rate(const Session& session) {
   const std::int64_t origin = session.first_ns.value_or(0);
-  return {.title = "Rate of the camera's recorded frames in each half second",
-          .x = {"time [s]"},
-          .y = {"frames a second", plot::Range{0.0, 30.0}},
-          .series = {rate_series("depth", session.depth_captured_ns, origin, plot::kBlue, Style::Step),
-                     rate_series("colour", session.color_captured_ns, origin, plot::kVermilion, Style::Step)},
-          .height_px = 240.0};
+  std::vector<std::int64_t> touchable_ns;
+  for (const msg::SurfaceReport& surface : session.surfaces)
+    if (surface.touchable_ns() != 0) touchable_ns.push_back(static_cast<std::int64_t>(surface.touchable_ns()));
+  Chart chart{
+      .title = "Images per second, in each half second",
+      .x = {"time [s]"},
+      .y = {"images per second", plot::Range{0.0, 30.0}},
+      .series = {rate_series("depth, taken by the camera", session.depth_captured_ns, origin, plot::kBlue, Style::Step),
+                 rate_series("colour, taken by the camera", session.color_captured_ns, origin, plot::kVermilion,
+                             Style::Step)},
+      .height_px = 240.0};
+  if (!touchable_ns.empty())
+    chart.series.push_back(
+        rate_series("depth, touchable at the station", touchable_ns, origin, plot::kGreen, Style::Step));
+  return chart;
 }
 
 }  // namespace telepalp::report

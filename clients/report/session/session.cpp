@@ -101,12 +101,14 @@ bool keep_stats(Session& session, const wire::Message& message) {
     record.frames_received.add(stats.frames_received(), record.began_here);
     record.deadlines_missed.add(stats.deadlines_missed(), record.began_here);
     record.telemetry_dropped.add(stats.telemetry_dropped(), record.began_here);
+    record.frames_dropped.add(stats.frames_dropped(), record.began_here);
+    record.counted_ns = to_nanoseconds(message.published);
     record.station_stats = std::move(stats);
     return true;
   });
 }
 
-void add_subscriber(Session& session, const msg::ServerStats::PerSubscriber& subscriber) {
+void add_subscriber(Session& session, const msg::ServerStats::PerSubscriber& subscriber, std::int64_t at_ns) {
   const auto [place, is_new] =
       session.subscriptions.try_emplace({subscriber.name(), subscriber.address()}, Subscription{});
   Subscription& known = place->second;
@@ -114,6 +116,9 @@ void add_subscriber(Session& session, const msg::ServerStats::PerSubscriber& sub
   known.name = subscriber.name();
   known.address = subscriber.address();
   if (is_new) known.was_there_first = !session.heard_server_stats;
+  known.counted_ns = at_ns;
+  if (known.carriers.empty() || known.carriers.back().by_datagram != subscriber.by_datagram())
+    known.carriers.push_back({at_ns, subscriber.by_datagram()});
   for (const msg::ServerStats::PerTopic& topic : subscriber.topics()) {
     if (topic.topic() != wire::kCameraDepth.name) continue;
     if (is_new) known.depth_sent_before = topic.sent();
@@ -125,7 +130,8 @@ void add_subscriber(Session& session, const msg::ServerStats::PerSubscriber& sub
 
 bool keep_server_stats(Session& session, const wire::Message& message) {
   return read<msg::ServerStats>(message, [&](const msg::ServerStats& stats) {
-    for (const auto& subscriber : stats.subscribers()) add_subscriber(session, subscriber);
+    const std::int64_t at_ns = to_nanoseconds(message.published);
+    for (const auto& subscriber : stats.subscribers()) add_subscriber(session, subscriber, at_ns);
     session.heard_server_stats = true;
     return true;
   });

@@ -64,7 +64,14 @@ struct SenderRecord {
   std::vector<msg::StationEvent> events;
   std::optional<msg::StationStats> station_stats;  ///< the last such message
   bool began_here = false;                         ///< the sender started during the recording
-  Growth frames_received, deadlines_missed, telemetry_dropped;
+  std::int64_t counted_ns = 0;                     ///< session time of station_stats
+  Growth frames_received, frames_dropped, deadlines_missed, telemetry_dropped;
+};
+
+/// From `since_ns` (session time) on, the images of a connection went by UDP datagrams, or by TCP.
+struct Carrier {
+  std::int64_t since_ns = 0;
+  bool by_datagram = false;
 };
 
 /// One connection to the server, from /server/stats.
@@ -74,6 +81,8 @@ struct Subscription {
   bool was_there_first = false;  ///< true: the connection existed when the recording began
   Growth depth_sent, depth_dropped;
   std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< counts in the first /server/stats that lists it
+  std::int64_t counted_ns = 0;      ///< session time of the last /server/stats that lists it
+  std::vector<Carrier> carriers{};  ///< in the order of time; one more at each change
 };
 
 /// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),
@@ -86,7 +95,8 @@ struct Session : SenderRecord {
   std::map<std::uint32_t, SenderRecord> others;                               ///< of the other senders, by their number
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;
-  std::optional<msg::CaptureStatus> capture;                        ///< the last such message
+  std::string server_software;                ///< name, version and commit of the server's program; empty: not stated
+  std::optional<msg::CaptureStatus> capture;  ///< the last such message
   std::map<std::string, foxglove::CameraCalibration> calibrations;  ///< the last one of each frame of reference
   std::vector<std::int64_t> depth_captured_ns;
   std::vector<std::int64_t> depth_key_ns;  ///< for each depth frame: log time of the newest key frame

@@ -13,6 +13,7 @@ using plot::readable;
 
 constexpr double kLeastBalance_mJ = -5.0;  // of the storms that telepalp-replay makes (docs/replay.md)
 constexpr double kMostExcess_mJ = 250.0;
+constexpr double kPeriod_us = 500.0;  // of a tick
 
 double known(const std::optional<std::uint64_t>& count) { return count ? static_cast<double>(*count) : kUnknown; }
 
@@ -20,25 +21,57 @@ double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / 
 
 std::vector<Check> safety_checks(const Summary& s) {
   const double faulted = s.ticks > 0 ? static_cast<double>(s.dwells.back().entries) : kUnknown;
-  return {
-      {"largest force", s.force_max_N, 10.0, "N", true, Rank::Safety, "the force exceeded the device's peak force",
-       "the station commanded " + readable(s.force_max_N) + " N; the device's peak force is 10 N",
-       "do not use this scene on a patient; look at its limits { peak_N }"},
-      {"numbers that are not finite", s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown, 0.0, "", true,
-       Rank::Safety, "a force or a position was not a number",
-       "a position, force, indentation or distance was not a finite number",
-       "send this session to the developers: it is a defect of telepalp, or of the device's driver"},
-      {"faults", faulted, 0.0, "", true, Rank::Safety, "the station faulted",
-       "the station faulted, and the device gave no force until it was re-armed", "read the fault below, under Events"},
-      {"lowest energy balance of the display", s.display_least_mJ, kLeastBalance_mJ, "mJ", false, Rank::Safety,
-       "the display created energy",
-       "the display gave the hand " + readable(-s.display_least_mJ) + " mJ more than the hand had put in",
-       "look at the section Energy for the time, and whether surface or scene changed there"},
-      {"largest excess work on the hand in one contact", s.hand_excess_most_mJ, kMostExcess_mJ, "mJ", true,
-       Rank::Safety, "the skin gave the hand too much work",
-       "in one contact the device did " + readable(s.hand_excess_most_mJ) +
-           " mJ more work on the hand than the measured skin would have done",
-       "look at the section Energy for the time; an old surface or a moving patient causes this"}};
+  return {{"largest force",
+           s.force_max_N,
+           10.0,
+           "N",
+           true,
+           Rank::Safety,
+           "the force exceeded the device's peak force",
+           "the station commanded " + readable(s.force_max_N) + " N; the device's peak force is 10 N",
+           "do not use this scene on a patient; look at its limits { peak_N }",
+           {Measurement::Force, 10.0}},
+          {"numbers that are not finite",
+           s.ticks > 0 ? static_cast<double>(s.non_finite) : kUnknown,
+           0.0,
+           "",
+           true,
+           Rank::Safety,
+           "a force or a position was not a number",
+           "a position, force, indentation or distance was not a finite number",
+           "send this session to the developers: it is a defect of telepalp, or of the device's driver",
+           {Measurement::NotFinite, 0.0}},
+          {"faults",
+           faulted,
+           0.0,
+           "",
+           true,
+           Rank::Safety,
+           "the station faulted",
+           "the station faulted, and the device gave no force until it was re-armed",
+           "read the fault below, under Events",
+           {Measurement::Fault, 0.0}},
+          {"lowest energy balance of the display",
+           s.display_least_mJ,
+           kLeastBalance_mJ,
+           "mJ",
+           false,
+           Rank::Safety,
+           "the display created energy",
+           "the display gave the hand " + readable(-s.display_least_mJ) + " mJ more than the hand had put in",
+           "look in the section Energy whether surface or scene changed at this time",
+           {Measurement::Balance, kLeastBalance_mJ}},
+          {"largest excess work on the hand in one contact",
+           s.hand_excess_most_mJ,
+           kMostExcess_mJ,
+           "mJ",
+           true,
+           Rank::Safety,
+           "the skin gave the hand too much work",
+           "in one contact the device did " + readable(s.hand_excess_most_mJ) +
+               " mJ more work on the hand than the measured skin would have done",
+           "keep the patient still, or use a path with less delay: an old surface or a moving patient causes this",
+           {Measurement::ExcessWork, kMostExcess_mJ}}};
 }
 
 /// The check that the touched depth is as the camera measured it.
@@ -98,9 +131,9 @@ Check latency_check(const Summary& s, double Quantiles::*part, const char* quant
                         readable((s.*stage.time).*part) + " ms " +
                         (typical ? "for a typical one" : "or more for one in a hundred");
   if (network)
-    meaning += ". The path resembles the profile “" + std::string(like.name) + "”, which allows " +
+    meaning += ". The path resembles the profile “" + std::string(like.name) + "”, on which telepalp allows " +
                readable(typical ? like.latency_p50_ms : like.latency_p99_ms) + " ms";
-  return {std::string("depth frame: camera to hand, ") + quantile,
+  return {std::string("depth image: from the camera to the hand, ") + quantile,
           value_ms,
           limit_ms,
           "ms",
@@ -109,7 +142,8 @@ Check latency_check(const Summary& s, double Quantiles::*part, const char* quant
           std::string(stage.brief) + (typical ? " made the touch " : " made some images ") + readable(value_ms) +
               " ms late",
           meaning,
-          std::string(stage.to_do)};
+          std::string(stage.to_do),
+          {Measurement::Latency, limit_ms}};
 }
 
 std::vector<Check> image_checks(const Summary& s, const PathLimits& path) {
@@ -117,18 +151,21 @@ std::vector<Check> image_checks(const Summary& s, const PathLimits& path) {
   const std::string of_sent = s.frames_sent && s.frames_received
                                   ? std::to_string(*s.frames_received) + " of " + std::to_string(*s.frames_sent) + " "
                                   : "";
+  const std::string still =
+      s.frames_on_the_way > 0 ? " (about " + std::to_string(s.frames_on_the_way) + " were still on the way)" : "";
   const double dropped = percent(known(s.frames_dropped), known(s.frames_sent) + known(s.frames_dropped));
   return {
-      {"depth frames that the station received, of those sent", 100.0 * s.received_share(),
+      {"share of the sent depth images that reached the station", 100.0 * s.received_share(),
        std::min(path.received_pct, like.received_pct), "%", false, Rank::Images, "depth images were lost on the way",
-       "the station received only " + of_sent + "depth images that the server sent",
+       "the station received only " + of_sent + "depth images that the server sent" + still,
        "use a path that loses fewer packets, give it more rate, or choose a smaller camera image"},
-      {"depth frames that the server dropped, of all for the station", dropped, 5.0, "%", true, Rank::Images,
-       "the path was too slow for the images",
+      {"share of the depth images that the server did not send, because a newer one came", dropped, 5.0, "%", true,
+       Rank::Images, "the path was too slow for the images",
        "the server replaced " + readable(dropped) +
            " % of the depth images by newer ones before they were sent: network or station were too slow",
        "give the path more rate, or choose a smaller camera image"},
-      {"depth frames", s.camera_depth_per_s, 25.0, "/s", false, Rank::Images, "the camera was slow",
+      {"depth images that the camera took, per second", s.camera_depth_per_s, 25.0, "/s", false, Rank::Images,
+       "the camera was slow",
        "only " + readable(s.camera_depth_per_s) +
            " depth images a second are in the file: the camera was slow, or the recording has gaps",
        "compare with the received images; record at the server's own machine"}};
@@ -147,31 +184,39 @@ std::string what_to_do(const Summary& s) {
 /// If the idle timer was measured, two checks: the late ticks of telepalp and those of the computer's timer.
 std::vector<Check> deadline_checks(const Summary& s) {
   constexpr double kBudget = 0.1;
+  constexpr Each late_ticks{Measurement::TickEnd, kPeriod_us};
   const std::string brief = "the force came late", late = "the force came late in more than one of a thousand ticks";
   if (!s.idle_timer)
     return {{"late ticks, share of all ticks", missed_percent(s), kBudget, "%", true, Rank::Loop, brief, late,
-             what_to_do(s)}};
+             what_to_do(s), late_ticks}};
   const double timer = late_by_the_timer_percent(s);
   const std::string watched = std::to_string(s.idle_timer->missed) + " of " + std::to_string(s.idle_timer->wakeups);
   return {{"late ticks not caused by the timer of the station's computer, share of all ticks",
            missed_percent(s) - timer, kBudget, "%", true, Rank::Loop, brief,
            late + ", not counting the wake-ups that the timer of the station's computer misses even without work (" +
                watched + ")",
-           what_to_do(s)},
+           what_to_do(s), late_ticks},
           {"late ticks caused by the timer of the station's computer, share of all ticks", timer, kBudget, "%", true,
            Rank::Computer, "the station's computer was late",
            "the timer of the station's computer misses wake-ups even without work: " + watched +
                " while the station only waited",
-           what_to_do(s)}};
+           what_to_do(s), late_ticks}};
 }
 
 std::vector<Check> loop_checks(const Summary& s) {
   std::vector<Check> checks{
       {"control rate", s.ticks_per_s, 1990.0, "Hz", false, Rank::Loop, "the control loop was too slow",
        "the station made only " + readable(s.ticks_per_s) + " ticks a second", what_to_do(s)},
-      {"tick time, p99.9", s.tick_us.p999, 500.0, "µs", true, Rank::Loop, "ticks took too long",
+      {"tick time, p99.9",
+       s.tick_us.p999,
+       kPeriod_us,
+       "µs",
+       true,
+       Rank::Loop,
+       "ticks took too long",
        "more than one tick in a thousand took longer than its period of 500 µs",
-       "see Computing time of the effects, or choose another surface setting"}};
+       "see Computing time of the effects, or choose another surface setting",
+       {Measurement::TickTime, kPeriod_us}}};
   for (Check& check : deadline_checks(s)) checks.insert(checks.end() - 1, std::move(check));
   return checks;
 }
@@ -180,10 +225,16 @@ std::vector<Check> other_checks(const Summary& s, const PathLimits& path) {
   const PathLimits& like = path_like(s.encoded_to_received_ms.p50);
   const double missing = percent(known(s.ticks_missing), static_cast<double>(s.ticks) + known(s.ticks_missing));
   return {
-      {"error bound of the station's clock, p99", s.clock_error_ms.p99,
-       std::max(path.clock_error_ms, like.clock_error_ms), "ms", true, Rank::Clock, "the station's clock was uncertain",
+      {"error bound of the station's clock, p99",
+       s.clock_error_ms.p99,
+       std::max(path.clock_error_ms, like.clock_error_ms),
+       "ms",
+       true,
+       Rank::Clock,
+       "the station's clock was uncertain",
        "ages and latencies are known only to " + readable(s.clock_error_ms.p99) + " ms",
-       "find what delays the packets in one direction only; the bound is half of a round trip"},
+       "find what delays the packets in one direction only; the bound is half of a round trip",
+       {Measurement::ClockError, std::max(path.clock_error_ms, like.clock_error_ms)}},
       {"ticks that are not in the recording", missing, 0.1, "%", true, Rank::Recording, "the recording has gaps",
        readable(missing) + " % of the ticks are not in the recording, so that it may lack a force; the hand was not "
                            "affected",

@@ -31,6 +31,12 @@ std::string scene_of_station(const Session& session) {
   return {};
 }
 
+/// What a program states of itself; in a replay, one program stands for server and station.
+std::string or_replayed(const Session& session, const std::string& stated) {
+  const bool replayed = stated.empty() && session.info.program == "telepalp-replay";
+  return replayed ? "simulated by " + software_of(session.info) : stated;
+}
+
 }  // namespace
 
 std::string software_of(const wire::SessionInfo& info) {
@@ -58,7 +64,9 @@ Provenance provenance_of(const Session& session) {
           .scene = scene.empty() ? scene_of_station(session) : scene,
           .software = software_of(session.info),
           .recorder = session.info.recorded_by,
-          .consent = session.info.consent};
+          .consent = session.info.consent,
+          .server = or_replayed(session, session.server_software),
+          .station = or_replayed(session, "")};
 }
 
 }  // namespace telepalp::report

@@ -10,8 +10,7 @@ namespace telepalp::report {
 /// Stands in every report.
 inline constexpr std::string_view kNotAMedicalDevice =
     "telepalp is not a medical device. It has not been assessed as one, and must not be used to decide on a diagnosis "
-    "or "
-    "a treatment.";
+    "or a treatment.";
 
 /// Where a session comes from. A text is empty where the session does not state it.
 struct Provenance {
@@ -20,6 +19,8 @@ struct Provenance {
   std::string software;  ///< that wrote the file: "telepalp-record 0.1.0, commit 1a2b3c4d"
   std::string recorder;  ///< person or account that recorded
   std::string consent;   ///< of the patient, as stated to the recorder
+  std::string server;    ///< program, version and commit, as the server published them
+  std::string station;   ///< the same of the station
 };
 
 [[nodiscard]] Provenance provenance_of(const Session& session);

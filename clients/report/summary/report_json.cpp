@@ -121,6 +121,8 @@ void add_provenance(Json& json, const Provenance& from) {
   add_text_or_null(json, "date", from.date);
   add_text_or_null(json, "scene", from.scene);
   add_text_or_null(json, "software", from.software);
+  add_text_or_null(json, "server_software", from.server);
+  add_text_or_null(json, "station_software", from.station);
   add_text_or_null(json, "recorded_by", from.recorder);
   add_text_or_null(json, "consent", from.consent);
 }
@@ -134,6 +136,7 @@ void add_verdict(Json& json, const Verdict& verdict) {
     json.begin_object();
     json.add("what", cause.what);
     json.add("to_do", cause.to_do);
+    add_text_or_null(json, "when", cause.when);
     json.end_object();
   }
   json.end_list();
@@ -178,6 +181,8 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.add("sent", summary.frames_sent);
   json.add("received", summary.frames_received);
   json.add("dropped", summary.frames_dropped);
+  json.add("on_the_way", summary.frames_on_the_way);
+  json.add("unused", summary.frames_unused);
   json.end_object();
   json.add("depth_mode", summary.depth.mode);
   if (summary.depth.within) {

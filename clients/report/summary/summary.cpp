@@ -186,7 +186,11 @@ bool is_of(const Subscription& subscription, std::uint32_t sender) {
 
 /// Adds the frames of all connections of the sender, because it may have reconnected.
 void add_frames(SenderSummary& summary, const Session& session, const SenderRecord& record) {
-  if (record.station_stats) summary.frames_received = record.frames_received.in_recording();
+  if (record.station_stats) {
+    summary.frames_received = record.frames_received.in_recording();
+    summary.frames_unused = record.frames_dropped.in_recording();
+    summary.received_until_ns = record.counted_ns;
+  }
   for (const auto& [key, subscription] : session.subscriptions) {
     if (!is_of(subscription, record.sender)) continue;
     const bool whole = subscription.was_there_first && record.began_here;
@@ -196,7 +200,22 @@ void add_frames(SenderSummary& summary, const Session& session, const SenderReco
                           (whole ? subscription.depth_sent_before : 0);
     summary.frames_dropped = summary.frames_dropped.value_or(0) + subscription.depth_dropped.in_recording() +
                              (whole ? subscription.depth_dropped_before : 0);
+    summary.sent_until_ns = std::max(summary.sent_until_ns, subscription.counted_ns);
+    summary.carriers.insert(summary.carriers.end(), subscription.carriers.begin(), subscription.carriers.end());
   }
+  std::sort(summary.carriers.begin(), summary.carriers.end(),
+            [](const Carrier& one, const Carrier& other) { return one.since_ns < other.since_ns; });
+}
+
+/// Server and station each publish their counts once a second, at different times, and a frame is on the way for its
+/// time in the network: so the station's last count lacks the frames of the time between.
+std::uint64_t frames_on_the_way(const Summary& summary, const SenderSummary& station) {
+  if (!station.frames_sent || !station.frames_received || *station.frames_sent <= *station.frames_received) return 0;
+  const double network_s = 1e-3 * summary.encoded_to_received_ms.p50;
+  const double later_s = to_seconds(Nanoseconds(station.sent_until_ns - station.received_until_ns));
+  const double frames = summary.camera_depth_per_s * (later_s + network_s);
+  if (!(frames > 0.0)) return 0;
+  return std::min(static_cast<std::uint64_t>(std::llround(frames)), *station.frames_sent - *station.frames_received);
 }
 
 std::uint64_t touches_of(const Ticks& ticks) {
@@ -226,6 +245,9 @@ void add_senders(Summary& summary, const Session& session) {
   summary.frames_sent = judged.frames_sent;
   summary.frames_received = judged.frames_received;
   summary.frames_dropped = judged.frames_dropped;
+  summary.frames_unused = judged.frames_unused;
+  summary.frames_on_the_way = frames_on_the_way(summary, judged);
+  summary.carriers = judged.carriers;
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ struct SenderSummary {
   std::uint64_t messages = 0, ticks = 0, states = 0, touches = 0;
   double force_max_N = kUnknown;
   std::optional<std::uint64_t> frames_sent, frames_received, frames_dropped;
+  std::optional<std::uint64_t> frames_unused;  ///< of those received: replaced by a newer one, or not decodable
+  std::int64_t sent_until_ns = 0, received_until_ns = 0;  ///< session times of the last counts
+  std::vector<Carrier> carriers;                          ///< of its images
 };
 
 /// Wake-ups of a thread that only waits, measured on the station's computer before the run.
@@ -48,14 +51,19 @@ struct Summary {
   std::optional<std::uint64_t> frames_sent;      ///< depth frames that the hub sent to the station
   std::optional<std::uint64_t> frames_received;  ///< depth frames that the station received
   std::optional<std::uint64_t> frames_dropped;   ///< depth frames for the station that the hub dropped
+  std::optional<std::uint64_t> frames_unused;    ///< of the received ones: replaced by a newer one, or not decodable
+  /// Estimate of the sent frames that were still on the way when the station last counted; 0 if it is not known.
+  std::uint64_t frames_on_the_way = 0;
+  std::vector<Carrier> carriers;  ///< of the station's images
 
   std::optional<std::uint64_t> depth_images;  ///< in the file
   std::optional<std::uint64_t> surfaces;      ///< depth images that became a surface
 
-  /// Received frames of the sent ones, 0 to 1; NaN (kUnknown) if one of both is unknown or none was sent.
+  /// Received frames of those that were sent and not on the way any more, 0 to 1; NaN (kUnknown) if a count is unknown
+  /// or none was sent.
   [[nodiscard]] double received_share() const noexcept {
-    if (!frames_sent || !frames_received || *frames_sent == 0) return kUnknown;
-    return static_cast<double>(*frames_received) / static_cast<double>(*frames_sent);
+    if (!frames_sent || !frames_received || *frames_sent <= frames_on_the_way) return kUnknown;
+    return static_cast<double>(*frames_received) / static_cast<double>(*frames_sent - frames_on_the_way);
   }
 
   double camera_depth_per_s = kUnknown;

@@ -75,13 +75,18 @@ Finding of_senders(const Summary& s) {
 }
 
 /// The checks that miss their budgets, by rank. Of two checks of the latency, the first says it all.
-std::vector<Finding> findings_of(const Summary& s, const std::vector<Check>& checks) {
+std::vector<Finding> findings_of(const Summary& s, const std::vector<Check>& checks, const Session* session) {
   std::vector<Finding> findings;
   if (s.senders.size() > 1) findings.push_back(of_senders(s));
   for (const Check& check : checks) {
     if (check.standing() != Standing::Misses) continue;
     const bool again = check.rank == Rank::Latency && !findings.empty() && findings.back().rank == Rank::Latency;
-    if (!again) findings.push_back({check.rank, check.brief, {check.meaning, check.to_do}});
+    if (again) continue;
+    const std::string when =
+        session == nullptr
+            ? ""
+            : in_words(moments_beyond(*session, check.each.sample, check.each.limit, check.at_most), check.each.sample);
+    findings.push_back({check.rank, check.brief, {check.meaning, check.to_do, when}});
   }
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& one, const Finding& other) { return one.rank < other.rank; });
@@ -109,11 +114,11 @@ std::string in_words(const SenderSummary& sender) {
   return sender.name + " at " + sender.address;
 }
 
-Verdict judge(const Summary& summary, const PathLimits& path) {
+Verdict judge(const Summary& summary, const PathLimits& path, const Session* session) {
   Verdict verdict;
   verdict.checks = checks_of(summary, path);
   const bool judged = summary.ticks > 0;
-  const std::vector<Finding> findings = findings_of(summary, verdict.checks);
+  const std::vector<Finding> findings = findings_of(summary, verdict.checks, session);
   verdict.good = judged && findings.empty();
   verdict.headline = headline_of(findings, judged);
   for (const Finding& finding : findings) verdict.causes.push_back(finding.cause);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/report/summary/moments.h"
 #include "clients/report/summary/path_limits.h"
 #include "clients/report/summary/summary.h"
 
@@ -13,6 +14,12 @@ enum class Standing { Holds, Misses, NotMeasured };
 
 /// What a reader needs first. Causes are ranked in this order.
 enum class Rank { Safety, Depth, Latency, Images, Loop, Clock, Recording, Computer };
+
+/// The samples of which a figure is made, and the limit of each.
+struct Each {
+  Measurement sample = Measurement::None;
+  double limit = 0.0;  ///< a sample beyond it is a moment at which the budget was missed
+};
 
 /// One value with its budget.
 struct Check {
@@ -25,6 +32,7 @@ struct Check {
   std::string brief;    ///< for the headline, when the budget is missed: "a tick took too long"
   std::string meaning;  ///< consequence for the doctor, and where it comes from
   std::string to_do;    ///< what to do about it
+  Each each{};
 
   [[nodiscard]] Standing standing() const noexcept;
 };
@@ -33,14 +41,14 @@ struct Check {
 struct Cause {
   std::string what;
   std::string to_do;
+  std::string when{};  ///< the moments, and whether the hand was in contact then; empty: not known
 };
 
 /// The overall assessment of a run.
 struct Verdict {
-  bool good = false;  ///< exactly one station took part, and no check misses its budget
-  std::string
-      headline;         ///< at most two lines: "Check this run: the network made the touch 428 ms late."
-  std::string account;  ///< what happened, in a few sentences
+  bool good = false;          ///< exactly one station took part, and no check misses its budget
+  std::string headline;       ///< at most two lines: "Check this run: the network made the touch 428 ms late."
+  std::string account;        ///< what happened, in a few sentences
   std::vector<Cause> causes;  ///< of a run that is not good, the most important first
   std::vector<Check> checks;
 };
@@ -48,7 +56,9 @@ struct Verdict {
 /// "telepalp-station at 127.0.0.1:40112"
 [[nodiscard]] std::string in_words(const SenderSummary& sender);
 
-/// `path`: whose limits of latency the run must meet.
-[[nodiscard]] Verdict judge(const Summary& summary, const PathLimits& path = kPaths.front());
+/// `path`: whose limits of latency the run must meet. `session`: where the moments of the causes are looked up;
+/// nullptr: the causes name none.
+[[nodiscard]] Verdict judge(const Summary& summary, const PathLimits& path = kPaths.front(),
+                            const Session* session = nullptr);
 
 }  // namespace telepalp::report

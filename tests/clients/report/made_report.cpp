@@ -28,12 +28,12 @@ std::filesystem::path written(const MadeSession& made, const std::string& name) 
 
 std::string json_of(const Session& session) {
   const Summary summary = summarise(session);
-  return report_json(session, summary, judge(summary));
+  return report_json(session, summary, judge(summary, kPaths.front(), &session));
 }
 
 std::string html_of(const Session& session) {
   const Summary summary = summarise(session);
-  return report_html(session, summary, judge(summary), "");
+  return report_html(session, summary, judge(summary, kPaths.front(), &session), "");
 }
 
 }  // namespace telepalp::report

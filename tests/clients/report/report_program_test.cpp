@@ -69,6 +69,24 @@ TEST(Program, WritesItsThreeFiles) {
   EXPECT_EQ(png.str().substr(1, 3), "PNG");
 }
 
+std::filesystem::path fresh_folder(const std::string& name);
+
+TEST(Program, TakesAFolderWithASessionAndNamesTheSessionsOfAnother) {
+  const std::filesystem::path replayed = fresh_folder("report_replayed"), out = fresh_folder("report_replayed_out");
+  std::filesystem::create_directories(replayed);
+  const auto file = written({.seconds = 1.0, .with_camera = false}, "report_of_folder.mcap");
+  std::filesystem::rename(file, replayed / "session.mcap");
+  int code = -1;
+  std::string said = output_of(kProgram + replayed.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
+  std::filesystem::rename(replayed / "session.mcap", replayed / "monday.mcap");
+  said = output_of(kProgram + replayed.string() + " --out " + out.string(), code);
+  EXPECT_EQ(code, 1);
+  EXPECT_NE(said.find("the folder holds no session.mcap, but monday.mcap. fix: name a session file"), std::string::npos)
+      << said;
+}
+
 /// A new folder for one run of the program.
 std::filesystem::path fresh_folder(const std::string& name) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / name;

@@ -5,11 +5,15 @@
 #include <cmath>
 
 #include "clients/ar/messages/phases.h"
+#include "clients/report/figures/compensation_figures.h"
 #include "clients/report/figures/energy_figures.h"
+#include "clients/report/figures/events.h"
 #include "clients/report/figures/html.h"
+#include "clients/report/figures/image_counts.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/view.h"
 #include "clients/report/summary/report_json.h"
+#include "support/plot/number.h"
 #include "tests/clients/report/made_report.h"
 
 namespace telepalp::report {
@@ -107,7 +111,7 @@ TEST(Verdict, ASatelliteIsNamedAsTheCauseAndNothingElse) {
   EXPECT_FALSE(verdict.good);
   EXPECT_TRUE(verdict.headline.starts_with("Check this run: the network made the touch 4")) << verdict.headline;
   ASSERT_EQ(verdict.causes.size(), 1U) << verdict.causes[1].what;
-  EXPECT_NE(verdict.causes[0].what.find("resembles the profile “satellite”, which allows 450 ms"), std::string::npos)
+  EXPECT_NE(verdict.causes[0].what.find("resembles the profile “satellite”, on which telepalp allows 450 ms"), std::string::npos)
       << verdict.causes[0].what;
   EXPECT_NE(verdict.causes[0].to_do.find("path"), std::string::npos);
   EXPECT_TRUE(judge(over_a_network(395.0), *path_named("satellite")).good) << "by the limits of its own path";
@@ -177,9 +181,142 @@ TEST(Provenance, StandsInPageAndJsonWithTheNotice) {
     EXPECT_NE(json.find(text), std::string::npos) << text << json;
     EXPECT_NE(html.find(text), std::string::npos) << text;
   }
+  EXPECT_NE(json.find("\"server_software\": null"), std::string::npos) << "of an older version";
+  EXPECT_NE(html.find("<dt>station</dt><dd>not stated</dd>"), std::string::npos);
   session.info = {};
   EXPECT_NE(json_of(session).find("\"consent\": null"), std::string::npos);
   EXPECT_NE(html_of(session).find("<dt>patient's consent</dt><dd>not stated</dd>"), std::string::npos) << "said";
+}
+
+TEST(Provenance, OfAReplayIsItsOneProgram) {
+  Session session = session_of({.seconds = 1.0});
+  session.info = {.program = "telepalp-replay", .version = "0.1.0", .commit = {}, .source = {}, .scene = {}};
+  EXPECT_NE(json_of(session).find(R"("station_software": "simulated by telepalp-replay 0.1.0")"), std::string::npos);
+}
+
+/// The made session, one of whose depth images became touchable `late_ms` later, at `at_s`.
+Session with_a_late_image(double at_s, double late_ms) {
+  Session session = session_of({});
+  msg::SurfaceReport& late = session.surfaces.at(static_cast<std::size_t>(30.0 * at_s));
+  late.set_touchable_ns(late.touchable_ns() + static_cast<std::uint64_t>(1e6 * late_ms));
+  return session;
+}
+
+TEST(Moments, OfALateImageSayWhenItWasAndThatTheHandWasNotInContact) {
+  const Moments above = moments_beyond(with_a_late_image(2.0, 50.0), Measurement::Latency, 40.0, true);
+  EXPECT_EQ(above.passed, 1U);
+  EXPECT_EQ(above.in_contact, 0U);
+  EXPECT_NEAR(above.first_s, 2.07, 0.01);
+  EXPECT_EQ(in_words(above, Measurement::Latency), "1 of 117 depth images, at 2.07 s, not in contact. The worst: " +
+                                                       plot::readable(above.worst) + " ms at 2.07 s (Above the skin)");
+  const Moments in_body = moments_beyond(with_a_late_image(1.0, 50.0), Measurement::Latency, 40.0, true);
+  EXPECT_EQ(in_body.in_contact, 1U);
+  EXPECT_EQ(moments_beyond(session_of({}), Measurement::Latency, 40.0, true).passed, 0U);
+}
+
+TEST(Moments, StandInPageAndJsonBesideTheirCause) {
+  Session session = session_of({});
+  session.ticks.force[1][2000] = 12.0F;
+  const std::string when = "1 of 8000 ticks, at 1 s, in contact. The worst: 12 N at 1 s (Pressing the skin)";
+  const std::string json = json_of(session), html = html_of(session);
+  EXPECT_NE(json.find("\"when\": \"" + when + "\""), std::string::npos) << json;
+  EXPECT_NE(html.find("<b>When:</b> " + when + "."), std::string::npos);
+}
+
+TEST(Moments, OfALimitBelowAreTheSamplesUnderIt) {
+  Session session = session_of({});
+  session.states.at(100).set_passivity_j(-0.007);
+  session.states.at(150).set_passivity_j(-0.009);
+  const Moments low = moments_beyond(session, Measurement::Balance, -5.0, false);
+  EXPECT_EQ(low.passed, 2U);
+  EXPECT_DOUBLE_EQ(low.worst, -9.0);
+  EXPECT_DOUBLE_EQ(low.first_s, 1.0);
+  EXPECT_DOUBLE_EQ(low.last_s, 1.5);
+}
+
+TEST(ImageCounts, TellDroppedFromLostFromOnTheWay) {
+  Session session = session_of({});
+  Summary summary = summarise(session);
+  summary.frames_sent = 110;
+  summary.frames_dropped = 10;
+  summary.frames_received = 90;
+  summary.frames_on_the_way = 12;
+  summary.frames_unused = 3;
+  const std::string html = image_counts_section(session, summary);
+  for (const char* row :
+       {"the server had for the station</td><td>120</td><td>100 %", "a newer image came first</td><td>10</td><td>8.3 %",
+        "a newer image was complete first</td><td>8</td><td>6.7 %", "(estimated)</td><td>12</td><td>10 %",
+        "received by the station</td><td>90</td><td>75 %", "could not be decoded</td><td>3</td><td>2.5 %"})
+    EXPECT_NE(html.find(row), std::string::npos) << row << html;
+}
+
+TEST(ImageCounts, ImagesThatAreStillOnTheWayAreNotLost) {
+  Summary summary = summarise(session_of({}));
+  summary.frames_sent = 118;
+  summary.frames_received = 106;
+  EXPECT_FALSE(judge(summary).good) << "12 of 118 are missing";
+  summary.frames_on_the_way = 12;
+  EXPECT_TRUE(judge(summary).good) << judge(summary).headline;
+}
+
+TEST(ImageCounts, SayThatTcpCameBeforeUdp) {
+  Session session;
+  for (int second = 0; second < 4; ++second) {
+    msg::ServerStats stats;
+    auto& subscriber = *stats.add_subscribers();
+    subscriber.set_name("telepalp-station");
+    subscriber.set_by_datagram(second >= 2);
+    add(session, wire::make_message(wire::kServerStats, session_time(kMadeStart_ns + second * 1'000'000'000LL), stats));
+  }
+  for (const wire::Message& message : made_messages({})) add(session, message);
+  Summary summary = summarise(session);
+  EXPECT_EQ(carriers_in_words(session, summary), "TCP until 2 s, then UDP (encrypted datagrams) until 4 s, then TCP");
+  summary.carriers.resize(1);
+  EXPECT_EQ(carriers_in_words(session, summary), "TCP for the whole session");
+}
+
+TEST(Events, ChangesOfStateAreFoldedAndTheFirstOneIsNoChange) {
+  Session session = session_of({.seconds = 1.0});
+  for (int change = 0; change < 600; ++change) {
+    msg::StationEvent event;
+    event.set_kind(msg::EVENT_KIND_PHASE);
+    event.set_from(change == 0 ? msg::PHASE_UNSPECIFIED : msg::PHASE_OUT_BODY);
+    event.set_to(msg::PHASE_RELEASED);
+    session.events.push_back(event);
+  }
+  const std::string html = events_section(session);
+  EXPECT_NE(html.find("<details><summary>600 changes of state</summary>"), std::string::npos);
+  EXPECT_NE(html.find("The station begins in the state: Force paused"), std::string::npos);
+  EXPECT_EQ(html.find("Start →"), std::string::npos);
+  EXPECT_NE(html.find("100 more follow."), std::string::npos);
+}
+
+TEST(CompensationFigures, HaveWordsOnTheAxisOfWhatIsSeenOfTheSkin) {
+  Session session = session_of({.seconds = 1.0});
+  for (msg::StationCompensation& sample : session.compensations) {
+    msg::ObjectPlacement& ribs = *sample.add_objects();
+    ribs.set_name("ribs");
+    ribs.mutable_moved()->set_y(0.002);
+    ribs.set_slide_unseen(true);
+  }
+  const std::vector<plot::Chart> charts = compensation(session);
+  const plot::Chart& seen = charts.back();
+  ASSERT_EQ(seen.y.ticks.size(), 3U);
+  EXPECT_EQ(seen.y.ticks[1].label, "up and down only");
+  EXPECT_EQ(seen.series.at(0).y.at(5), 1.0);
+  const plot::Chart& moved = charts.at(charts.size() - 2);
+  EXPECT_EQ(moved.y.label, "distance [mm]");
+  for (const plot::Series& series : moved.series)
+    for (const double value : series.y) EXPECT_GE(value, 0.0) << series.name << ": a code on an axis in mm";
+}
+
+TEST(ReportHtml, ExplainsItsWordsAndItsTwoBasesOfShares) {
+  const std::string html = html_of(session_of({}));
+  for (const char* words : {"<dt>drive</dt>", "<dt>display</dt>", "<dt>proxy</dt>",
+                            "The shares are of the 4 s in which the",
+                            "Every share is of the images that the server had for the station",
+                            "depth images that the camera took, per second", "depth, touchable at the station"})
+    EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
 TEST(Provenance, TakesTheSceneFromTheStationWhereTheRecorderStatesNone) {
