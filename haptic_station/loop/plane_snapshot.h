@@ -12,9 +12,9 @@ class PlaneSnapshot final : public surface::SurfaceSnapshot {
   /// A snapshot without a surface: no skin is in reach.
   PlaneSnapshot() = default;
   /// The plane through the surface point `foot`, with the unit `normal` out of the body, in the depth camera's frame.
-  /// `support`: 1 well inside the known surface, 0 at its rim.
-  PlaneSnapshot(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double support) noexcept
-      : foot_(foot), normal_(normal), support_(support), known_(true) {}
+  /// `coverage`: 1 well inside the known surface, 0 at its rim.
+  PlaneSnapshot(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal, double coverage) noexcept
+      : foot_(foot), normal_(normal), coverage_(coverage), known_(true) {}
 
   [[nodiscard]] surface::FieldSample evaluate(const Eigen::Vector3d& query, const Eigen::Vector3d&,
                                               const surface::MotionBasis&) const noexcept override {
@@ -24,7 +24,7 @@ class PlaneSnapshot final : public surface::SurfaceSnapshot {
     sample.f_m = normal_.dot(query - foot_);
     sample.gradient = normal_;
     sample.normal = normal_;
-    sample.support = support_;
+    sample.support = coverage_;
     return sample;
   }
   [[nodiscard]] std::optional<surface::Seed> seed(const Eigen::Vector3d& query) const noexcept override {
@@ -38,7 +38,7 @@ class PlaneSnapshot final : public surface::SurfaceSnapshot {
   static constexpr double kStride_m = 0.05;  // any finite value: the plane is exact at every distance
   Eigen::Vector3d foot_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();
-  double support_ = 0.0;
+  double coverage_ = 0.0;
   bool known_ = false;
 };
 

@@ -16,14 +16,14 @@ constexpr double kClosesGapOver_s = 0.05;         // slower over the last 7.5 mm
 
 void SinkIn::begin(const ports::SurfaceContact& contact) noexcept {
   lowered_m_ = std::max(0.0, -contact.distance_m);
-  support_ = contact.support;
+  coverage_ = contact.support;
 }
 
 void SinkIn::step(const ports::SurfaceContact& contact, double dt_s) noexcept {
   const double felt_depth_m = std::max(0.0, -(contact.distance_m + lowered_m_));
-  sank_m_ = contact.support > support_ ? (1.0 - support_ / contact.support) * felt_depth_m : 0.0;
+  sank_m_ = contact.support > coverage_ ? (1.0 - coverage_ / contact.support) * felt_depth_m : 0.0;
   lowered_m_ += sank_m_;
-  support_ = contact.support;
+  coverage_ = contact.support;
   rising_m_per_s_ = 0.0;
   if (lowered_m_ <= 0.0) return;
   const double in_gap_m_per_s = std::min((contact.distance_m + lowered_m_) / kClosesGapOver_s, kFastestInGap_m_per_s);

@@ -36,7 +36,7 @@ class SinkIn {
   double lowered_m_ = 0.0;       ///< how much lower the displayed body lies than the true one
   double rising_m_per_s_ = 0.0;  ///< speed of the displayed body towards its true place
   double sank_m_ = 0.0;
-  double support_ = 0.0;  ///< of the contact at the last step
+  double coverage_ = 0.0;  ///< of the contact at the last step
 };
 
 }  // namespace telepalp::control

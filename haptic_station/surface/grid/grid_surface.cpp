@@ -58,13 +58,13 @@ double full_weight(double support_nodes) noexcept {
 constexpr double kLeastCover = 0.30;
 constexpr double kWholeCover = 0.55;
 
-double support_of(double cover) noexcept { return smooth_step(kLeastCover, kWholeCover, cover); }
+double coverage_of(double cover) noexcept { return smooth_step(kLeastCover, kWholeCover, cover); }
 
 /// f and its gradient, from the sums by the quotient and product rules.
 FieldSample sample_of(const NodeSums& sums, const LatticePoint& at, double full_weight) noexcept {
   FieldSample out;
   const WeightedSums& sum = sums.value;
-  out.support = support_of(sum.weight / full_weight);
+  out.support = coverage_of(sum.weight / full_weight);
   const double length = sum.normal.norm();
   if (out.support <= 0.0 || length < 1e-3 * sum.weight) return {};
   const Vector3d n = sum.normal / length;
