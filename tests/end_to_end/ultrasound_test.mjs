@@ -1,6 +1,8 @@
 // node ultrasound_test.mjs SCENES BIN_DIR VIEWER_FILES: the page of a station whose hand holds an ultrasound probe on the
-// skin: the panel's image, its caliper by mouse and by keyboard, the layers below the skin, and accessibility by axe.
+// skin: the panel's image, its caliper by mouse and by keyboard, the layers below the skin, and accessibility by axe. With
+// TELEPALP_PICTURES=DIR the picture doctor-inside.jpg of docs/ is written there.
 import assert from 'node:assert/strict';
+import {mkdirSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
@@ -10,6 +12,7 @@ import {sceneOfASteadyProbe, until, Workplace} from './running_program.mjs';
 
 const [scenes, binDir, viewer] = process.argv.slice(2);
 const place = new Workplace('ultrasound');
+const pictures = process.env.TELEPALP_PICTURES;
 let browser, page;
 
 before(async () => {
@@ -74,8 +77,21 @@ test('keys hide the panel and show what lies below the skin', async () => {
   assert.equal(await page.getAttribute('#show-inside', 'aria-pressed'), 'true');
   const {frames, probeImages} = await status(page);
   await untilStatus(page, 'pictures and images go on', (now) => now.frames > frames + 1 && now.probeImages > probeImages);
+  if (pictures !== undefined) await keepPicture();
   await page.keyboard.press('i');
 });
+
+/** The view with the layers below the skin, of which the bottom is cut off. */
+async function keepPicture() {
+  mkdirSync(pictures, {recursive: true});
+  const size = page.viewportSize();
+  await page.setViewportSize({width: 1152, height: 640});
+  const {frames} = await status(page);
+  await untilStatus(page, 'the picture has the new size', (now) => now.frames > frames + 3);
+  const path = join(pictures, 'doctor-inside.jpg');
+  await page.screenshot({path, type: 'jpeg', quality: 72, clip: {x: 0, y: 0, width: 1152, height: 560}, timeout: 120_000});
+  await page.setViewportSize(size);
+}
 
 test('the buttons of panel and layers are reached and pressed by the keyboard', async () => {
   for (const [id, attribute] of [['show-ultrasound', 'aria-pressed'], ['show-inside', 'aria-pressed']]) {
