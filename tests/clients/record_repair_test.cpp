@@ -174,7 +174,7 @@ TEST_F(Repair, AnUnfinishedRecordingWithAChangedDefinitionIsKeptAndTheTopicNamed
 
 TEST_F(Repair, AnUnfinishedRecordingWithChangedMetadataIsKeptAndSaysWhichMayBeWrong) {
   const std::string whole = recorded();
-  for (const std::string text : {wire::samples::kInfo.source, wire::samples::kInfo.scene}) {
+  for (const std::string& text : {wire::samples::kInfo.source, wire::samples::kInfo.scene}) {
     std::string bytes = whole.substr(0, summary().chunks.back().chunk_start_offset);
     const std::size_t place = bytes.find(text);
     ASSERT_NE(place, std::string::npos) << text;
