@@ -24,6 +24,7 @@
 #include "support/program/log.h"
 #include "support/program/message_json.h"
 #include "support/program/options.h"
+#include "support/program/version.h"
 
 namespace {
 
@@ -198,6 +199,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .server = {.name = arguments.text("name"),
                           .bind = address->to_string(),
                           .port = static_cast<std::uint16_t>(*port),
+                          .software = program::software(kProgram),
                           .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                           .log = log_line},
                .gateway = *gateway,

@@ -142,7 +142,9 @@ void Server::show_newcomers_the_picture() {
 void Server::publish_clock_and_stats() {
   const SessionTime now = clock_.now();
   hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
-  hub_.publish(wire::make_message(wire::kServerStats, now, hub::server_stats(hub_, datagram_counts(), now)));
+  msg::ServerStats stats = hub::server_stats(hub_, datagram_counts(), now);
+  stats.set_software(options_.software);
+  hub_.publish(wire::make_message(wire::kServerStats, now, stats));
 }
 
 /// All subscribers get the same encoding, so depth is predicted only while every path delivers the reference frames.

@@ -28,6 +28,7 @@ class Server {
     std::string name = "telepalp-server";
     std::string bind = "127.0.0.1";
     std::uint16_t port = 0;  ///< 0: any free port
+    std::string software{};  ///< name, version and commit of the program, for /server/stats; empty: not stated
     std::shared_ptr<access::Access> access = access::Access::without_keys();
     pipeline::EncodeOptions encode{};
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state

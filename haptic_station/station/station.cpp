@@ -18,6 +18,7 @@
 #include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
+#include "support/program/version.h"
 
 namespace telepalp::station {
 namespace {
@@ -84,6 +85,7 @@ Station::Station(boost::asio::io_context& io, StationSignals& signals, const Sta
                      return hand_over_.on_command(command, reply);
                    }}) {
   if (rig.haptic_from_tracker) telemetry_.set_calibration(*rig.haptic_from_tracker);
+  telemetry_.set_software(program::software(kName));
   start_surface_thread(surface);
 }
 

@@ -66,6 +66,8 @@ TEST_P(Demo, RunsUnattendedAndWritesFourFilesAboutTheRun) {
   for (const char* file : {"session.mcap", "report.html", "report.json", "view.png"})
     EXPECT_GT(fs::file_size(run.out / file), 1000u) << file;
   const Json json = report_of(run);
+  EXPECT_TRUE(json.get<std::string>("server_software").starts_with("telepalp-server "));
+  EXPECT_TRUE(json.get<std::string>("station_software").starts_with("telepalp-station "));
   EXPECT_GE(figure(json, "ticks") + figure(json, "deadlines_missed"), 19'000.0);
   EXPECT_LE(figure(json, "tick_us.p50"), figure(json, "tick_us.p99"));
   EXPECT_LE(figure(json, "tick_us.p99"), figure(json, "tick_us.p999"));

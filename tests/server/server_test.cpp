@@ -40,7 +40,8 @@ struct ServedSource {
   std::vector<std::string> log;
 
   ServedSource() {
-    auto server = Server::listen(io, {.log = [this](const std::string& line) { log.push_back(line); }});
+    auto server = Server::listen(io, {.software = "telepalp-server 0.1.0, commit 1a2b3c4d",
+                                      .log = [this](const std::string& line) { log.push_back(line); }});
     EXPECT_TRUE(server.ok());
     wire::ClientLink link(
         io, {.port = (*server)->port(), .name = "test", .subscribes = {"*"}},
@@ -108,6 +109,7 @@ TEST(Server, ItsLastStatisticsAccountForEveryImage) {
     }
   ASSERT_EQ(stats.subscribers_size(), 1);
   EXPECT_EQ(stats.subscribers(0).name(), "test");
+  EXPECT_EQ(stats.software(), "telepalp-server 0.1.0, commit 1a2b3c4d");
 }
 
 TEST(Server, RefusesToListenWhereTheNetworkReachesIt) {

@@ -133,6 +133,7 @@ bool keep_server_stats(Session& session, const wire::Message& message) {
     const std::int64_t at_ns = to_nanoseconds(message.published);
     for (const auto& subscriber : stats.subscribers()) add_subscriber(session, subscriber, at_ns);
     session.heard_server_stats = true;
+    if (!stats.software().empty()) session.server_software = stats.software();
     return true;
   });
 }

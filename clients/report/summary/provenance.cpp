@@ -66,7 +66,7 @@ Provenance provenance_of(const Session& session) {
           .recorder = session.info.recorded_by,
           .consent = session.info.consent,
           .server = or_replayed(session, session.server_software),
-          .station = or_replayed(session, "")};
+          .station = or_replayed(session, session.station_stats ? session.station_stats->software() : "")};
 }
 
 }  // namespace telepalp::report

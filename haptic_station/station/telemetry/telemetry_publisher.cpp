@@ -91,6 +91,7 @@ void TelemetryPublisher::publish_totals(SessionTime now, double clock_error_s, c
   stats.set_realtime(realtime);
   if (idle_timer_) *stats.mutable_idle_timer() = *idle_timer_;
   if (haptic_from_tracker_) *stats.mutable_haptic_from_tracker() = *haptic_from_tracker_;
+  stats.set_software(software_);
   for (const msg::EffectCost& cost : bill) *stats.add_bill() = cost;
   publish_(wire::make_message(wire::kStationStats, now, stats));
 }

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "haptic_station/station/telemetry/telemetry.h"
@@ -33,6 +35,9 @@ class TelemetryPublisher {
   /// Adds to the totals the calibration with which the tracker's hands are placed in the haptic base's frame H.
   void set_calibration(const Transform<HapticBase, HandTracker>& haptic_from_tracker);
 
+  /// Adds to the totals the station's name, version and commit.
+  void set_software(std::string software) { software_ = std::move(software); }
+
   /// Publishes an event.
   void publish_event(SessionTime now, msg::EventKind kind, const std::string& text);
 
@@ -55,6 +60,7 @@ class TelemetryPublisher {
   loop::TickSample last_;
   std::optional<msg::TimerCheck> idle_timer_;
   std::optional<msg::RigidMotion> haptic_from_tracker_;
+  std::string software_;
   std::int64_t state_period_ = -1;  // number of the last published state's 10 ms period since session time 0
   bool has_ticked_ = false;
   bool heat_warned_ = false;

@@ -188,6 +188,21 @@ TEST(Provenance, StandsInPageAndJsonWithTheNotice) {
   EXPECT_NE(html_of(session).find("<dt>patient's consent</dt><dd>not stated</dd>"), std::string::npos) << "said";
 }
 
+TEST(Provenance, StatesServerAndStationAsTheyPublishedThemselves) {
+  Session session = session_of({.seconds = 1.0});
+  msg::ServerStats server;
+  server.set_software("telepalp-server 0.1.0, commit 1a2b3c4d");
+  add(session, wire::make_message(wire::kServerStats, session_time(kMadeStart_ns), server));
+  msg::StationStats station;
+  station.set_software("telepalp-station 0.0.9, commit 99887766-modified");
+  add(session, wire::make_message(wire::kStationStats, session_time(kMadeStart_ns), station));
+  const std::string json = json_of(session), html = html_of(session);
+  EXPECT_NE(json.find(R"("server_software": "telepalp-server 0.1.0, commit 1a2b3c4d")"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("station_software": "telepalp-station 0.0.9, commit 99887766-modified")"), std::string::npos);
+  EXPECT_NE(html.find("<dt>server</dt><dd>telepalp-server 0.1.0, commit 1a2b3c4d</dd>"), std::string::npos);
+  EXPECT_NE(html.find("<dt>station</dt><dd>telepalp-station 0.0.9, commit 99887766-modified</dd>"), std::string::npos);
+}
+
 TEST(Provenance, OfAReplayIsItsOneProgram) {
   Session session = session_of({.seconds = 1.0});
   session.info = {.program = "telepalp-replay", .version = "0.1.0", .commit = {}, .source = {}, .scene = {}};

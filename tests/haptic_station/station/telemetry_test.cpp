@@ -154,6 +154,17 @@ TEST(TelemetryPublisher, PublishesAStateAfterTheClockWasSetBack) {
   EXPECT_EQ(states, 2);
 }
 
+TEST(TelemetryPublisher, TheTotalsStateTheStationsVersion) {
+  TickRing ring;
+  msg::StationStats stats;
+  TelemetryPublisher publisher(
+      ring, [&](const wire::Message& message) { EXPECT_TRUE(stats.ParseFromString(*message.payload)); },
+      [](const loop::TickSample&) {});
+  publisher.set_software("telepalp-station 0.1.0, commit 1a2b3c4d");
+  publisher.publish_totals(session_time(1), 0.001, HapticCounts(), 0, true, {});
+  EXPECT_EQ(stats.software(), "telepalp-station 0.1.0, commit 1a2b3c4d");
+}
+
 TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   const std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
   const msg::StationTicks ticks = ticks_message(samples, 500'000);
