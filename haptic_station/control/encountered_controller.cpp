@@ -15,6 +15,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const std::optional<ControlInput> blank =
       stands == FaultCause::NotFinite ? std::optional(blank_input(given, target_)) : std::nullopt;
   const ControlInput& in = blank ? *blank : given;
+  limiter_.device_gives(in.power);
   plane_.move(in.device, in.contact, in.wait_at_m, dt_s);
   force_control_.release(hand_is_lost(in, settings_.ages.tracker_in_contact_s), settings_.transitions.contact_release_s,
                          dt_s);
@@ -26,11 +27,12 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   const bool breaks = phases_.outer_change() || force_control_.contact_changed();
   (void)fade_.step(wanted.skin + wanted.drive, breaks, fade_rate_N_per_s(), dt_s);
   wanted.fade = fade_.fading_N();
-  const Force<HapticBase> force = limited(wanted, dt_s);
+  const Wrench<HapticBase> wrench = limited(wanted, dt_s);
 
   ControlOutput out = output();
   out.event = event.value_or(Event::Rearm);
-  out.force = force;
+  out.force = wrench.force;
+  out.torque = wrench.torque;
   out.fault_stands = stands;
   out.displayed_hand = displayed_hand_.step(in, force_control_.shown(), is_inside(phases_.phase()), dt_s);
   return out;
@@ -86,7 +88,9 @@ double EncounteredController::owed_N() const noexcept {
 HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s) noexcept {
   target_ = in.device;
   HeldForce force;
-  force.skin = force_control_.step(in, feels_skin(in), owed_N(), dt_s);
+  const Wrench<HapticBase> felt = force_control_.step(in, feels_skin(in), owed_N(), limiter_.lever_m(), dt_s);
+  force.skin = felt.force.N;
+  force.torque_N_m = felt.torque.N_m;
   if (force_control_.touching()) force.skin += heat_warning_.step(force.skin, limiter_, dt_s);
   if (phases_.phase() == Phase::BodyToPlane && !force_control_.touching())
     force.drive = lift_force_N(in, plane_.target_height_m(), settings_.position);
@@ -108,10 +112,11 @@ double EncounteredController::fade_rate_N_per_s() const noexcept {
   return settings_.transitions.force_fade_N_per_s;
 }
 
-Force<HapticBase> EncounteredController::limited(const HeldForce& wanted, double dt_s) noexcept {
-  const Force<HapticBase> force = limiter_.limit({wanted.skin + wanted.drive + wanted.fade}, dt_s);
-  force_control_.gave(wanted, force.N);
-  return force;
+Wrench<HapticBase> EncounteredController::limited(const HeldForce& wanted, double dt_s) noexcept {
+  const Wrench<HapticBase> given =
+      limiter_.limit({.force = {wanted.skin + wanted.drive + wanted.fade}, .torque = {wanted.torque_N_m}}, dt_s);
+  force_control_.gave(wanted, given);
+  return given;
 }
 
 /// Collects the output of the parts after a tick.

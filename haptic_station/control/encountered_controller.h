@@ -50,7 +50,7 @@ class EncounteredController {
   [[nodiscard]] double owed_N() const noexcept;
   [[nodiscard]] HeldForce phase_force(const ControlInput& in, double dt_s) noexcept;
   [[nodiscard]] double fade_rate_N_per_s() const noexcept;
-  [[nodiscard]] Force<HapticBase> limited(const HeldForce& wanted, double dt_s) noexcept;
+  [[nodiscard]] Wrench<HapticBase> limited(const HeldForce& wanted, double dt_s) noexcept;
   [[nodiscard]] ControlOutput output() const noexcept;
 
   ControlSettings settings_;

@@ -19,8 +19,8 @@ class HandDrivenDevice final : public ports::Device {
   [[nodiscard]] ports::DeviceReading read() noexcept override {
     return {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
   }
-  void apply(const Force<HapticBase>& force, const ports::SurfaceContact&, double dt_s) noexcept override {
-    pair_.step(force, intention_, dt_s);
+  void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact&, double dt_s) noexcept override {
+    pair_.step(wrench.force, intention_, dt_s);
   }
   void hand_seen(const Point<HapticBase>& hand) noexcept override { intention_.at = hand; }
 

@@ -23,8 +23,8 @@ class JoinedRig final : public ports::Rig {
     return sample;
   }
 
-  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override {
-    device_->apply(force, contact, dt_s);
+  void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override {
+    device_->apply(wrench, contact, dt_s);
   }
 
  private:

@@ -5,8 +5,16 @@
 
 #include "haptic_station/ports/surface_contact.h"
 #include "proto/words/frames.h"
+#include "proto/words/wrench.h"
 
 namespace telepalp::effects {
+
+/// The tool's rotation, as the effects see it.
+struct ToolTurn {
+  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< rotation from the tool's axes to H
+  Vector<HapticBase> turned{};                                   ///< rotation vector of the last tick [rad]
+  double N_per_N_m = 0.0;  ///< the device's greatest force / its greatest torque [1/m]; 0: it gives no torque
+};
 
 /// Inputs of an effect at one tick of the haptic loop.
 struct EffectInput {
@@ -14,6 +22,7 @@ struct EffectInput {
   Vector<HapticBase> device_velocity;  ///< [m/s]
   ports::SurfaceContact contact;       ///< surface at the point `device`
   Vector<HapticBase> moved;            ///< motion of the device since the last tick [m]
+  ToolTurn turn{};
 };
 
 /// Displacement of an object inside the body from the place that the scene gives it, because the body moves.
@@ -30,11 +39,25 @@ using Placements = std::array<Placement, kMostEffects>;
 enum class ObjectTouch { None, Near, Lateral, Upper };
 
 // An effect is a value type with these members, all noexcept and free of allocation. EffectBank holds and steps them.
+// An effect without torque may give a Force<HapticBase> where a Wrench<HapticBase> is named here.
 // - begin(const EffectInput&): the end-effector has just entered the body
-// - Force<HapticBase> step(const EffectInput&, double dt_s): the force on the hand if the device could give any force
-// - only springs: Pull pull(double relaxed_m), Force<HapticBase> force(double relaxed_m) and double
-//   energy_J(double relaxed_m), all at the depth of the last step. LinearSpring explains relaxed springs.
-// - only friction, which is no spring: Force<HapticBase> slip(double relaxed_m) and double energy_J()
+// - Wrench<HapticBase> step(const EffectInput&, double dt_s): the wrench on the hand if the device could give any
+// - only springs: Pull pull(double relaxed_m), Wrench<HapticBase> force(double relaxed_m) and double
+//   energy_J(double relaxed_m), all at the depth of the last step. LinearSpring explains relaxed springs, and
+//   LeverSpring those with a torque.
+// - only effects with a state that dissipates energy, as friction's anchor: Wrench<HapticBase> wrench(double relaxed_m,
+//   double share), the state's wrench under springs that are relaxed by `relaxed_m`; it may move the state, but only so
+//   that the energy stored falls. `share`: part of holds_N() that the state may use. double stored_J(): energy that the
+//   hand can get back from the state. Ledgers book what the state takes, and what it still stores; the rest is
+//   dissipated. double holds_N(): greatest force of the state, times its weight (LeverSpring); constant in a contact.
+//   An effect may be a spring and have a state.
+// - only friction of the skin: double coefficient(), in place of holds_N(): its force, across the springs', is at most
+//   this share of theirs
+// - only effects that damage the skin: double skin_left(), share of its stiffness that is left, 0 to 1, as a needle
+//   leaves it. EffectBank multiplies the shares of all effects, and lets the product only fall while a contact lasts.
+// - only effects whose force grows with the skin's: void weaken(double skin_left)
+// - only effects that depend on the tool's attitude: double loaded_J(const EffectInput&), the energy that they would
+//   store with this input, without a change of their state
 // - double stiffest_N_per_m(double most_N): greatest stiffness of its spring at forces up to `most_N`
 // - static constexpr const char* kName
 // - ObjectTouch touch(): how close the device is to an object inside the body; None for other effects

@@ -39,17 +39,74 @@ concept IsSpring = requires(const Effect& effect) {
   noexcept;
 };
 
-template <IsSpring Effect>
-Force<HapticBase> relaxed_force(const Effect& effect, double relaxed_m) noexcept {
-  return effect.force(relaxed_m);
-}
-Force<HapticBase> relaxed_force(Friction& friction, double relaxed_m) noexcept { return friction.slip(relaxed_m); }
+template <class Effect>
+concept HasState = requires(Effect& effect) {
+  { effect.wrench(0.0, 1.0) }
+  noexcept;
+  { effect.stored_J() }
+  noexcept;
+};
 
-template <IsSpring Effect>
-double relaxed_energy_J(const Effect& effect, double relaxed_m) noexcept {
-  return effect.energy_J(relaxed_m);
+template <class Effect>
+concept HoldsForce = requires(const Effect& effect) {
+  { effect.holds_N() }
+  noexcept;
+};
+
+template <class Effect>
+concept HasFriction = requires(const Effect& effect) {
+  { effect.coefficient() }
+  noexcept;
+};
+
+template <class Effect>
+concept DamagesSkin = requires(const Effect& effect) {
+  { effect.skin_left() }
+  noexcept;
+};
+
+template <class Effect>
+concept GrowsWithSkin = requires(Effect& effect) {
+  { effect.weaken(1.0) }
+  noexcept;
+};
+
+template <class Effect>
+concept FeelsAttitude = requires(const Effect& effect, const EffectInput& in) {
+  { effect.loaded_J(in) }
+  noexcept;
+};
+
+/// `given`: a wrench, or a force without a torque.
+template <class Given>
+Wrench<HapticBase> as_wrench(const Given& given) noexcept {
+  if constexpr (std::is_same_v<Given, Force<HapticBase>>)
+    return {.force = given};
+  else
+    return given;
 }
-double relaxed_energy_J(const Friction& friction, double) noexcept { return friction.energy_J(); }
+
+/// The effect's wrench with springs that are relaxed by `relaxed_m`, and the share `share` of what its state may hold.
+template <class Effect>
+Wrench<HapticBase> relaxed_wrench(Effect& effect, double relaxed_m, double share) noexcept {
+  Wrench<HapticBase> sum;
+  if constexpr (IsSpring<Effect>) sum = as_wrench(effect.force(relaxed_m));
+  if constexpr (HasState<Effect>) {
+    const Wrench<HapticBase> state = as_wrench(effect.wrench(relaxed_m, share));
+    if constexpr (!IsSpring<Effect>) return state;
+    sum.force.N += state.force.N;
+    sum.torque.N_m += state.torque.N_m;
+  }
+  return sum;
+}
+
+template <class Effect>
+double relaxed_energy_J(const Effect& effect, double relaxed_m) noexcept {
+  double sum_J = 0.0;
+  if constexpr (IsSpring<Effect>) sum_J += effect.energy_J(relaxed_m);
+  if constexpr (HasState<Effect>) sum_J += effect.stored_J();
+  return sum_J;
+}
 
 template <class Effect>
 concept HasWall = requires(const Effect& effect, double dt_s) {
@@ -100,7 +157,12 @@ const char* EffectBank::name(const Effect& effect) noexcept {
 bool EffectBank::add(const Effect& effect) noexcept {
   if (count_ == kMostEffects) return false;
   bill_[count_] = EffectBill{.name = name(effect)};
-  if (const Friction* friction = std::get_if<Friction>(&effect)) friction_ += friction->coefficient();
+  with(effect, [this](const auto& e) noexcept {
+    using Kind = std::remove_cvref_t<decltype(e)>;
+    if constexpr (HasFriction<Kind>) friction_ += e.coefficient();
+    feels_attitude_ = feels_attitude_ || FeelsAttitude<Kind>;
+    weakens_skin_ = weakens_skin_ || DamagesSkin<Kind>;
+  });
   effects_[count_++] = effect;
   return true;
 }
@@ -110,11 +172,52 @@ void EffectBank::begin(const EffectInput& in) noexcept {
   relaxed_m_ = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](auto& e) noexcept { e.begin(felt_by(e, in, placements_[i])); });
+  states_hold_N_ = held_by_states_N();
+  if (weakens_skin_) weaken_skin(1.0);
 }
 
-/// Steps each effect, and adds up the work of the forces that it held over the tick that ends now.
+double EffectBank::held_by_states_N() const noexcept {
+  double sum_N = 0.0;
+  for (std::size_t i = 0; i < count_; ++i)
+    with(effects_[i], [&](const auto& e) noexcept {
+      if constexpr (HoldsForce<std::remove_cvref_t<decltype(e)>>) sum_N += e.holds_N();
+    });
+  return sum_N;
+}
+
+double EffectBank::wanted_skin_left() const noexcept {
+  double left = 1.0;
+  for (std::size_t i = 0; i < count_; ++i)
+    with(effects_[i], [&](const auto& e) noexcept {
+      if constexpr (DamagesSkin<std::remove_cvref_t<decltype(e)>>) left *= std::clamp(e.skin_left(), 0.0, 1.0);
+    });
+  return left;
+}
+
+void EffectBank::weaken_skin(double left) noexcept {
+  skin_left_ = left;
+  for (std::size_t i = 0; i < count_; ++i)
+    with(effects_[i], [&](auto& e) noexcept {
+      if constexpr (GrowsWithSkin<std::remove_cvref_t<decltype(e)>>) e.weaken(left);
+    });
+}
+
+double EffectBank::loaded_J(const EffectInput& in) const noexcept {
+  double sum_J = 0.0;
+  for (std::size_t i = 0; i < count_; ++i)
+    with(effects_[i], [&](const auto& e) noexcept {
+      if constexpr (FeelsAttitude<std::remove_cvref_t<decltype(e)>>)
+        sum_J += e.loaded_J(felt_by(e, in, placements_[i]));
+    });
+  return sum_J;
+}
+
+/// Steps each effect, and adds up the work of the wrenches that it held over the tick that ends now. Lowering the
+/// skin's stiffness takes energy out of it; raising it would create energy, so its share only falls.
 void EffectBank::advance(const EffectInput& in, double dt_s, CostClock clock) noexcept {
   absorbed_J_ = 0.0;
+  if (weakens_skin_)
+    if (const double left = wanted_skin_left(); left < skin_left_) weaken_skin(left);
   for (std::size_t i = 0; i < count_; ++i) {
     const std::uint64_t before = clock != nullptr ? clock() : 0;
     with(effects_[i], [&](auto& e) noexcept {
@@ -123,7 +226,10 @@ void EffectBank::advance(const EffectInput& in, double dt_s, CostClock clock) no
       absorbed_J_ -= held_[i].force_N.dot(in.moved.v - 0.5 * dt_s * (held_[i].carried_at + carried));
       if constexpr (HasWall<std::remove_cvref_t<decltype(e)>>)
         absorbed_J_ += dt_s * held_[i].force_N.dot(e.wall_velocity(dt_s).v);
-      held_[i] = {e.step(felt, dt_s).N, carried};
+      if constexpr (FeelsAttitude<std::remove_cvref_t<decltype(e)>>)
+        absorbed_J_ -= held_[i].torque_N_m.dot(in.turn.turned.v);
+      const Wrench<HapticBase> now = as_wrench(e.step(felt, dt_s));
+      held_[i] = {now.force.N, now.torque.N_m, carried};
     });
     const std::uint64_t cost = clock != nullptr ? clock() - before : 0;
     ++bill_[i].steps;
@@ -132,16 +238,22 @@ void EffectBank::advance(const EffectInput& in, double dt_s, CostClock clock) no
   }
 }
 
-Force<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, double most_N, CostClock clock) noexcept {
+Wrench<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, double most_N, CostClock clock) noexcept {
   advance(in, dt_s, clock);
+  const double bound_N = std::max(0.0, most_N);
+  const double share = states_hold_N_ > bound_N ? bound_N / states_hold_N_ : 1.0;
   // Friction acts perpendicular to the skin's force, with at most `friction_` times the magnitude of that force.
-  springs_most_N_ = std::max(0.0, most_N) / std::sqrt(1.0 + friction_ * friction_);
+  springs_most_N_ = std::max(0.0, bound_N - states_hold_N_) / std::sqrt(1.0 + friction_ * friction_);
   relaxed_m_ = common_relaxation_m([this](double relaxed_m) noexcept { return pull(relaxed_m); }, springs_most_N_);
-  Force<HapticBase> sum;
+  Wrench<HapticBase> sum;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (relaxed_m_ > 0.0)
-      held_[i].force_N = with(effects_[i], [&](auto& e) noexcept { return relaxed_force(e, relaxed_m_).N; });
-    sum.N += held_[i].force_N;
+    if (relaxed_m_ > 0.0 || share < 1.0) {
+      const auto relaxed = with(effects_[i], [&](auto& e) noexcept { return relaxed_wrench(e, relaxed_m_, share); });
+      held_[i].force_N = relaxed.force.N;
+      held_[i].torque_N_m = relaxed.torque.N_m;
+    }
+    sum.force.N += held_[i].force_N;
+    sum.torque.N_m += held_[i].torque_N_m;
   }
   return sum;
 }
@@ -176,7 +288,8 @@ Force<HapticBase> EffectBank::change_with_skin_at(const Eigen::Vector3d& indenta
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](const auto& e) noexcept {
       if constexpr (IsSpring<std::remove_cvref_t<decltype(e)>>)
-        if (static_cast<const void*>(&e) != own) change.N += e.force(relaxed_m).N - held_[i].force_N;
+        if (static_cast<const void*>(&e) != own)
+          change.N += as_wrench(e.force(relaxed_m)).force.N - as_wrench(e.force(relaxed_m_)).force.N;
     });
   return change;
 }

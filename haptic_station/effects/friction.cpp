@@ -14,7 +14,7 @@ Force<HapticBase> Friction::step(const EffectInput& in, double) noexcept {
 
 Force<HapticBase> Friction::slip(double relaxed_m) noexcept {
   const double depth_m = std::max(0.0, depth_m_ - relaxed_m);
-  const double holds_N = settings_.coefficient * settings_.load.stiffness_N_per_m(depth_m) * depth_m;
+  const double holds_N = skin_left_ * settings_.coefficient * settings_.load.stiffness_N_per_m(depth_m) * depth_m;
   const double longest_m = holds_N / settings_.bristle_stiffness_N_per_m;
   const double length_m = bristle_m_.norm();
   if (length_m > longest_m) bristle_m_ *= longest_m / length_m;

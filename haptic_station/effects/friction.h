@@ -26,9 +26,12 @@ class Friction {
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
   /// Lets the anchor slip under a skin that is relaxed by `relaxed_m`. Returns the force.
   [[nodiscard]] Force<HapticBase> slip(double relaxed_m) noexcept;
-  [[nodiscard]] double energy_J() const noexcept {
+  [[nodiscard]] Force<HapticBase> wrench(double relaxed_m, double) noexcept { return slip(relaxed_m); }
+  [[nodiscard]] double stored_J() const noexcept {
     return 0.5 * settings_.bristle_stiffness_N_per_m * bristle_m_.squaredNorm();
   }
+  /// The skin under the hand has the share `skin_left` of its stiffness, and with it of its load.
+  void weaken(double skin_left) noexcept { skin_left_ = skin_left; }
   [[nodiscard]] double coefficient() const noexcept { return settings_.coefficient; }
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput&) const noexcept { return {}; }
   [[nodiscard]] double stiffest_N_per_m(double) const noexcept { return settings_.bristle_stiffness_N_per_m; }
@@ -38,6 +41,7 @@ class Friction {
   Settings settings_;
   Eigen::Vector3d bristle_m_ = Eigen::Vector3d::Zero();  ///< tangential vector from anchor to device
   double depth_m_ = 0.0;                                 ///< of the device in the skin
+  double skin_left_ = 1.0;
 };
 
 }  // namespace telepalp::effects

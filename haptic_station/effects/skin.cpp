@@ -36,7 +36,7 @@ Force<HapticBase> Skin::step(const EffectInput& in, double dt_s) noexcept {
   if (outwards_m > 0.0) d -= outwards_m * normal;
   if (!slides) d *= in.contact.support;  // the support already scales the proxy
   indentation_ = {d};
-  return {skin_force_N(settings_.law, d)};
+  return {skin_force_N(law_, d)};
 }
 
 }  // namespace telepalp::effects

@@ -24,28 +24,29 @@ class Skin {
   static constexpr const char* kName = "skin";
   using Settings = SkinSettings;
 
-  explicit Skin(const Settings& settings = {}) noexcept : settings_(settings) {}
+  explicit Skin(const Settings& settings = {}) noexcept : settings_(settings), law_(settings.law) {}
   void begin(const EffectInput& in) noexcept;
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
-  [[nodiscard]] Pull pull(double relaxed_m) const noexcept {
-    return skin_pull(settings_.law, indentation_.v, relaxed_m);
-  }
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept { return skin_pull(law_, indentation_.v, relaxed_m); }
   [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept {
-    return {skin_force_N(settings_.law, indentation_.v, relaxed_m)};
+    return {skin_force_N(law_, indentation_.v, relaxed_m)};
   }
   [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept {
-    return skin_energy_J(settings_.law, indentation_.v, relaxed_m);
+    return skin_energy_J(law_, indentation_.v, relaxed_m);
   }
   [[nodiscard]] Vector<HapticBase> carried_at(const EffectInput& in) const noexcept;
   [[nodiscard]] double stiffest_N_per_m(double most_N) const noexcept {
     return skin_stiffest_N_per_m(settings_.law, most_N);
   }
   [[nodiscard]] ObjectTouch touch() const noexcept { return ObjectTouch::None; }
-  [[nodiscard]] const SkinLaw& law() const noexcept { return settings_.law; }
+  /// Leaves the share `skin_left` of the stiffness that the scene gives the skin.
+  void weaken(double skin_left) noexcept { law_ = settings_.law.weakened(skin_left); }
+  [[nodiscard]] const SkinLaw& law() const noexcept { return law_; }
   [[nodiscard]] const Vector<HapticBase>& indentation() const noexcept { return indentation_; }
 
  private:
   Settings settings_;
+  SkinLaw law_;                      ///< that of `settings_`, weakened
   Point<HapticBase> first_contact_;  ///< S1's p_p^0: proxy at the start of the contact
   Vector<HapticBase> first_normal_;
   double rise_m_ = 0.0;  ///< how far the skin at the first contact point has risen along its normal since contact

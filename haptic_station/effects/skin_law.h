@@ -18,6 +18,10 @@ struct SkinLaw {
   [[nodiscard]] double stiffness_N_per_m(double distance_m) const noexcept {
     return constant_N_per_m + (slope_N_per_m2 + curve_N_per_m3 * distance_m) * distance_m;
   }
+  /// This law with the share `left` of its stiffness.
+  [[nodiscard]] SkinLaw weakened(double left) const noexcept {
+    return {left * constant_N_per_m, left * slope_N_per_m2, left * curve_N_per_m3, by_axis};
+  }
   /// Magnitude of the force of one spring at the indentation `distance_m`, and the derivative by this indentation.
   [[nodiscard]] Pull pull(double distance_m) const noexcept {
     return {stiffness_N_per_m(distance_m) * distance_m,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "proto/words/frames.h"
+#include "proto/words/wrench.h"
 
 namespace telepalp::effects {
 
@@ -38,6 +39,36 @@ struct LinearSpring {
     return 0.5 * stiffness_N_per_m * left_m * (left_m + 2.0 * relaxed_m);
   }
 };
+
+/// A spring at one tick whose depth also depends on the tool's attitude, because it acts on a point beside the tool's
+/// point. Its torque is its force's magnitude times `turning`.
+///
+/// Torque joins the common relaxation by `weight`, which is constant for each spring while a contact lasts: the spring
+/// is relaxed by weight × the common depth, and its force counts weight times in the sum of magnitudes. With the
+/// weights of lever_weight(), a sum of at most B bounds the force by B and the torque by T, the device's greatest
+/// torque. The relaxed wrenches are still the gradient of one energy, with the constraint weight × p in place of p
+/// (EffectBank).
+struct LeverSpring {
+  LinearSpring spring;
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();  ///< minus the depth's derivative by the tool's rotation [m/rad]
+  double weight = 1.0;
+
+  [[nodiscard]] Pull pull(double relaxed_m) const noexcept {
+    const Pull own = spring.pull(weight * relaxed_m);
+    return {weight * own.N, weight * weight * own.N_per_m};
+  }
+  [[nodiscard]] Wrench<HapticBase> wrench(double relaxed_m) const noexcept {
+    const double magnitude_N = spring.pull(weight * relaxed_m).N;
+    return {.force = {magnitude_N * spring.outwards}, .torque = {magnitude_N * turning}};
+  }
+  [[nodiscard]] double energy_J(double relaxed_m) const noexcept { return spring.energy_J(weight * relaxed_m); }
+};
+
+/// The weight of a spring whose `turning` is at most `lever_m` long, on a device whose greatest force is `N_per_N_m`
+/// times its greatest torque [1/m]. A device without torque (0) shows the force alone.
+[[nodiscard]] inline double lever_weight(double lever_m, double N_per_N_m) noexcept {
+  return std::max(1.0, lever_m * N_per_N_m);
+}
 
 /// The common depth by which springs must be relaxed, so that the magnitudes of their forces sum to at most `most_N`; 0
 /// if they need not be relaxed. `pull_at(relaxed_m)` gives their Pull. Newton's method from 0 on: no spring gets softer

@@ -23,7 +23,7 @@ Force<HapticBase> StiffRegions::step(const EffectInput& in, double) noexcept {
     const double root = (1.0 - u) * steep;
     Eigen::Vector3d outwards = root * in.contact.normal.v;
     if (u > 0.0) outwards += depth_m * 3.0 * u / (steep * region.fade_m * r_m) * from_axis;
-    springs_[i] = {region.added_N_per_m, root * depth_m, outwards};
+    springs_[i] = {skin_left_ * region.added_N_per_m, root * depth_m, outwards};
   }
   return force(0.0);
 }

@@ -28,6 +28,8 @@ class StiffRegions {
   bool add(const StiffRegion& region) noexcept;
   void begin(const EffectInput&) noexcept {}
   [[nodiscard]] Force<HapticBase> step(const EffectInput& in, double dt_s) noexcept;
+  /// Leaves the share `skin_left` of the added stiffness.
+  void weaken(double skin_left) noexcept { skin_left_ = skin_left; }
   [[nodiscard]] Pull pull(double relaxed_m) const noexcept;
   [[nodiscard]] Force<HapticBase> force(double relaxed_m) const noexcept;
   [[nodiscard]] double energy_J(double relaxed_m = 0.0) const noexcept;
@@ -42,6 +44,7 @@ class StiffRegions {
   std::array<StiffRegion, kMostRegions> regions_{};
   std::array<LinearSpring, kMostRegions> springs_{};  ///< of each region, at the last step
   std::size_t count_ = 0;
+  double skin_left_ = 1.0;
 };
 
 }  // namespace telepalp::effects

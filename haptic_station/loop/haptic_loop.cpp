@@ -90,6 +90,9 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
                                  .recall = indexed.recall,
                                  .reindexed = indexed.moved,
                                  .wait_at_m = wait_at_m_,
+                                 .attitude = attitude_gate_.step(given.reading, dt_s),
+                                 .turning = attitude_gate_.turning(given.reading),
+                                 .power = given.reading.power,
                                  .rearm = given.rearm};
   last_touch_ = touch;
   last_hand_ = hand;
@@ -97,14 +100,15 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
   const control::ControlOutput out = controller_.step(in, dt_s);
   last_out_ = out;
   // Act: the caller applies the force.
-  return {.force = out.force, .contact = in.contact, .control = out, .sample = sample_of(in, out)};
+  return {
+      .force = out.force, .torque = out.torque, .contact = in.contact, .control = out, .sample = sample_of(in, out)};
 }
 
 Compensation HapticLoop::compensation() const noexcept {
   Compensation compensation =
       compensation_of(last_hand_, in_patient_frame(newest_hand_), last_touch_, touch_.displaced(), last_out_);
   compensation.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
-  compensation.device_jumps = device_gate_.jumps();
+  compensation.device_jumps = device_gate_.jumps() + attitude_gate_.jumps();
   compensation.hand_jumps = hand_.refused();
   compensation.objects = objects();
   return compensation;
@@ -134,6 +138,10 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
   sample.device_camera = packed((camera_from_haptic_ * in.device).m);
   sample.force_camera = packed_towards_zero((camera_from_haptic_ * out.force).N);
+  sample.gives_torque = in.power.most_N_m > 0.0;
+  sample.torque = packed_towards_zero(out.torque.N_m);
+  sample.torque_camera = packed_towards_zero(camera_from_haptic_.iso.linear() * out.torque.N_m);
+  if (in.attitude) sample.tool_attitude_camera = packed(camera_turn_ * *in.attitude);
   sample.indentation_m = static_cast<float>(out.indentation.v.norm());
   sample.distance_m = static_cast<float>(in.contact.distance_m);
   sample.passivity_J = static_cast<float>(out.passivity_J);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "haptic_station/control/encountered_controller.h"
+#include "haptic_station/loop/attitude_gate.h"
 #include "haptic_station/loop/body_frame.h"
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/device_gate.h"
@@ -67,6 +68,7 @@ class HapticLoop {
   [[nodiscard]] TickSample sample_of(const control::ControlInput& in, const control::ControlOutput& out) const noexcept;
 
   DeviceGate device_gate_;
+  AttitudeGate attitude_gate_;
   surface::Touch touch_;
   BodyFrame body_;
   tracking::HandEstimate hand_;

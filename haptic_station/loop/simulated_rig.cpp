@@ -29,13 +29,13 @@ std::optional<Eigen::Quaterniond> SimulatedRig::attitude() const noexcept {
   return device::wrist_attitude(*wrist_, time_s_);
 }
 
-void SimulatedRig::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept {
+void SimulatedRig::apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept {
   device::Intention intention;
   if (auto* scripted = std::get_if<device::ScriptedIntention>(&person_))
     intention = scripted->step({.time_s = time_s_, .contact = contact, .device = pair_.device()}, dt_s);
   else if (const auto* recorded = std::get_if<tracking::RecordedIntention>(&person_))
     intention = recorded->at(time_s_);
-  pair_.step(force, intention, dt_s);
+  pair_.step(wrench.force, intention, dt_s);
   time_s_ += dt_s;
 }
 

@@ -31,7 +31,7 @@ class SimulatedRig final : public ports::Rig {
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   [[nodiscard]] std::optional<ports::HandSample> hand(SessionTime now) noexcept override;
-  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
+  void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
 

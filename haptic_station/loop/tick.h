@@ -10,6 +10,7 @@
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
+#include "proto/words/wrench.h"
 
 namespace telepalp::loop {
 
@@ -33,10 +34,11 @@ struct TickIn {
   bool rearm = false;  ///< an operator asks to re-arm after a fault
 };
 
-/// The result of one tick, in H: the force to apply until the next tick [N], after the limiter, and the values that
+/// The result of one tick, in H: force and torque to apply until the next tick, after the limiter, and the values that
 /// telemetry publishes, without the tick's number and times. Workspace indexing moves H relative to the device's frame.
 struct TickOut {
   Force<HapticBase> force;
+  Torque<HapticBase> torque;
   ports::SurfaceContact contact;
   control::ControlOutput control;
   TickSample sample;

@@ -22,6 +22,7 @@ struct TickSample {
   bool limited = false;              ///< limiter, relaxed springs (spring.h) or a gradual release changed the force
   bool object_unseen = false;        ///< an object inside the body stays where it is: the skin above it is not seen
   bool object_slide_unseen = false;  ///< the skin's tangential motion (slide) above an object cannot be measured
+  bool gives_torque = false;         ///< the device states that it gives torques
   bool indexing = false;             ///< the hand is beyond the touch cylinder, so the body gives no force
   std::array<float, 3> workspace_shift{};  ///< position in H minus position in the device's own frame
   std::array<float, 3> hand{};
@@ -35,6 +36,9 @@ struct TickSample {
   std::array<float, 3> normal_camera{};
   std::array<float, 3> device_camera{};
   std::array<float, 3> force_camera{};
+  std::array<float, 3> torque{};                ///< on the hand, about the device point [N m]
+  std::array<float, 3> torque_camera{};         ///< the same in K
+  std::array<float, 4> tool_attitude_camera{};  ///< x, y, z, w of the tool's axes in K; all zero: not measured
   float indentation_m = 0.0F;  ///< |d| of paper S1 eq. (8) (docs/sources.md), depth in the skin; 0 out of contact
   float distance_m = 0.0F;     ///< signed distance of the device point from the skin; negative inside
   float passivity_J = 0.0F;    ///< energy taken from the hand minus stored energy; negative: the display is active

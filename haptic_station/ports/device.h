@@ -9,11 +9,12 @@ namespace telepalp::ports {
 class Device {
  public:
   virtual ~Device() = default;
-  /// The end-effector's position, in the device's own frame. Its age is infinite until the device has answered once.
+  /// The end-effector's position, in the device's own frame, and what else the device measures and can give. The
+  /// reading's age is infinite until the device has answered once.
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
-  /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(); only a device with a controller of
-  /// its own uses it.
-  virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
+  /// Applies `wrench` for the next `dt_s`; its torque is zero unless the last reading stated that the device gives
+  /// torques. `contact`: the contact at the last read(); only a device with a controller of its own uses it.
+  virtual void apply(const Wrench<HapticBase>& wrench, const SurfaceContact& contact, double dt_s) noexcept = 0;
   /// Gets the hand's position that the tracker sees. A simulated device follows it, as if the hand held the device.
   virtual void hand_seen(const Point<HapticBase>&) noexcept {}
 };

@@ -1,18 +1,32 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <optional>
 
 #include "proto/words/frames.h"
 #include "proto/words/time.h"
+#include "proto/words/wrench.h"
 
 namespace telepalp::ports {
+
+/// The greatest force and torque that a device can give. The device states them with each reading, because a program
+/// that serves a device may be started again with another one.
+struct DevicePower {
+  double most_N = std::numeric_limits<double>::infinity();  ///< infinite: not stated; the scene's limit counts
+  double most_N_m = 0.0;                                    ///< 0: the device gives forces alone
+};
 
 /// The haptic device's measurement at one tick, in the device's own frame: H unless workspace indexing shifts H.
 struct DeviceReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
   double age_s = 0.0;           ///< time since the device last answered
+  /// Rotation from the tool's axes to the device's frame; nullopt: the device does not measure it. At the identity, the
+  /// tool's axes are those of the frame, and a needle points down, along -y.
+  std::optional<Eigen::Quaterniond> attitude = {};
+  Vector<HapticBase> turning = {};  ///< angular velocity [rad/s]; counts only with `attitude`
+  DevicePower power = {};
 };
 
 /// One sample of the hand tracker, in the frame of DeviceReading, stamped with the time at which it saw the hand.

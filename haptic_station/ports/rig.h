@@ -15,9 +15,9 @@ class Rig {
   [[nodiscard]] virtual DeviceReading read() noexcept = 0;
   /// The newest sample of the hand. Each sample is returned once; nullopt means that there is no newer one.
   [[nodiscard]] virtual std::optional<HandSample> hand(SessionTime now) noexcept = 0;
-  /// Applies `force` for the next `dt_s`. `contact`: the contact at the last read(), which only a simulated hand (to
+  /// Applies `wrench` for the next `dt_s`. `contact`: the contact at the last read(), which only a simulated hand (to
   /// find the skin's height) and a device with a controller of its own use.
-  virtual void apply(const Force<HapticBase>& force, const SurfaceContact& contact, double dt_s) noexcept = 0;
+  virtual void apply(const Wrench<HapticBase>& wrench, const SurfaceContact& contact, double dt_s) noexcept = 0;
 };
 
 }  // namespace telepalp::ports

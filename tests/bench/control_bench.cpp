@@ -73,7 +73,7 @@ void measure_tick(double seconds, Report& report) {
     cpu_us.add(thread_us() - cpu_before_us);
     tick_us.add(took_us);
     if (control::is_inside(act.control.phase)) contact_us.add(took_us);
-    rig.apply(act.force, act.contact, kTick_s);
+    rig.apply({act.force}, act.contact, kTick_s);
   }
   report.rows.push_back(at_most("tick of a scene with skin alone: time, p50", tick_us.p50(), "us", 5.0));
   report.rows.push_back(at_most("tick of a scene with skin alone: time, p99.9", tick_us.p999(), "us", 50.0));
@@ -252,7 +252,7 @@ void batter_limiter(Report& report) {
     if (random.bits() % 4 == 0) limiter.rearm();
     // Each force is held for a while; otherwise the slew limit would keep the force below the peak.
     if (random.bits() % 30 == 0) wanted.N = {anything(), anything(), anything()};
-    const Eigen::Vector3d given = limiter.limit(wanted, kTick_s).N;
+    const Eigen::Vector3d given = limiter.limit({wanted}, kTick_s).force.N;
     most_N = given.allFinite() ? std::max(most_N, given.norm()) : std::numeric_limits<double>::infinity();
     most_step_N = std::max(most_step_N, (given - before).norm());
     before = given;

@@ -13,27 +13,29 @@ class EnergyAccount {
   /// Starts the balance of a new contact at zero.
   void begin() noexcept;
 
-  /// Returns the force to display over the next tick [N], damping included. `asked_N`: the force of the effects, whose
-  /// springs EffectBank has relaxed (spring.h) to `bound_N`. It can exceed `bound_N` slightly at a stiff region's rim,
-  /// through the virtual coupling, and with friction on a skin that pushes to its anchor; step() then scales it down.
-  /// `share`: displayed share of `asked_N`, 0 to 1; below 1 while the contact is released gradually. `exchange`: energy
-  /// and motion between effects and hand in the last tick. `bound_N`: upper bound of the force of all effects together.
-  [[nodiscard]] Eigen::Vector3d step(const Eigen::Vector3d& asked_N, double share, const Exchange& exchange,
-                                     double bound_N, double dt_s) noexcept;
+  /// Returns the wrench to display over the next tick, damping included. `asked`: the wrench of the effects, whose
+  /// springs EffectBank has relaxed (spring.h) to `bound_N`. Its force can exceed `bound_N` slightly at a stiff
+  /// region's rim, through the virtual coupling, and with friction on a skin that pushes to its anchor; step() then
+  /// scales it down. `share`: displayed share of `asked`, 0 to 1; below 1 while the contact is released gradually.
+  /// `exchange`: energy and motion between effects and hand in the last tick. `bound_N`: upper bound of the force of
+  /// all effects together. The torque of `asked` is displayed as far as `exchange.lever_m` allows, and booked as
+  /// withheld beyond it.
+  [[nodiscard]] Wrench<HapticBase> step(const Wrench<HapticBase>& asked, double share, const Exchange& exchange,
+                                        double bound_N, double dt_s) noexcept;
 
-  /// Call after the limiter. `wanted_N`: the limiter's input. `given_N`: its output.
-  void limited(const Eigen::Vector3d& given_N, const Eigen::Vector3d& wanted_N) noexcept;
+  /// Call after the limiter. `wanted`: the limiter's input. `given`: its output.
+  void limited(const Wrench<HapticBase>& given, const Wrench<HapticBase>& wanted) noexcept;
 
   /// True when the force of the device differs from the one that the effects and the damping ask for.
   [[nodiscard]] bool withholds() const noexcept;
-  [[nodiscard]] const Force<HapticBase>& damping() const noexcept { return damping_; }  ///< of the last step
+  [[nodiscard]] const Force<HapticBase>& damping() const noexcept { return damping_.force; }  ///< of the last step
   [[nodiscard]] const PassivityController& passivity() const noexcept { return passivity_; }
 
  private:
   PassivityController passivity_;
-  Force<HapticBase> damping_;
-  Eigen::Vector3d shown_N_ = Eigen::Vector3d::Zero();     ///< the effects' force that the last tick showed
-  Eigen::Vector3d withheld_N_ = Eigen::Vector3d::Zero();  ///< force given minus force asked for, over the last tick
+  Wrench<HapticBase> damping_;
+  Eigen::Vector3d shown_N_ = Eigen::Vector3d::Zero();  ///< the effects' force that the last tick showed
+  Wrench<HapticBase> withheld_;                        ///< wrench given minus wrench asked for, over the last tick
 };
 
 }  // namespace telepalp::control

@@ -4,6 +4,7 @@
 #include "haptic_station/control/parts/sink_in.h"
 #include "haptic_station/control/safety/hand_ledger.h"
 #include "haptic_station/control/safety/virtual_coupling.h"
+#include "haptic_station/control/safety/virtual_tool.h"
 #include "haptic_station/control/values/control_input.h"
 #include "haptic_station/effects/effect_bank.h"
 
@@ -20,12 +21,14 @@ class ForceControl {
 
   /// Computes one tick. `touching`: the hand is in contact with the skin. `bound_N`: upper bound of the effects' force,
   /// without the damping: the limiter's present peak force or, in the phases Released and Faulted, the magnitude of the
-  /// force that the device still gives. Returns the force for the device [N]; zero without contact.
-  [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, bool touching, double bound_N, double dt_s) noexcept;
+  /// force that the device still gives. `lever_m`: greatest torque per newton of greatest force; 0: the device gives no
+  /// torque. Returns the wrench for the device; zero without contact.
+  [[nodiscard]] Wrench<HapticBase> step(const ControlInput& in, bool touching, double bound_N, double lever_m,
+                                        double dt_s) noexcept;
 
-  /// Call after the limiter. `wanted`: the parts of the limiter's input. `given_N`: the limiter's output, which the
+  /// Call after the limiter. `wanted`: the parts of the limiter's input. `given`: the limiter's output, which the
   /// device applies until the next step.
-  void gave(const HeldForce& wanted, const Eigen::Vector3d& given_N) noexcept;
+  void gave(const HeldForce& wanted, const Wrench<HapticBase>& given) noexcept;
   /// Magnitude of the force that the device applies until the next step.
   [[nodiscard]] double given_N() const noexcept { return (held_.skin + held_.fade + held_.drive).norm(); }
 
@@ -59,15 +62,17 @@ class ForceControl {
   [[nodiscard]] const VirtualCoupling& coupling() const noexcept { return coupling_; }
 
  private:
-  void begin(const effects::EffectInput& felt) noexcept;
-  [[nodiscard]] Eigen::Vector3d feel(effects::EffectInput felt, const Eigen::Vector3d& device_velocity, double bound_N,
-                                     double dt_s) noexcept;
-  [[nodiscard]] Force<HapticBase> ask_effects(const effects::EffectInput& felt, Exchange& exchange, double bound_N,
-                                              double dt_s) noexcept;
+  void begin(effects::EffectInput felt, const ControlInput& in, double lever_m) noexcept;
+  [[nodiscard]] Wrench<HapticBase> feel(effects::EffectInput felt, const ControlInput& in, double bound_N,
+                                        double lever_m, double dt_s) noexcept;
+  [[nodiscard]] Wrench<HapticBase> ask_effects(const effects::EffectInput& felt, const ControlInput& in,
+                                               Exchange& exchange, double bound_N, double dt_s) noexcept;
   [[nodiscard]] Eigen::Vector3d measured_skin_N(const Eigen::Vector3d& asked_N, double bound_N) const noexcept;
 
   effects::EffectBank effects_;
   VirtualCoupling coupling_;
+  VirtualTool tool_;
+  double N_per_N_m_ = 0.0;  ///< of the device, at the beginning of the contact (effects::ToolTurn)
   SinkIn sink_in_;
   EnergyAccount account_;
   effects::CostClock cost_clock_ = nullptr;

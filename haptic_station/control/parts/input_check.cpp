@@ -25,6 +25,7 @@ bool is_finite(const ControlInput& in) noexcept {
   return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
          in.recall.N.allFinite() && in.reindexed.v.allFinite() && std::isfinite(in.device_implausible_s) &&
          std::isfinite(in.hand_implausible_s) &&
+         (!in.attitude || (in.attitude->coeffs().allFinite() && in.turning.v.allFinite())) &&
          (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
          (!in.contact.valid || is_finite(in.contact)) && is_finite(in.placements);
 }

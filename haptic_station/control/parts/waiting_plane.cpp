@@ -28,7 +28,8 @@ void WaitingPlane::move(const Point<HapticBase>& device, const ports::SurfaceCon
   placed_ = true;
   const double most_m = settings_.speed_m_per_s * dt_s;
   const double share = demanded ? kDemandSpeed : 1.0;
-  const double held_m = std::max(raised_m_, height_m_);  // before the plane moves, or the target would move by both steps
+  const double held_m =
+      std::max(raised_m_, height_m_);  // before the plane moves, or the target would move by both steps
   height_m_ += std::clamp(wanted_m - height_m_, -share * most_m, share * most_m);
   raised_m_ = towards(held_m, demanded ? *wait_at_m : height_m_, share * most_m);
 }

@@ -5,10 +5,12 @@
 namespace telepalp::control {
 
 /// The force that the device applies over a tick, split by cause [N]. The sum of the parts is the limiter's output.
+/// Only the effects and the damping give a torque.
 struct HeldForce {
   Eigen::Vector3d skin = Eigen::Vector3d::Zero();   ///< effects, damping, heat warning, and the limiter's change
   Eigen::Vector3d fade = Eigen::Vector3d::Zero();   ///< remaining force difference from the last phase transition
   Eigen::Vector3d drive = Eigen::Vector3d::Zero();  ///< lift, position control, and recall of workspace indexing
+  Eigen::Vector3d torque_N_m = Eigen::Vector3d::Zero();
 };
 
 /// Compares the work of the device on the hand since the contact began with the work that a reference skin would have
@@ -31,6 +33,14 @@ class HandLedger {
     reference_N_ = reference_N;
   }
 
+  /// The same for the torque: the device gave `held` while it turned by `turned_rad` [rad, in H]. `reference_N_m`: the
+  /// torque of the effects on the reference skin after the turn.
+  void book_turn(const HeldForce& held, const Eigen::Vector3d& reference_N_m,
+                 const Eigen::Vector3d& turned_rad) noexcept {
+    skin_J_ += (held.torque_N_m - 0.5 * (reference_N_m_ + reference_N_m)).dot(turned_rad);
+    reference_N_m_ = reference_N_m;
+  }
+
   /// Work of the effects, the damping and the fades on the hand, minus the reference skin's work [J]. If it is above
   /// zero, the display gave the hand energy that the reference skin would not have given.
   [[nodiscard]] double excess_J() const noexcept { return skin_J_ + fades_J_; }
@@ -39,6 +49,7 @@ class HandLedger {
 
  private:
   Eigen::Vector3d reference_N_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d reference_N_m_ = Eigen::Vector3d::Zero();
   double skin_J_ = 0.0;
   double fades_J_ = 0.0;
   double drive_J_ = 0.0;

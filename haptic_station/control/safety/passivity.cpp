@@ -22,8 +22,8 @@ void PassivityController::begin(double stored_J) noexcept {
   damping_ = {};
 }
 
-Force<HapticBase> PassivityController::step(const Exchange& exchange, double dt_s) noexcept {
-  const double damped_J = -damping_.N.dot(exchange.moved.v);
+Wrench<HapticBase> PassivityController::step(const Exchange& exchange, double dt_s) noexcept {
+  const double damped_J = -damping_.force.N.dot(exchange.moved.v) - damping_.torque.N_m.dot(exchange.turned.v);
   taken_J_ += exchange.absorbed_J + damped_J;
   dissipated_J_ += damped_J;
   stored_J_ = exchange.stored_J;
@@ -32,13 +32,19 @@ Force<HapticBase> PassivityController::step(const Exchange& exchange, double dt_
 
   const Eigen::Vector3d& relative = exchange.velocity.v;
   const Eigen::Vector3d& absolute = exchange.device_velocity.v;
+  const Eigen::Vector3d turning = exchange.lever_m * exchange.turning.v;
+  const double turning2 = turning.squaredNorm();
   const double display_excess_J = -balance_J() - settings_.tolerance_J;
   const double hand_excess_J = exchange.hand_excess_J - settings_.hand_tolerance_J;
-  const Eigen::Vector3d wanted_N = -display_.follow(display_excess_J, relative.squaredNorm(), dt_s) * relative -
-                                   hand_.follow(hand_excess_J, absolute.squaredNorm(), dt_s) * absolute;
+  const double by_display = display_.follow(display_excess_J, relative.squaredNorm() + turning2, dt_s);
+  const double by_hand = hand_.follow(hand_excess_J, absolute.squaredNorm() + turning2, dt_s);
+  const Eigen::Vector3d wanted_N = -by_display * relative - by_hand * absolute;
   const double most_change_N =
       std::max(settings_.least_slew_N_per_s * dt_s, settings_.slew_N_per_s * dt_s - exchange.force_change_N);
-  damping_.N += at_most(wanted_N - damping_.N, most_change_N);
+  damping_.force.N += at_most(wanted_N - damping_.force.N, most_change_N);
+  const Eigen::Vector3d wanted_N_m = -exchange.lever_m * (by_display + by_hand) * turning;
+  damping_.torque.N_m += at_most(wanted_N_m - damping_.torque.N_m, exchange.lever_m * most_change_N);
+  if (exchange.lever_m <= 0.0) damping_.torque = {};
   return damping_;
 }
 

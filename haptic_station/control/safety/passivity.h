@@ -1,6 +1,7 @@
 #pragma once
 
 #include "proto/words/frames.h"
+#include "proto/words/wrench.h"
 
 namespace telepalp::control {
 
@@ -25,15 +26,21 @@ struct Exchange {
   Vector<HapticBase> moved;            ///< movement of the device relative to the displayed surface [m]
   Vector<HapticBase> velocity;         ///< velocity of the device relative to the displayed surface [m/s]
   Vector<HapticBase> device_velocity;  ///< velocity of the device in H [m/s]
-  double force_change_N = 0.0;         ///< change of the effects' force since the last tick, a magnitude
-  double hand_excess_J = 0.0;          ///< HandLedger::excess_J(): work on the hand beyond the measured skin's
+  Vector<HapticBase> turned;           ///< rotation of the tool that the effects see [rad]
+  Vector<HapticBase> turning;          ///< angular velocity of this tool [rad/s]
+  /// Greatest torque per newton of greatest force [m]. The damping counts an angular velocity as this lever times it.
+  /// 0: no torque is displayed.
+  double lever_m = 0.0;
+  double force_change_N = 0.0;  ///< change of the effects' force since the last tick, a magnitude
+  double hand_excess_J = 0.0;   ///< HandLedger::excess_J(): work on the hand beyond the measured skin's
 };
 
 /// Reads two energy ledgers and adds damping when either shows an excess of energy: the passivity observer and
 /// passivity controller of Hannaford and Ryu (2002).
 ///
 /// The ledger of the display: E = -sum F (v - v_displayed) dt since the contact began, minus the energy stored in the
-/// effects; F: force on the hand, v: velocity of the device, v_displayed: velocity of the displayed surface. A
+/// effects; F: force on the hand, v: velocity of the device, v_displayed: velocity of the displayed surface. A torque
+/// counts in the same way, with the angular velocity of the tool, as far as it is displayed. A
 /// breathing patient may lift the hand, so the work of the moving surface is not counted. The effects may store energy
 /// but must never return more than they took. This ledger detects the energy that sampling, stiffness and friction
 /// create. It cannot detect the energy from a displayed surface that moves differently from the patient.
@@ -51,8 +58,8 @@ class PassivityController {
   /// Contact begins. `stored_J`: energy that the effects store at that time; it counts as already taken from the hand.
   void begin(double stored_J) noexcept;
 
-  /// Adds the last tick to the balance and returns the damping force to add for the next tick of `dt_s`.
-  [[nodiscard]] Force<HapticBase> step(const Exchange& exchange, double dt_s) noexcept;
+  /// Adds the last tick to the balance and returns the damping to add for the next tick of `dt_s`.
+  [[nodiscard]] Wrench<HapticBase> step(const Exchange& exchange, double dt_s) noexcept;
 
   /// Energy taken from the hand since the contact began, minus the stored energy [J]; negative: the display is active.
   [[nodiscard]] double balance_J() const noexcept { return taken_J_ - stored_J_; }
@@ -70,7 +77,7 @@ class PassivityController {
   };
 
   PassivitySettings settings_;
-  Force<HapticBase> damping_;  ///< damping force during the last tick
+  Wrench<HapticBase> damping_;  ///< during the last tick
   Damper display_{settings_.most_damping_N_s_per_m, settings_.reaction_s};
   Damper hand_{settings_.hand_most_damping_N_s_per_m, settings_.hand_reaction_s};
   double taken_J_ = 0.0;

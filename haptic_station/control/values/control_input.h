@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "haptic_station/effects/effect.h"
+#include "haptic_station/ports/readings.h"
 #include "haptic_station/ports/surface_contact.h"
 #include "proto/words/frames.h"
 
@@ -26,7 +27,11 @@ struct ControlInput {
   Force<HapticBase> recall;            ///< force of workspace indexing; added to the force of the phase
   Vector<HapticBase> reindexed;  ///< shift by workspace indexing in this tick, contained in the motion of `device` [m]
   std::optional<double> wait_at_m;  ///< height y at which the free end-effector waits; nullopt: on the scene's plane
-  bool rearm = false;               ///< true on the tick at which an operator asks to re-arm
+  /// Rotation from the tool's axes to H, a unit quaternion; nullopt: the device does not measure it.
+  std::optional<Eigen::Quaterniond> attitude = {};
+  Vector<HapticBase> turning{};   ///< angular velocity of the tool [rad/s]; counts only with `attitude`
+  ports::DevicePower power = {};  ///< the device's greatest force and torque
+  bool rearm = false;             ///< true on the tick at which an operator asks to re-arm
 };
 
 }  // namespace telepalp::control

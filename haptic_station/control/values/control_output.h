@@ -2,6 +2,7 @@
 
 #include "haptic_station/control/phases/phase.h"
 #include "proto/words/frames.h"
+#include "proto/words/wrench.h"
 
 namespace telepalp::control {
 
@@ -11,6 +12,7 @@ struct ControlOutput {
   Phase previous = Phase::Released;  ///< differs from `phase` on the tick of a transition
   Event event = Event::Rearm;        ///< the cause of the transition; meaningless on a tick without a transition
   Force<HapticBase> force;           ///< force for the device, after the limiter
+  Torque<HapticBase> torque;         ///< torque for the device, after the limiter; zero for a device without torque
   Point<HapticBase> target;          ///< in Out body: S1's target p_t, eq. (5); else: the end-effector's position
   Point<HapticBase> displayed_hand;  ///< where the viewer draws the hand (S1 II.E)
   Vector<HapticBase> indentation;    ///< S1's d, eq. (8), the depth in the skin as a vector [m]; zero out of contact

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::chrono::microseconds kPace{400};
 constexpr std::chrono::milliseconds kForceCountsFor{50};
+constexpr std::chrono::milliseconds kAttitudeCountsFor{100};
 
 }  // namespace
 
@@ -52,11 +53,20 @@ void HaplyDevice::on_text(std::string_view text) {
     if (!std::exchange(line_is_up_, true))
       say_(name_ + ": the Haply Inverse service answers; device_id of its Inverse3: " + state.device_id);
     device_id_ = state.device_id;
-    readings_.put(
-        {Clock::now(), {.at = haptic_from_inverse_ * state.cursor, .velocity = haptic_from_inverse_ * state.velocity}});
+    if (state.attitude) attitude_ = {Clock::now(), haply::in_haptic_axes(*state.attitude)};
+    readings_.put({Clock::now(),
+                   {.at = haptic_from_inverse_ * state.cursor,
+                    .velocity = haptic_from_inverse_ * state.velocity,
+                    .attitude = newest_attitude()}});
     thread_.answered();
   }
   answer();
+}
+
+/// A handle sends more slowly than the Inverse3, so not every text has its attitude.
+std::optional<Eigen::Quaterniond> HaplyDevice::newest_attitude() const {
+  if (!attitude_ || Clock::now() - attitude_->first > kAttitudeCountsFor) return std::nullopt;
+  return attitude_->second;
 }
 
 /// The service sends one text for each text that it gets. Without this answer it would send no further state.
@@ -86,8 +96,8 @@ ports::DeviceReading HaplyDevice::read() noexcept {
   return reading;
 }
 
-void HaplyDevice::apply(const Force<HapticBase>& force, const ports::SurfaceContact&, double) noexcept {
-  wanted_.put({Clock::now(), force});
+void HaplyDevice::apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact&, double) noexcept {
+  wanted_.put({Clock::now(), wrench.force});
 }
 
 }  // namespace telepalp::device

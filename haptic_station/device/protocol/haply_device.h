@@ -4,7 +4,9 @@
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "haptic_station/device/protocol/haply_inverse.h"
 #include "haptic_station/device/protocol/protocol_thread.h"
@@ -21,9 +23,10 @@ namespace telepalp::device {
 /// the skin, is at this middle.
 [[nodiscard]] inline Point<haply::InverseBase> middle_of_inverse3() { return {{0.04, -0.17, 0.16}}; }
 
-/// A Haply Inverse3, driven over the WebSocket of its service on a separate thread. Each text message from the service
-/// is answered with the newest force, at most 2500 times a second. A force that the haptic thread has not renewed for
-/// 50 ms is replaced by zero.
+/// A Haply Inverse3 with or without a handle (VerseGrip), which measures the attitude: six degrees of freedom measured,
+/// three driven. At the identity, the handle's axes are those of the Inverse3, with its z as y of H. Driven over the
+/// WebSocket of its service on a separate thread. Each text message from the service is answered with the newest force,
+/// at most 2500 times a second. A force that the haptic thread has not renewed for 50 ms is replaced by zero.
 class HaplyDevice final : public ports::Device {
  public:
   using Say = std::function<void(const std::string&)>;  ///< gets a message for the operator, on this device's thread
@@ -35,7 +38,7 @@ class HaplyDevice final : public ports::Device {
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
-  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
+  void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   /// Number of invalid text messages received so far.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
@@ -52,6 +55,7 @@ class HaplyDevice final : public ports::Device {
   };
 
   void on_text(std::string_view text);
+  [[nodiscard]] std::optional<Eigen::Quaterniond> newest_attitude() const;
   void answer();
   void send_force();
 
@@ -64,7 +68,8 @@ class HaplyDevice final : public ports::Device {
   WebSocketLine line_;              // owner: thread_
   std::string device_id_;           // owner: thread_; the first device seen; later ones are ignored
   Clock::time_point sent_;          // owner: thread_
-  bool line_is_up_ = false;         // owner: thread_
+  std::optional<std::pair<Clock::time_point, Eigen::Quaterniond>> attitude_;  // owner: thread_; of the handle
+  bool line_is_up_ = false;                                                   // owner: thread_
   std::atomic<std::uint64_t> refused_{0};
   LatestValue<TimedReading> readings_;  // thread_ to haptic thread
   LatestValue<Wanted> wanted_;          // haptic thread to thread_

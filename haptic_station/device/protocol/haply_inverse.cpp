@@ -43,6 +43,16 @@ std::optional<Eigen::Vector3d> all_three(const haply_inverse::Axes& axes, double
   return v;
 }
 
+/// The attitude of the first handle: a wireless one, or else one on a cable. A handle without one is none.
+std::optional<Eigen::Quaterniond> attitude_of(const haply_inverse::Text& message) {
+  for (const auto* handles : {&message.wireless_verse_grip(), &message.verse_grip()})
+    for (const haply_inverse::Handle& one : *handles) {
+      const haply_inverse::Orientation& q = one.state().orientation();
+      if (q.has_x() && q.has_y() && q.has_z() && q.has_w()) return Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z());
+    }
+  return std::nullopt;
+}
+
 std::string number(double value) {
   std::array<char, 32> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 6);
@@ -58,7 +68,8 @@ Result<std::optional<State>> parse_text(std::string_view text, std::string_view 
   haply_inverse::Text message;
   if (const auto read = json::JsonStringToMessage({text.data(), text.size()}, &message, options); !read.ok())
     return refused("the message is not the state of a device in JSON: " + read.ToString().substr(0, 200));
-  if (message.inverse3_size() > kMostDevices) return refused("the message lists more than 16 devices");
+  if (message.inverse3_size() + message.verse_grip_size() + message.wireless_verse_grip_size() > kMostDevices)
+    return refused("the message lists more than 16 devices and handles");
   for (const haply_inverse::Text::Inverse3& one : message.inverse3()) {
     if (!wanted_id.empty() && one.device_id() != wanted_id) continue;
     if (!is_id(one.device_id())) return refused("the device_id is not 1 to 64 letters, digits, '-', '_' or ':'");
@@ -67,7 +78,7 @@ Result<std::optional<State>> parse_text(std::string_view text, std::string_view 
     const auto velocity = all_three(one.state().cursor_velocity(), kFastest_m_per_s);
     if (!cursor || !velocity)
       return refused("the position or velocity is incomplete, not finite, beyond 2 m or above 50 m/s");
-    return std::optional{State{one.device_id(), {*cursor}, {*velocity}}};
+    return std::optional{State{one.device_id(), {*cursor}, {*velocity}, attitude_of(message)}};
   }
   return std::optional<State>{};
 }
@@ -88,6 +99,11 @@ Transform<HapticBase, InverseBase> haptic_from_inverse(const Point<InverseBase>&
   out.iso.linear() = turn;
   out.iso.translation() = -(turn * origin.m);
   return out;
+}
+
+Eigen::Quaterniond in_haptic_axes(const Eigen::Quaterniond& inverse_from_handle) {
+  const Eigen::Vector3d axis = haptic_from_inverse({}).iso.linear() * inverse_from_handle.vec();
+  return {inverse_from_handle.w(), axis.x(), axis.y(), axis.z()};
 }
 
 }  // namespace telepalp::device::haply

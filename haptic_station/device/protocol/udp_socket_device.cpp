@@ -89,8 +89,12 @@ void UdpDevice::take(std::span<const std::byte> datagram) noexcept {
     case udp::PoseOrder::Verdict::ClockStands:
       return refuse(Refusal::ClockStands);
   }
-  newest_.at = pose->end_effector;
-  newest_.velocity = pose->velocity;
+  newest_ = {.at = pose->end_effector,
+             .velocity = pose->velocity,
+             .attitude = pose->attitude,
+             .turning = pose->turning,
+             .power = pose->power};
+  version_ = pose->version;
   newest_at_ = Clock::now();
   faulted_ = pose->faulted;
   has_reading_ = true;
@@ -124,22 +128,25 @@ std::optional<Error> UdpDevice::new_refusals() {
                .fix = "run a program for the device that keeps to the protocol in telepalp's UDP_DEVICE.md"};
 }
 
-void UdpDevice::apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double) noexcept {
+void UdpDevice::apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double) noexcept {
   send({.in_body = contact.in_body,
         .surface_valid = contact.valid,
         .proxy = contact.proxy,
         .distance_m = contact.distance_m,
         .normal = contact.normal,
-        .force = force});
+        .force = wrench.force,
+        .torque = wrench.torque});
 }
 
 void UdpDevice::send(udp::Command command) noexcept {
   const auto since = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch());
+  command.version = version_;
   command.session = session_;
   command.sequence = ++sequence_;
   command.sent_us = static_cast<std::uint64_t>(since.count());
   error_code ignored;  // the reading's age shows that the device is away
-  (void)socket_.send(asio::buffer(udp::encode(command)), 0, ignored);
+  const udp::Datagram datagram = udp::encode(command);
+  (void)socket_.send(asio::buffer(datagram.data(), datagram.size()), 0, ignored);
 }
 
 }  // namespace telepalp::device

@@ -18,7 +18,8 @@ namespace telepalp::device {
 /// A device that speaks the protocol of UDP_DEVICE.md, like PC-2, the computer that controls the device in paper S1
 /// (docs/sources.md) II.B. This class sends one datagram per tick and receives the device's datagrams, both on the
 /// haptic thread with non-blocking calls. A device that reports that its motors are off counts as silent. Only loopback
-/// addresses are accepted, because the datagrams are not encrypted.
+/// addresses are accepted, because the datagrams are not encrypted. Commands have the version of the newest pose, and
+/// version 1 before the first pose.
 class UdpDevice final : public ports::Device {
  public:
   /// Error: the address is not a loopback address, or the socket cannot be opened.
@@ -28,7 +29,7 @@ class UdpDevice final : public ports::Device {
   [[nodiscard]] Result<void> start(std::chrono::milliseconds limit);
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
-  void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override;
+  void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   /// Number of datagrams received so far that were damaged, old, repeated or stale (see udp::PoseOrder). Any thread.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
@@ -51,6 +52,7 @@ class UdpDevice final : public ports::Device {
   const std::uint32_t session_;
   std::uint32_t sequence_ = 0;
   udp::PoseOrder order_;
+  std::uint16_t version_ = udp::kVersion1;
   ports::DeviceReading newest_;
   Clock::time_point newest_at_;
   bool has_reading_ = false;

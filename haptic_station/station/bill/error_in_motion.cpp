@@ -76,8 +76,8 @@ struct Twins {
     truth.begin(real);
   }
   void step(const effects::EffectInput& seen, const effects::EffectInput& real) {
-    const Vector3d is = shown.step(seen, kTick_s).N;
-    const Vector3d should = truth.step(real, kTick_s).N;
+    const Vector3d is = shown.step(seen, kTick_s).force.N;
+    const Vector3d should = truth.step(real, kTick_s).force.N;
     if (is.norm() > 0.0 || should.norm() > 0.0) errors_N.push_back(static_cast<float>((is - should).norm()));
   }
 };
@@ -176,7 +176,7 @@ class Pair {
     device_ = at;
     feel({.device = at, .device_velocity = {moved.v / kTick_s}, .contact = shown.contact, .moved = moved},
          {.device = at, .device_velocity = {moved.v / kTick_s}, .contact = truth.contact, .moved = moved});
-    rig_->apply(shown.force, shown_.in_device_frame(shown.contact), kTick_s);
+    rig_->apply({shown.force, shown.torque}, shown_.in_device_frame(shown.contact), kTick_s);
   }
 
   void feel(const effects::EffectInput& seen, const effects::EffectInput& real) {

@@ -14,9 +14,11 @@ namespace {
 
 using Triple = std::array<float, 3>;
 
-void set_attitude(msg::StationState& state, const std::array<float, 4>& xyzw) {
-  if (std::ranges::all_of(xyzw, [](float part) { return part == 0.0F; })) return;  // no attitude is known
-  msg::Rotation& rotation = *state.mutable_hand_attitude_camera();
+bool is_known(const std::array<float, 4>& attitude) noexcept {
+  return std::ranges::any_of(attitude, [](float part) { return part != 0.0F; });
+}
+
+void set_rotation(msg::Rotation& rotation, const std::array<float, 4>& xyzw) {
   rotation.set_x(xyzw[0]);
   rotation.set_y(xyzw[1]);
   rotation.set_z(xyzw[2]);
@@ -45,7 +47,14 @@ msg::StationState state_message(const loop::TickSample& sample) {
   wire::set_vector(*state.mutable_normal_camera(), sample.normal_camera);
   wire::set_vector(*state.mutable_device_camera(), sample.device_camera);
   wire::set_vector(*state.mutable_force_camera_n(), sample.force_camera);
-  set_attitude(state, sample.hand_attitude_camera);
+  if (is_known(sample.hand_attitude_camera))
+    set_rotation(*state.mutable_hand_attitude_camera(), sample.hand_attitude_camera);
+  if (is_known(sample.tool_attitude_camera))
+    set_rotation(*state.mutable_tool_attitude_camera(), sample.tool_attitude_camera);
+  if (sample.gives_torque) {
+    wire::set_vector(*state.mutable_torque_n_m(), sample.torque);
+    wire::set_vector(*state.mutable_torque_camera_n_m(), sample.torque_camera);
+  }
   state.set_distance_m(sample.distance_m);
   state.set_indentation_m(sample.indentation_m);
   state.set_in_body(sample.in_body);
@@ -114,7 +123,13 @@ msg::StationTicks ticks_message(const std::vector<loop::TickSample>& samples, st
   ticks.set_first_tick(samples.front().tick);
   ticks.set_period_ns(period_ns);
   ticks.set_surface_captured_ns(static_cast<std::uint64_t>(samples.front().surface_captured_ns));
+  const bool turns = std::ranges::any_of(samples, [](const auto& sample) { return sample.torque != Triple{}; });
   for (const loop::TickSample& sample : samples) {
+    if (turns) {
+      ticks.add_torque_x(sample.torque[0]);
+      ticks.add_torque_y(sample.torque[1]);
+      ticks.add_torque_z(sample.torque[2]);
+    }
     ticks.add_late_ns(sample.late_ns);
     ticks.add_work_us(sample.work_us);
     ticks.add_phase(phase_of(sample));

@@ -80,7 +80,7 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   device_to_surface_.put(loop_.in_patient_frame(in.reading.at));
   loop::TickOut out = loop_.tick(in);
   const Clock::time_point decided = Clock::now();
-  rig_.apply(out.force, loop_.in_device_frame(out.contact), dt_s);
+  rig_.apply({out.force, out.torque}, loop_.in_device_frame(out.contact), dt_s);
 
   out.sample.tick = tick_++;
   out.sample.stamp_ns = to_nanoseconds(now);

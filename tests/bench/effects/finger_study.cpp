@@ -121,7 +121,7 @@ double depth_at_force(effects::EffectBank bank, double x, double z, double force
     depth_m = std::max(0.0, 0.03 * t + tremor.at_m(t, 1));
     const effects::EffectInput in = under_skin({x + tremor.at_m(t, 0), -depth_m, z + tremor.at_m(t, 2)});
     if (i == 0) bank.begin(in);
-    felt_N = bank.step(in, kTick_s).N.norm() + noise(random);
+    felt_N = bank.step(in, kTick_s).force.N.norm() + noise(random);
   }
   return depth_m;
 }
@@ -160,7 +160,7 @@ RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
     path.push_back(finger.at(t) + Vector3d(tremor.at_m(t, 0), tremor.at_m(t, 1), tremor.at_m(t, 2)));
     const effects::EffectInput in = under_skin(path.back());
     if (i == 0) bank.begin(in);
-    const Vector3d now_N = bank.step(in, kTick_s).N;
+    const Vector3d now_N = bank.step(in, kTick_s).force.N;
     if (i > 0) count.worst_step_N = std::max(count.worst_step_N, (now_N - last_N).norm());
     last_N = now_N;
     smooth_N += 0.01 * (now_N.y() + noise(random) - smooth_N);

@@ -99,7 +99,7 @@ void HoverSweep::tick(const Pixel& pointer, bool presses) {
       device_.hand_seen(guided.hand);
     }
   const loop::TickOut out = loop_.tick(in);
-  device_.apply(out.force, out.contact, kTick_s);
+  device_.apply({out.force, out.torque}, out.contact, kTick_s);
   judge(out);
   ++ticks_;
 }

@@ -44,7 +44,7 @@ TEST(ForceLimiter, AMillionArbitraryInputsNeverExceedPeakOrSlew) {
     if (random.bits() % 4 == 0) limiter.rearm();
     if (random.bits() % 30 == 0)  // held for a while; otherwise the slew limit would keep the force below the peak
       wanted.N = {anything(random), anything(random), anything(random)};
-    const Eigen::Vector3d given = limiter.limit(wanted, kTick_s).N;
+    const Eigen::Vector3d given = limiter.limit({wanted}, kTick_s).force.N;
     most_N = std::max(most_N, given.norm());
     ASSERT_TRUE(given.allFinite()) << i;
     ASSERT_LE(given.norm(), limits.peak_N + 1e-12) << i;
@@ -56,14 +56,14 @@ TEST(ForceLimiter, AMillionArbitraryInputsNeverExceedPeakOrSlew) {
 
 TEST(ForceLimiter, AForceThatIsNotANumberReleasesAndLatches) {
   ForceLimiter limiter;
-  for (int i = 0; i < 1000; ++i) (void)limiter.limit({{0.0, 3.0, 0.0}}, kTick_s);
-  (void)limiter.limit({{0.0, std::numeric_limits<double>::quiet_NaN(), 0.0}}, kTick_s);
+  for (int i = 0; i < 1000; ++i) (void)limiter.limit({{{0.0, 3.0, 0.0}}}, kTick_s);
+  (void)limiter.limit({{{0.0, std::numeric_limits<double>::quiet_NaN(), 0.0}}}, kTick_s);
   EXPECT_TRUE(limiter.faulted());
   Force<HapticBase> force;
-  for (int i = 0; i < 100; ++i) force = limiter.limit({{0.0, 3.0, 0.0}}, kTick_s);
+  for (int i = 0; i < 100; ++i) force = limiter.limit({{{0.0, 3.0, 0.0}}}, kTick_s).force;
   EXPECT_EQ(force.N.norm(), 0.0) << "a good force does not end a latched fault";
   limiter.rearm();
-  for (int i = 0; i < 1000; ++i) force = limiter.limit({{0.0, 3.0, 0.0}}, kTick_s);
+  for (int i = 0; i < 1000; ++i) force = limiter.limit({{{0.0, 3.0, 0.0}}}, kTick_s).force;
   EXPECT_DOUBLE_EQ(force.N.y(), 3.0);
 }
 
@@ -73,7 +73,7 @@ TEST(ForceLimiter, TenNewtonsAreGivenForAWhileAndFourForEver) {
   double given_N = 0.0;
   double at_peak_s = 0.0;
   for (double t = 0.0; t < 120.0; t += kTick_s) {
-    given_N = limiter.limit({{0.0, 25.0, 0.0}}, kTick_s).N.y();
+    given_N = limiter.limit({{{0.0, 25.0, 0.0}}}, kTick_s).force.N.y();
     if (given_N > limits.peak_N - 0.01) at_peak_s += kTick_s;
   }
   EXPECT_GT(at_peak_s, 1.0);
@@ -84,7 +84,7 @@ TEST(ForceLimiter, TenNewtonsAreGivenForAWhileAndFourForEver) {
 TEST(ForceLimiter, MotorsThatCanHoldNoForceAreGivenNone) {
   for (const double peak_N : {0.0, 10.0}) {
     ForceLimiter limiter({.peak_N = peak_N, .continuous_N = 0.0});
-    for (int i = 0; i < 100; ++i) EXPECT_EQ(limiter.limit({{0.0, 3.0, 0.0}}, kTick_s).N.norm(), 0.0) << peak_N;
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(limiter.limit({{{0.0, 3.0, 0.0}}}, kTick_s).force.N.norm(), 0.0) << peak_N;
     EXPECT_FALSE(limiter.faulted());
     EXPECT_EQ(limiter.bound_N(), 0.0);
   }
@@ -94,7 +94,7 @@ TEST(ForceLimiter, AForceWithinAllBoundsPassesUntouched) {
   ForceLimiter limiter;
   for (int i = 0; i < 100; ++i) {
     const double wanted_N = 0.03 * i;
-    EXPECT_DOUBLE_EQ(limiter.limit({{0.0, wanted_N, 0.0}}, kTick_s).N.y(), wanted_N);
+    EXPECT_DOUBLE_EQ(limiter.limit({{{0.0, wanted_N, 0.0}}}, kTick_s).force.N.y(), wanted_N);
     EXPECT_FALSE(limiter.limited());
   }
 }

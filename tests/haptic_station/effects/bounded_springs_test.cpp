@@ -71,8 +71,8 @@ TEST(CommonRelaxation, ReachesTheBoundWithAnyLawOfTheSkin) {
 
 TEST(EffectBank, OneSpringKeepsItsDirectionAtTheBound) {
   EffectBank bank = bank_of({Skin({.law = linear_law(500.0)})});
-  const Vector3d asked_N = bank.step(at({0.03, -0.04, 0.0}), kTick_s).N;
-  const Vector3d given_N = bank.step(at({0.03, -0.04, 0.0}), kTick_s, kMost_N).N;
+  const Vector3d asked_N = bank.step(at({0.03, -0.04, 0.0}), kTick_s).force.N;
+  const Vector3d given_N = bank.step(at({0.03, -0.04, 0.0}), kTick_s, kMost_N).force.N;
   EXPECT_NEAR((given_N - asked_N * (kMost_N / asked_N.norm())).norm(), 0.0, 1e-9);
   EXPECT_NEAR(bank.relaxed_m(), 0.03, 1e-9) << "25 N at 50 mm, 10 N at 20 mm";
 }
@@ -80,8 +80,8 @@ TEST(EffectBank, OneSpringKeepsItsDirectionAtTheBound) {
 TEST(EffectBank, BelowTheBoundNothingIsRelaxed) {
   EffectBank bank = bank_of({Skin{}, palpated_cylinder()});
   const EffectInput in = at({0.005, -0.034, 0.0});
-  const Vector3d asked_N = bank.step(in, kTick_s).N;
-  EXPECT_EQ(bank.step(in, kTick_s, kMost_N).N, asked_N);
+  const Vector3d asked_N = bank.step(in, kTick_s).force.N;
+  EXPECT_EQ(bank.step(in, kTick_s, kMost_N).force.N, asked_N);
   EXPECT_EQ(bank.relaxed_m(), 0.0);
 }
 
@@ -110,7 +110,7 @@ TEST(EffectBank, AHandThatEntersOverTheTopAndLeavesOverTheRimGetsNoEnergy) {
       double step_N = 0.0;
       Vector3d last_N = Vector3d::Zero();
       go(lap, [&](const Vector3d& device_m, const Vector3d& hop_m) {
-        const Vector3d force_N = bank.step(at(device_m, hop_m), kTick_s, kMost_N).N;
+        const Vector3d force_N = bank.step(at(device_m, hop_m), kTick_s, kMost_N).force.N;
         ASSERT_LE(force_N.norm(), kMost_N + 1e-6);
         gained_J += 0.5 * (force_N + last_N).dot(hop_m);
         step_N = std::max(step_N, (force_N - last_N).norm());
@@ -137,7 +137,7 @@ TEST(EffectBank, TheBoundedForceIsTheGradientOfItsEnergy) {
         return bank.energy_J();
       };
       bank.begin(at({0.0, 0.0, 0.0}));
-      const Vector3d force_N = bank.step(at(p), kTick_s, most_N).N;
+      const Vector3d force_N = bank.step(at(p), kTick_s, most_N).force.N;
       relaxed += bank.relaxed_m() > 0.0 ? 1 : 0;
       for (int axis = 0; axis < 3; ++axis) {
         const Vector3d step_m = 1e-6 * Vector3d::Unit(axis);
@@ -161,7 +161,7 @@ TEST(EffectBank, NoPathGivesEnergyAtABoundThatFalls) {
     const Vector3d there{random.uniform(-0.05, 0.05), random.uniform(-0.09, 0.0), random.uniform(-0.05, 0.05)};
     go({here, there}, [&](const Vector3d& device_m, const Vector3d& hop_m) {
       most_N = std::max(4.0, most_N - 1e-5);
-      const Vector3d force_N = bank.step(at(device_m, hop_m), kTick_s, most_N).N;
+      const Vector3d force_N = bank.step(at(device_m, hop_m), kTick_s, most_N).force.N;
       given_J += 0.5 * (force_N + last_N).dot(hop_m);
       worst_J = std::max(worst_J, given_J + bank.energy_J());
       last_N = force_N;
@@ -190,7 +190,7 @@ TEST(EffectBank, FrictionFollowsTheDisplayedSkinAndStaysWithinTheBound) {
   double least_J = 0.0;
   go({{0.0, 0.0, 0.0}, {0.0, -0.04, 0.0}, {0.02, -0.04, 0.0}, {-0.01, -0.03, 0.02}, {0.03, -0.05, 0.0}},
      [&](const Vector3d& device_m, const Vector3d& hop_m) {
-       force_N = bank.step(at(device_m, hop_m), kTick_s, kMost_N).N;
+       force_N = bank.step(at(device_m, hop_m), kTick_s, kMost_N).force.N;
        taken_J += bank.absorbed_J();
        least_J = std::min(least_J, taken_J - bank.energy_J());
        ASSERT_LE(force_N.norm(), kMost_N + 1e-6);
@@ -208,7 +208,7 @@ TEST(EffectBank, TellsWhatAnotherHeightOfTheSkinWouldChange) {
     const EffectInput in = at({0.02, -0.045, 0.0});
     EffectInput risen = in;
     risen.contact.proxy.m.y() += 0.006;
-    const Vector3d change_N = higher.step(risen, kTick_s, most_N).N - bank.step(in, kTick_s, most_N).N;
+    const Vector3d change_N = higher.step(risen, kTick_s, most_N).force.N - bank.step(in, kTick_s, most_N).force.N;
     EXPECT_NEAR((bank.change_with_skin_at({0.0, -0.051, 0.0}).N - change_N).norm(), 0.0, 1e-8) << most_N;
     EXPECT_NEAR(bank.change_with_skin_at(bank.indentation().v).N.norm(), 0.0, 1e-8);
   }

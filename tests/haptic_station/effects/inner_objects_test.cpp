@@ -201,7 +201,7 @@ TEST(EffectBank, DisplacesTheObjectsInsideTheBodyAlone) {
   placements[1].moved.v = {0.01, 0.02, 0.0};
   bank.place(placements);
   const auto sphere_N = [&](double y_m) {
-    const Eigen::Vector3d both_N = bank.step(at({0.01, y_m, 0.0}), 0.0005).N;
+    const Eigen::Vector3d both_N = bank.step(at({0.01, y_m, 0.0}), 0.0005).force.N;
     return (both_N - skin_force_N(SkinLaw{}, bank.indentation().v)).eval();
   };
   bank.begin(at({0.01, 0.0, 0.0}));

@@ -33,7 +33,7 @@ TEST(Solid, EachLayerPushesWithItsOwnStiffness) {
   ASSERT_TRUE(bank.add(layer("tr 0 -0.03 0 sphere 0.01", 900.0)));  // top at -0.02
   bank.begin(at({0.0, 0.0, 0.0}));
   Force<HapticBase> force;
-  for (int i = 0; i <= 500; ++i) force = bank.step(at({0.0, -5e-5 * i, 0.0}), kTick_s);
+  for (int i = 0; i <= 500; ++i) force = bank.step(at({0.0, -5e-5 * i, 0.0}), kTick_s).force;
   EXPECT_NEAR(force.N.y(), 300.0 * 0.015 + 900.0 * 0.005, 1e-2);
   EXPECT_EQ(bank.touch(), ObjectTouch::Upper);
   EXPECT_NEAR(bank.energy_J(), 0.5 * 300.0 * 0.015 * 0.015 + 0.5 * 900.0 * 0.005 * 0.005, 1e-4);
@@ -80,7 +80,7 @@ TEST(Solid, MovesWithTheBody) {
   bank.place(moved);
   bank.begin(at({0.0, 0.0, 0.0}));
   Force<HapticBase> force;
-  for (int i = 0; i <= 200; ++i) force = bank.step(at({0.0, -5e-5 * i, 0.0}), kTick_s);
+  for (int i = 0; i <= 200; ++i) force = bank.step(at({0.0, -5e-5 * i, 0.0}), kTick_s).force;
   EXPECT_NEAR(force.N.y(), 500.0 * 0.004, 1e-2) << "the top has risen from -0.01 to -0.006";
 }
 
@@ -95,7 +95,7 @@ TEST(Solid, APulseBeatsAgainstAHandAtRestAndBooksItsWork) {
   const double before_J = bank.energy_J();
   EffectInput rests = at({0.0, -0.025, 0.0});
   for (int i = 0; i < 4000; ++i) {
-    const double force_N = bank.step(rests, kTick_s).N.y();
+    const double force_N = bank.step(rests, kTick_s).force.N.y();
     least_N = std::min(least_N, force_N);
     most_N = std::max(most_N, force_N);
     taken_J += bank.absorbed_J();
@@ -116,7 +116,7 @@ TEST(Solid, AFingerAcrossRibsFeelsEachOfThem) {
   int peaks = 0;
   bool high = false;
   for (int i = 0; i < 8000; ++i) {
-    const double force_N = bank.step(at({0.0, -0.018, -0.02 + 2.5e-5 * i}), kTick_s).N.norm();
+    const double force_N = bank.step(at({0.0, -0.018, -0.02 + 2.5e-5 * i}), kTick_s).force.N.norm();
     largest_step_N = std::max(largest_step_N, std::abs(force_N - last_N));
     last_N = force_N;
     if (!high && force_N > 3.0) ++peaks;

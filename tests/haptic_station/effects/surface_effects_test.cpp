@@ -69,7 +69,7 @@ TEST(Friction, NeverGivesOutMoreThanItTookOnARandomWay) {
       taken_J -= 0.5 * (force_N + next_N).dot(next - at);
       force_N = next_N;
       at = next;
-      ASSERT_GE(taken_J - friction.energy_J(), -1e-9) << "seed " << seed << ", step " << i;
+      ASSERT_GE(taken_J - friction.stored_J(), -1e-9) << "seed " << seed << ", step " << i;
     }
   }
 }

@@ -91,7 +91,7 @@ Outcome run(const capture::SyntheticPatient& patient, double seconds) {
                                      .hand = rig.hand(now),
                                      .reading = rig.read(),
                                      .surface = surfaces.take() ? &surfaces.current() : nullptr});
-      rig.apply(act.force, act.contact, kTick_s);
+      rig.apply({act.force}, act.contact, kTick_s);
       outcome.add(act, before);
       outcome.add(loop.compensation());
       before = act;

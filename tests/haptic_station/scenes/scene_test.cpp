@@ -126,7 +126,7 @@ TEST(Scene, ASkinTakesACurveThatWasMeasured) {
   bank.begin(in);
   in.device.m = {0.0, -0.01, 0.0};
   in.contact.distance_m = -0.01;
-  EXPECT_NEAR(bank.step(in, 0.0005).N.y(), 0.01 * (100.0 + 20.0 + 5.0), 1e-9);
+  EXPECT_NEAR(bank.step(in, 0.0005).force.N.y(), 0.01 * (100.0 + 20.0 + 5.0), 1e-9);
   EXPECT_NE(complaint("effects { skin { tissue: \"muscle\" measured {} } }").find("more than one"), std::string::npos);
 }
 

@@ -89,7 +89,7 @@ std::vector<std::optional<Eigen::Quaterniond>> attitudes_of(const scenes::Scene&
   for (int tick = 0; tick < 40'000; ++tick) {
     if (const auto sample = rig->hand(SessionTime{std::chrono::microseconds{500 * tick}}))
       attitudes.push_back(sample->attitude);
-    rig->apply({Vector3d::Zero()}, {}, 5e-4);
+    rig->apply({{Vector3d::Zero()}}, {}, 5e-4);
   }
   return attitudes;
 }

@@ -57,7 +57,7 @@ TEST(ConnectedRig, AHeldHaplyIsDeviceAndHandAndItsForceComesOut) {
   EXPECT_LT((hand->hand.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
   EXPECT_LT((rig->rig->read().at.m - Vector3d(0, 0.03, 0)).norm(), 1e-12);
   EXPECT_TRUE(soon([&] {
-    rig->rig->apply({{0, 1.25, 0}}, {}, 0.0005);
+    rig->rig->apply({{{0, 1.25, 0}}}, {}, 0.0005);
     return service.newest().find(R"("z":1.250000)") != std::string::npos;
   })) << service.newest();
 }
@@ -75,7 +75,7 @@ TEST(ConnectedRig, ATrackedHandPushesTheSimulatedDevice) {
   std::optional<ports::HandSample> hand;
   ASSERT_TRUE(soon([&] { return (hand = rig->rig->hand(now())).has_value(); }));
   EXPECT_NEAR(hand->hand.m.y(), 0.02, 1e-12);
-  for (int tick = 0; tick < 4000; ++tick) rig->rig->apply({{0, 0.5, 0}}, {}, 0.0005);
+  for (int tick = 0; tick < 4000; ++tick) rig->rig->apply({{{0, 0.5, 0}}}, {}, 0.0005);
   EXPECT_NEAR(rig->rig->read().at.m.y(), 0.02, 0.005) << "the hand presses it down, against the motors";
   EXPECT_FALSE(rig->rig->hand(now())) << "each sample once: the watchdog sees a silent tracker";
 }

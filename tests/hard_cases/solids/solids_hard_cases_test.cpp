@@ -99,7 +99,7 @@ AssertionResult stiff_layer() {
   for (int i = 0; i < 400; ++i) {
     in.moved.v = Vector3d(0.0, y, 0.0) - in.device.m;
     in.device.m = {0.0, y, 0.0};
-    const double force_N = bank.step(in, kTick_s).N.y();
+    const double force_N = bank.step(in, kTick_s).force.N.y();
     account_J += bank.absorbed_J();
     const double mass_J = 0.5 * kMass_kg * speed * speed;
     worst_J = std::max(worst_J, std::abs(begin_J - mass_J - account_J));
@@ -130,7 +130,7 @@ AssertionResult inclusion() {
     const Vector3d next(0.015 * std::sin(turn), -depth_m, 0.015 * (1.0 - std::cos(turn)));
     in.moved.v = next - in.device.m;
     in.device.m = next;
-    const Vector3d now_N = bank.step(in, kTick_s).N;
+    const Vector3d now_N = bank.step(in, kTick_s).force.N;
     taken_J += bank.absorbed_J();
     largest_step_N = std::max(largest_step_N, (now_N - last_N).norm());
     last_N = now_N;

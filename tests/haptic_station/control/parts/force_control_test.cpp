@@ -28,7 +28,7 @@ ControlInput at_height(double height_m) {
 Eigen::Vector3d pressed_to(ForceControl& control, double depth_m) {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
   for (double at_m = 0.0; at_m < depth_m; at_m += 5e-5)
-    force_N = control.step(at_height(-at_m), true, kBound_N, kTick_s);
+    force_N = control.step(at_height(-at_m), true, kBound_N, 0.0, kTick_s).force.N;
   return force_N;
 }
 
@@ -41,7 +41,7 @@ TEST(ForceControl, ShowsTheLawOfTheSkin) {
 TEST(ForceControl, GivesNothingWithoutContact) {
   ForceControl control = over_a_skin_of(300.0);
   (void)pressed_to(control, 0.01);
-  EXPECT_EQ(control.step(at_height(0.001), false, kBound_N, kTick_s), Eigen::Vector3d::Zero());
+  EXPECT_EQ(control.step(at_height(0.001), false, kBound_N, 0.0, kTick_s).force.N, Eigen::Vector3d::Zero());
   EXPECT_TRUE(control.contact_changed());
   EXPECT_FALSE(control.touching());
   EXPECT_EQ(control.indentation().v, Eigen::Vector3d::Zero());
@@ -49,7 +49,7 @@ TEST(ForceControl, GivesNothingWithoutContact) {
 
 TEST(ForceControl, AContactThatBeginsAtDepthBeginsWithoutForce) {
   ForceControl control = over_a_skin_of(300.0);
-  EXPECT_LT(control.step(at_height(-0.02), true, kBound_N, kTick_s).norm(), 0.01);
+  EXPECT_LT(control.step(at_height(-0.02), true, kBound_N, 0.0, kTick_s).force.N.norm(), 0.01);
   EXPECT_NEAR(control.shown().distance_m, 0.0, 1e-4);
 }
 
@@ -57,12 +57,12 @@ TEST(ForceControl, ReleasesAContactSlowlyAndTakesItUpAgain) {
   ForceControl control = over_a_skin_of(300.0);
   (void)pressed_to(control, 0.01);
   for (int tick = 0; tick < 2000; ++tick) control.release(true, 2.0, kTick_s);
-  EXPECT_NEAR(control.step(at_height(-0.01), true, kBound_N, kTick_s).y(), 1.5, 0.02) << "half of 2 s";
+  EXPECT_NEAR(control.step(at_height(-0.01), true, kBound_N, 0.0, kTick_s).force.N.y(), 1.5, 0.02) << "half of 2 s";
   EXPECT_FALSE(control.released());
   for (int tick = 0; tick < 2100; ++tick) control.release(true, 2.0, kTick_s);
   EXPECT_TRUE(control.released());
   for (int tick = 0; tick < 4100; ++tick) control.release(false, 2.0, kTick_s);
-  EXPECT_NEAR(control.step(at_height(-0.01), true, kBound_N, kTick_s).y(), 3.0, 0.02);
+  EXPECT_NEAR(control.step(at_height(-0.01), true, kBound_N, 0.0, kTick_s).force.N.y(), 3.0, 0.02);
 }
 
 TEST(ForceControl, TheLedgerAtTheHandSeesThatTheMeasuredSkinHasGone) {
@@ -73,8 +73,8 @@ TEST(ForceControl, TheLedgerAtTheHandSeesThatTheMeasuredSkinHasGone) {
   for (double at_m = 0.01; at_m > 0.0; at_m -= 5e-5) {
     ControlInput in = at_height(-at_m);
     in.contact.measured_above_m = -0.01;
-    const Eigen::Vector3d force_N = control.step(in, true, kBound_N, kTick_s);
-    control.gave({.skin = force_N}, force_N);
+    const Eigen::Vector3d force_N = control.step(in, true, kBound_N, 0.0, kTick_s).force.N;
+    control.gave({.skin = force_N}, {{force_N}});
   }
   EXPECT_NEAR(control.hand_ledger().excess_J() - before_J, 0.5 * 300.0 * 0.01 * 0.01, 1e-3);
 }
@@ -95,8 +95,8 @@ TEST(ForceControl, NoEnergyComesFromEffectsThatAskForMoreThanTheDeviceGives) {
       in.device.m = device_m;
       in.contact.proxy.m = {device_m.x(), 0.0, device_m.z()};
       in.device_velocity.v = (lap[corner] - lap[corner - 1]) / (2000.0 * kTick_s);
-      const Eigen::Vector3d force_N = control.step(in, true, kBound_N, kTick_s);
-      control.gave({.skin = force_N}, force_N);
+      const Eigen::Vector3d force_N = control.step(in, true, kBound_N, 0.0, kTick_s).force.N;
+      control.gave({.skin = force_N}, {{force_N}});
       most_N = std::max(most_N, force_N.norm());
     }
   EXPECT_GE(most_N, kBound_N - 1e-6);

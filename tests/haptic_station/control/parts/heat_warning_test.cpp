@@ -21,7 +21,7 @@ TEST(HeatWarning, VibratesSecondsBeforeTheForceFallsAndNeverSteps) {
     EXPECT_LE((cue_N - before_N).norm(), 0.05);
     before_N = cue_N;
     if (warned_s == 0.0 && cue_N.norm() > 0.1) warned_s = tick * kTick_s;
-    (void)limiter.limit({push_N + cue_N}, kTick_s);
+    (void)limiter.limit({{push_N + cue_N}}, kTick_s);
     if (limiter.bound_N() < 5.0) falls_s = tick * kTick_s;
   }
   EXPECT_GT(warned_s, 0.0);
@@ -36,7 +36,7 @@ TEST(HeatWarning, AFaintForceThatTurnsRoundDoesNotMakeItStep) {
   int tick = 0;
   for (double cue_N = 0.0; tick < 60'000 && cue_N < 0.1; ++tick) {
     cue_N = warning.step(push_N, limiter, kTick_s).norm();
-    (void)limiter.limit({push_N}, kTick_s);
+    (void)limiter.limit({{push_N}}, kTick_s);
   }
   ASSERT_LT(tick, 60'000);
   Eigen::Vector3d before_N = warning.step({0.01, 0.0, 0.0}, limiter, kTick_s);
@@ -54,7 +54,7 @@ TEST(HeatWarning, IsSilentWhileTheForceCanBeHeldForEver) {
   const Eigen::Vector3d push_N(0.0, 3.9, 0.0);
   for (int tick = 0; tick < 200'000; ++tick) {
     ASSERT_EQ(warning.step(push_N, limiter, kTick_s).norm(), 0.0);
-    (void)limiter.limit({push_N}, kTick_s);
+    (void)limiter.limit({{push_N}}, kTick_s);
   }
   EXPECT_TRUE(std::isinf(warning.yields_in_s()));
 }
@@ -64,7 +64,7 @@ TEST(HeatWarning, TheForceYieldsSlowly) {
   double fastest_N_per_s = 0.0;
   double before_N = 9.0;
   for (int tick = 0; tick < 120'000; ++tick) {
-    const double given_N = limiter.limit({{0.0, 9.0, 0.0}}, kTick_s).N.norm();
+    const double given_N = limiter.limit({{{0.0, 9.0, 0.0}}}, kTick_s).force.N.norm();
     if (tick > 100) fastest_N_per_s = std::max(fastest_N_per_s, (before_N - given_N) / kTick_s);
     before_N = given_N;
   }

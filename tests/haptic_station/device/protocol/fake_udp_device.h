@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <boost/asio/buffer.hpp>
@@ -36,6 +37,9 @@ class FakeUdpDevice {
   std::atomic<double> force_y{0.0};
   std::atomic<double> distance{0.0};
   std::atomic<std::uint32_t> session{77};
+  std::atomic<std::uint16_t> version{udp::kVersion1};  ///< of its poses
+  std::atomic<std::uint16_t> heard_version{0};         ///< of the newest command
+  std::atomic<double> torque_z{0.0};
 
  private:
   void turn() {
@@ -48,6 +52,8 @@ class FakeUdpDevice {
     if (!heard) return;
     force_y = heard->force.N.y();
     distance = heard->distance_m;
+    torque_z = heard->torque.N_m.z();
+    heard_version = heard->version;
     answer(from, *heard);
   }
   void answer(const boost::asio::ip::udp::endpoint& to, const udp::Command& heard) {
@@ -62,11 +68,17 @@ class FakeUdpDevice {
                    .faulted = wrong == Fault::MotorsOff,
                    .end_effector = {{0.01, -0.02, 0.03}},
                    .velocity = {{0, 0, 0}}};
+    pose.version = version;
+    if (version == udp::kVersion2) {
+      pose.attitude = Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
+      pose.turning.v.z() = 0.25;
+      pose.power = {.most_N = 8.0, .most_N_m = 0.5};
+    }
     if (wrong == Fault::NaN) pose.end_effector.m.x() = std::nan("");
     auto bytes = udp::encode(pose);
-    if (wrong == Fault::Garbage) bytes.fill(std::byte{0x55});
+    if (wrong == Fault::Garbage) std::ranges::fill(bytes, std::byte{0x55});
     boost::system::error_code ignored;
-    (void)socket_.send_to(boost::asio::buffer(bytes), to, 0, ignored);
+    (void)socket_.send_to(boost::asio::buffer(bytes.data(), bytes.size()), to, 0, ignored);
   }
 
   boost::asio::io_context io_;

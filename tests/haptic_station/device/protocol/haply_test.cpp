@@ -62,6 +62,32 @@ TEST(HaplyText, EveryTruncationIsRefusedOrEmptyButNeverAPosition) {
   }
 }
 
+std::string text_with_handle(const std::string& orientation, const std::string& kind = "wireless_verse_grip") {
+  std::string text = state_text();
+  const std::string empty = "\"" + kind + "\":[]";
+  return text.replace(text.find(empty), empty.size(),
+                      "\"" + kind +
+                          R"(":[{"device_id":"61548","state":{"buttons":{"a":false},"hall":3,"orientation":)" +
+                          orientation + "}}]");
+}
+
+TEST(HaplyText, GivesTheAttitudeOfTheHandle) {
+  for (const char* kind : {"verse_grip", "wireless_verse_grip"}) {
+    const auto read = haply::parse_text(text_with_handle(R"({"x":0.5,"y":0.5,"z":-0.5,"w":0.5})", kind));
+    ASSERT_TRUE(read && *read && (*read)->attitude) << kind;
+    EXPECT_EQ((*read)->attitude->coeffs(), Eigen::Vector4d(0.5, 0.5, -0.5, 0.5));
+  }
+  EXPECT_FALSE((*haply::parse_text(state_text()))->attitude) << "no handle";
+  EXPECT_FALSE((*haply::parse_text(text_with_handle(R"({"x":0.5,"y":0.5})")))->attitude) << "half a rotation";
+}
+
+TEST(HaplyFrame, AHandleThatTurnsAboutTheVerticalTurnsAboutYOfH) {
+  const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.3, Vector3d::UnitZ()));
+  const Eigen::Quaterniond in_h = haply::in_haptic_axes(turned);
+  EXPECT_LT(in_h.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Vector3d::UnitY()))), 1e-12);
+  EXPECT_EQ(haply::in_haptic_axes(Eigen::Quaterniond::Identity()).coeffs(), Eigen::Vector4d(0, 0, 0, 1));
+}
+
 TEST(HaplyForce, IsWrittenWithPointsInEveryLocaleAndAsZeroWhenNotFinite) {
   const bool german = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
   EXPECT_EQ(haply::force_text("049D", {{1.5, -0.25, 0}}),
@@ -107,18 +133,28 @@ TEST_F(HaplyDeviceTest, ReportsItsPositionInHAndGetsTheForceInItsOwnAxes) {
   EXPECT_LT((reading.at.m - Vector3d(0.01, 0.04, 0.0)).norm(), 1e-12);
   EXPECT_LT((reading.velocity.v - Vector3d(0.1, -0.3, -0.2)).norm(), 1e-12);
   EXPECT_TRUE(soon([&] {
-    device.apply({{0.0, 2.0, 0.0}}, {}, 0.0005);  // up in H: z of the Inverse
+    device.apply({{{0.0, 2.0, 0.0}}}, {}, 0.0005);  // up in H: z of the Inverse
     return service.newest().find(R"("x":0.000000,"y":0.000000,"z":2.000000)") != std::string::npos ||
            service.newest().find(R"("x":0.000000,"y":-0.000000,"z":2.000000)") != std::string::npos;
   })) << service.newest();
   EXPECT_TRUE(soon([&] { return device.read().age_s < 0.02; }));
 }
 
+TEST_F(HaplyDeviceTest, MeasuresSixDegreesWithAHandleAndDrivesThree) {
+  FakeService service = make_service(0, text_with_handle(R"({"x":0,"y":0,"z":0.6,"w":0.8})"));
+  HaplyDevice device = make_device(service.port());
+  ASSERT_TRUE(device.start(5s));
+  const ports::DeviceReading reading = device.read();
+  ASSERT_TRUE(reading.attitude);
+  EXPECT_LT((reading.attitude->coeffs() - Eigen::Vector4d(0, 0.6, 0, 0.8)).norm(), 1e-12);
+  EXPECT_EQ(reading.power.most_N_m, 0.0);
+}
+
 TEST_F(HaplyDeviceTest, AForceThatIsNotRenewedBecomesZero) {
   FakeService service = make_service();
   HaplyDevice device = make_device(service.port());
   ASSERT_TRUE(device.start(5s));
-  device.apply({{3.0, 0.0, 0.0}}, {}, 0.0005);
+  device.apply({{{3.0, 0.0, 0.0}}}, {}, 0.0005);
   EXPECT_TRUE(soon([&] { return service.newest().find(R"("x":3.000000)") != std::string::npos; }));
   EXPECT_TRUE(soon([&] { return service.newest().find(R"("x":0.000000)") != std::string::npos; }));
 }

@@ -66,6 +66,52 @@ TEST(UdpDatagrams, AreWhatTheDocumentSays) {
   EXPECT_EQ(std::string(reinterpret_cast<const char*>(up.data()), 4), "TTPU");
 }
 
+udp::Pose pose_of_six() {
+  udp::Pose up = pose(9, 8, 7);
+  up.version = udp::kVersion2;
+  up.attitude = Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  up.turning = {{0.1, 0.2, 0.3}};
+  up.power = {.most_N = 8.0, .most_N_m = 0.4};
+  return up;
+}
+
+TEST(UdpDatagrams, OfVersion2CarryAttitudeTorqueAndTheDevicesPower) {
+  const auto bytes = udp::encode(pose_of_six());
+  ASSERT_EQ(bytes.size(), 152u);
+  EXPECT_EQ(std::to_integer<int>(bytes[4]), 2);
+  EXPECT_EQ(std::to_integer<int>(bytes[6]), 2) << "attitude measured";
+  const auto up = udp::decode_pose(bytes);
+  ASSERT_TRUE(up && up->attitude);
+  EXPECT_EQ(up->attitude->coeffs(), pose_of_six().attitude->coeffs());
+  EXPECT_EQ(up->turning.v, Vector3d(0.1, 0.2, 0.3));
+  EXPECT_EQ(up->power.most_N, 8.0);
+  EXPECT_EQ(up->power.most_N_m, 0.4);
+  udp::Command down = command();
+  down.version = udp::kVersion2;
+  down.torque = {{0.01, 0.02, 0.03}};
+  const auto read = udp::decode_command(udp::encode(down));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(udp::encode(down).size(), 132u);
+  EXPECT_EQ(read->torque.N_m, down.torque.N_m);
+  EXPECT_EQ(read->force.N, down.force.N);
+}
+
+TEST(UdpDatagrams, OfVersion2AreRefusedWithTheSizeOfVersion1AndWithAnImpossiblePower) {
+  const auto whole = udp::encode(pose_of_six());
+  EXPECT_FALSE(udp::decode_pose(std::span(whole).first(80)));
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -0.1, 101.0}) {
+    udp::Pose up = pose_of_six();
+    up.power.most_N = bad;
+    EXPECT_FALSE(udp::decode_pose(udp::encode(up))) << bad;
+    up = pose_of_six();
+    up.power.most_N_m = bad;
+    EXPECT_FALSE(udp::decode_pose(udp::encode(up))) << bad;
+  }
+  udp::Pose glitch = pose_of_six();
+  glitch.attitude->x() = std::nan("");
+  EXPECT_TRUE(udp::decode_pose(udp::encode(glitch))) << "the haptic loop bridges it, and the position counts";
+}
+
 TEST(UdpDatagrams, AnyFlippedBitOrMissingByteIsSeen) {
   const auto whole = udp::encode(pose(1, 2, 3));
   for (std::size_t i = 0; i < whole.size(); ++i)
@@ -114,9 +160,37 @@ TEST(UdpDevice, ReportsItsPoseAndGetsProxyDistanceFlagAndForce) {
   contact.distance_m = -0.004;
   contact.valid = true;
   EXPECT_TRUE(soon([&] {
-    (*device)->apply({{0, 2.5, 0}}, contact, 0.0005);
+    (*device)->apply({{{0, 2.5, 0}}}, contact, 0.0005);
     return fake.force_y == 2.5 && fake.distance == -0.004;
   }));
+}
+
+TEST(UdpDevice, SpeaksTheVersionOfTheDeviceAlsoWhenAnotherDeviceTakesItsPlace) {
+  FakeUdpDevice fake;
+  auto device = UdpDevice::open({"127.0.0.1", fake.port()});
+  ASSERT_TRUE(device && (*device)->start(5s));
+  const auto hears = [&](std::uint16_t version, double torque_N_m) {
+    return soon([&] {
+      (void)(*device)->read();
+      (*device)->apply({.force = {{0, 2, 0}}, .torque = {{0, 0, 0.125}}}, {}, 0.0005);
+      return fake.heard_version == version && fake.torque_z == torque_N_m;
+    });
+  };
+  EXPECT_TRUE(hears(1, 0.0));
+  EXPECT_FALSE((*device)->read().attitude);
+  EXPECT_EQ((*device)->read().power.most_N_m, 0.0);
+  fake.session = 78;
+  fake.version = udp::kVersion2;
+  EXPECT_TRUE(hears(2, 0.125));
+  const ports::DeviceReading six = (*device)->read();
+  ASSERT_TRUE(six.attitude);
+  EXPECT_NEAR(six.attitude->z(), std::sin(0.25), 1e-12);
+  EXPECT_EQ(six.turning.v.z(), 0.25);
+  EXPECT_EQ(six.power.most_N_m, 0.5);
+  fake.session = 79;
+  fake.version = udp::kVersion1;
+  EXPECT_TRUE(hears(1, 0.0));
+  EXPECT_FALSE((*device)->read().attitude);
 }
 
 TEST(UdpDevice, AgesUnderEveryFaultAndComesBack) {
