@@ -1,13 +1,28 @@
 #include "haptic_station/scenes/read_effects.h"
 
 #include <algorithm>
+#include <optional>
+#include <type_traits>
 
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/layer.h"
+#include "proto/words/demand.h"
 
 namespace telepalp::scenes {
 namespace {
+
+/// What reading an effect needs, besides its own message.
+struct Reading {
+  FieldCheck& check;
+  const msg::Scene& message;
+  const std::filesystem::path& folder;
+  Scene& scene;  ///< gets the layers and organs
+};
+
+/// Read<Kind>::from() reads an effect of one kind from its message. Each kind of effects::Effect needs one.
+template <class Kind>
+struct Read;
 
 std::string tissue_names() {
   std::string names;
@@ -63,114 +78,158 @@ effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEff
   return skin;
 }
 
-effects::InnerCylinder read_cylinder(FieldCheck& check, const msg::CylinderEffect& message) {
-  effects::InnerCylinder::Settings cylinder;
-  cylinder.top_center.m = read_xyz(check, "cylinder.top_center_m", message.top_center_m(), {-1, 1, "m"});
-  TELEPALP_READ(check, "cylinder.", message, radius_m, cylinder.radius_m, {0.001, 0.3, "m"});
-  TELEPALP_READ(check, "cylinder.", message, height_m, cylinder.height_m, {0.001, 0.5, "m"});
-  TELEPALP_READ(check, "cylinder.", message, stiffness_n_per_m, cylinder.stiffness_N_per_m, {0, 5000, "N/m"});
-  TELEPALP_READ(check, "cylinder.", message, around_m, cylinder.around_m, {0, 0.1, "m"});
-  return effects::InnerCylinder(cylinder);
-}
+template <>
+struct Read<effects::Skin> {
+  static effects::Skin from(const Reading& reading, const msg::SkinEffect& message) {
+    return effects::Skin(read_skin_settings(reading.check, message));
+  }
+};
 
-effects::InnerSphere read_sphere(FieldCheck& check, const msg::SphereEffect& message) {
-  effects::InnerSphere::Settings sphere;
-  sphere.center.m = read_xyz(check, "sphere.center_m", message.center_m(), {-1, 1, "m"});
-  TELEPALP_READ(check, "sphere.", message, radius_m, sphere.radius_m, {0.001, 0.3, "m"});
-  TELEPALP_READ(check, "sphere.", message, stiffness_n_per_m, sphere.stiffness_N_per_m, {0, 5000, "N/m"});
-  TELEPALP_READ(check, "sphere.", message, around_m, sphere.around_m, {0, 0.1, "m"});
-  return effects::InnerSphere(sphere);
-}
+template <>
+struct Read<effects::InnerCylinder> {
+  static effects::InnerCylinder from(const Reading& reading, const msg::CylinderEffect& message) {
+    FieldCheck& check = reading.check;
+    effects::InnerCylinder::Settings cylinder;
+    cylinder.top_center.m = read_xyz(check, "cylinder.top_center_m", message.top_center_m(), {-1, 1, "m"});
+    TELEPALP_READ(check, "cylinder.", message, radius_m, cylinder.radius_m, {0.001, 0.3, "m"});
+    TELEPALP_READ(check, "cylinder.", message, height_m, cylinder.height_m, {0.001, 0.5, "m"});
+    TELEPALP_READ(check, "cylinder.", message, stiffness_n_per_m, cylinder.stiffness_N_per_m, {0, 5000, "N/m"});
+    TELEPALP_READ(check, "cylinder.", message, around_m, cylinder.around_m, {0, 0.1, "m"});
+    return effects::InnerCylinder(cylinder);
+  }
+};
+
+template <>
+struct Read<effects::InnerSphere> {
+  static effects::InnerSphere from(const Reading& reading, const msg::SphereEffect& message) {
+    FieldCheck& check = reading.check;
+    effects::InnerSphere::Settings sphere;
+    sphere.center.m = read_xyz(check, "sphere.center_m", message.center_m(), {-1, 1, "m"});
+    TELEPALP_READ(check, "sphere.", message, radius_m, sphere.radius_m, {0.001, 0.3, "m"});
+    TELEPALP_READ(check, "sphere.", message, stiffness_n_per_m, sphere.stiffness_N_per_m, {0, 5000, "N/m"});
+    TELEPALP_READ(check, "sphere.", message, around_m, sphere.around_m, {0, 0.1, "m"});
+    return effects::InnerSphere(sphere);
+  }
+};
 
 /// The load is the force of the first skin in the scene, at any position in the file.
-effects::Friction read_friction(FieldCheck& check, const msg::FrictionEffect& message, const msg::Scene& scene) {
-  effects::Friction::Settings friction;
-  TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, "N/N"});
-  TELEPALP_READ(check, "friction.", message, bristle_stiffness_n_per_m, friction.bristle_stiffness_N_per_m,
-                {10, 3000, "N/m"});
-  const auto skin = std::ranges::find_if(scene.effects(), [](const msg::Effect& effect) { return effect.has_skin(); });
-  if (skin == scene.effects().end())
-    check.in(message).complain("friction needs a skin effect", "add effects { skin { anchor: ANCHOR_SLIDING } }");
-  else
-    friction.load = read_skin_settings(check, skin->skin()).law;
-  return effects::Friction(friction);
-}
-
-effects::StiffRegions read_regions(FieldCheck& check, const msg::RegionsEffect& message) {
-  effects::StiffRegions regions;
-  if (message.region().empty())
-    check.in(message).complain("regions names no region", "add region { center_m { x: 0 z: 0 } }");
-  for (const msg::RegionsEffect::Region& given : message.region()) {
-    effects::StiffRegion region;
-    region.center.m = read_xyz(check, "region.center_m", given.center_m(), {-1, 1, "m"});
-    TELEPALP_READ(check, "region.", given, radius_m, region.radius_m, {0, 0.3, "m"});
-    TELEPALP_READ(check, "region.", given, fade_m, region.fade_m, {0.001, 0.3, "m"});
-    TELEPALP_READ(check, "region.", given, added_n_per_m, region.added_N_per_m, {0, 3000, "N/m"});
-    if (!regions.add(region))
-      check.in(given).complain(
-          "regions names more than " + std::to_string(effects::StiffRegions::kMostRegions) + " regions",
-          "leave some out, or add a second regions effect");
+template <>
+struct Read<effects::Friction> {
+  static effects::Friction from(const Reading& reading, const msg::FrictionEffect& message) {
+    FieldCheck& check = reading.check;
+    const auto& all = reading.message.effects();
+    effects::Friction::Settings friction;
+    TELEPALP_READ(check, "friction.", message, coefficient, friction.coefficient, {0, 3, "N/N"});
+    TELEPALP_READ(check, "friction.", message, bristle_stiffness_n_per_m, friction.bristle_stiffness_N_per_m,
+                  {10, 3000, "N/m"});
+    const auto skin = std::ranges::find_if(all, [](const msg::Effect& effect) { return effect.has_skin(); });
+    if (skin == all.end())
+      check.in(message).complain("friction needs a skin effect", "add effects { skin { anchor: ANCHOR_SLIDING } }");
+    else
+      friction.load = read_skin_settings(check, skin->skin()).law;
+    return effects::Friction(friction);
   }
-  return regions;
-}
+};
+
+template <>
+struct Read<effects::StiffRegions> {
+  static effects::StiffRegions from(const Reading& reading, const msg::RegionsEffect& message) {
+    FieldCheck& check = reading.check;
+    effects::StiffRegions regions;
+    if (message.region().empty())
+      check.in(message).complain("regions names no region", "add region { center_m { x: 0 z: 0 } }");
+    for (const msg::RegionsEffect::Region& given : message.region()) {
+      effects::StiffRegion region;
+      region.center.m = read_xyz(check, "region.center_m", given.center_m(), {-1, 1, "m"});
+      TELEPALP_READ(check, "region.", given, radius_m, region.radius_m, {0, 0.3, "m"});
+      TELEPALP_READ(check, "region.", given, fade_m, region.fade_m, {0.001, 0.3, "m"});
+      TELEPALP_READ(check, "region.", given, added_n_per_m, region.added_N_per_m, {0, 3000, "N/m"});
+      if (!regions.add(region))
+        check.in(given).complain(
+            "regions names more than " + std::to_string(effects::StiffRegions::kMostRegions) + " regions",
+            "leave some out, or add a second regions effect");
+    }
+    return regions;
+  }
+};
 
 /// The mesh file is read only when the numbers of the message are valid.
-effects::Organ read_organ(FieldCheck& check, const msg::OrganEffect& message, const std::filesystem::path& folder,
-                          Scene& scene) {
-  organs::OrganShapeSettings shape;
-  effects::Organ::Settings organ;
-  TELEPALP_READ(check, "organ.", message, unit_m, shape.unit_m, {1e-6, 1000, "m"});
-  TELEPALP_READ(check, "organ.", message, stiffness_n_per_m, organ.stiffness_N_per_m, {0, 5000, "N/m"});
-  TELEPALP_READ(check, "organ.", message, around_m, organ.around_m, {0, 0.1, "m"});
-  TELEPALP_READ(check, "organ.", message, cell_m, shape.cell_m, {0.001, 0.02, "m"});
-  shape.haptic_from_model = read_transform(check, "organ.haptic_from_model", message.haptic_from_model());
-  shape.margin_m = organ.around_m + 3.0 * shape.cell_m;
-  if (message.file().empty()) check.in(message).complain("organ.file is empty", "name a closed mesh, .ply or .obj");
-  if (check.error()) return effects::Organ(organ);
-  const auto read = organs::read_organ_shape(folder / message.file(), shape);
-  if (!read) {
-    check.in(message).fail_in_file("organ: ", read.error());
+template <>
+struct Read<effects::Organ> {
+  static effects::Organ from(const Reading& reading, const msg::OrganEffect& message) {
+    FieldCheck& check = reading.check;
+    organs::OrganShapeSettings shape;
+    effects::Organ::Settings organ;
+    TELEPALP_READ(check, "organ.", message, unit_m, shape.unit_m, {1e-6, 1000, "m"});
+    TELEPALP_READ(check, "organ.", message, stiffness_n_per_m, organ.stiffness_N_per_m, {0, 5000, "N/m"});
+    TELEPALP_READ(check, "organ.", message, around_m, organ.around_m, {0, 0.1, "m"});
+    TELEPALP_READ(check, "organ.", message, cell_m, shape.cell_m, {0.001, 0.02, "m"});
+    shape.haptic_from_model = read_transform(check, "organ.haptic_from_model", message.haptic_from_model());
+    shape.margin_m = organ.around_m + 3.0 * shape.cell_m;
+    if (message.file().empty()) check.in(message).complain("organ.file is empty", "name a closed mesh, .ply or .obj");
+    if (check.error()) return effects::Organ(organ);
+    const auto read = organs::read_organ_shape(reading.folder / message.file(), shape);
+    if (!read) {
+      check.in(message).fail_in_file("organ: ", read.error());
+      return effects::Organ(organ);
+    }
+    organ.shape = *read;
+    reading.scene.organs.push_back({*read, static_cast<std::uint32_t>(reading.scene.effects.size())});
     return effects::Organ(organ);
   }
-  organ.shape = *read;
-  scene.organs.push_back({*read, static_cast<std::uint32_t>(scene.effects.size())});
-  return effects::Organ(organ);
+};
+
+template <>
+struct Read<effects::Solid> {
+  static effects::Solid from(const Reading& reading, const msg::SolidEffect& message) {
+    FieldCheck& check = reading.check;
+    Scene& scene = reading.scene;
+    const effects::Solid layer = read_layer(check, message, reading.folder);
+    if (std::ranges::any_of(scene.layers, [&](const SceneLayer& one) { return one.solid->name == message.name(); }))
+      check.in(message).complain("an earlier layer has the name " + message.name(),
+                                 "give each layer a name of its own, as in name: \"" + message.name() + " 2\"");
+    if (layer.layer()) scene.layers.push_back({layer.layer(), static_cast<std::uint32_t>(scene.effects.size())});
+    return layer;
+  }
+};
+
+template <class Kind, class Message>
+effects::Effect read_with(Kind (*from)(const Reading&, const Message&), const Reading& reading,
+                          const google::protobuf::Message& message) {
+  return from(reading, static_cast<const Message&>(message));
 }
 
-bool add_layer(FieldCheck& check, const msg::SolidEffect& message, const std::filesystem::path& folder, Scene& scene) {
-  const effects::Solid layer = read_layer(check, message, folder);
-  if (std::ranges::any_of(scene.layers, [&](const SceneLayer& one) { return one.solid->name == message.name(); }))
-    check.in(message).complain("an earlier layer has the name " + message.name(),
-                               "give each layer a name of its own, as in name: \"" + message.name() + " 2\"");
-  if (layer.layer()) scene.layers.push_back({layer.layer(), static_cast<std::uint32_t>(scene.effects.size())});
-  return scene.effects.add(layer);
+/// The effect of the kind whose kName is `name`.
+template <class... Kinds>
+std::optional<effects::Effect> read_kind(std::type_identity<std::variant<Kinds...>>, const Reading& reading,
+                                         const std::string& name, const google::protobuf::Message& message) {
+  std::optional<effects::Effect> effect;
+  const bool known =
+      ((name == Kinds::kName && (effect = read_with(&Read<Kinds>::from, reading, message)).has_value()) || ...);
+  demand(known, "each field of msg::Effect has the kName of an effect");
+  return effect;
+}
+
+/// The field of `effect` that names its kind; nullptr: none is set.
+const google::protobuf::FieldDescriptor* kind_of(const msg::Effect& effect) {
+  return effect.GetReflection()->GetOneofFieldDescriptor(effect, effect.GetDescriptor()->FindOneofByName("kind"));
 }
 
 }  // namespace
 
 void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
-  effects::EffectBank& bank = scene.effects;
+  const Reading reading{check, message, folder, scene};
   if (message.effects().empty())
     check.in(message).complain("the scene names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
-    bool room = true;
-    if (effect.has_skin())
-      room = bank.add(effects::Skin(read_skin_settings(check, effect.skin())));
-    else if (effect.has_cylinder())
-      room = bank.add(read_cylinder(check, effect.cylinder()));
-    else if (effect.has_sphere())
-      room = bank.add(read_sphere(check, effect.sphere()));
-    else if (effect.has_friction())
-      room = bank.add(read_friction(check, effect.friction(), message));
-    else if (effect.has_regions())
-      room = bank.add(read_regions(check, effect.regions()));
-    else if (effect.has_organ())
-      room = bank.add(read_organ(check, effect.organ(), folder, scene));
-    else if (effect.has_solid())
-      room = add_layer(check, effect.solid(), folder, scene);
-    else
+    const google::protobuf::FieldDescriptor* kind = kind_of(effect);
+    if (kind == nullptr) {
       check.in(effect).complain("the effect has no kind", "name its kind, as in effects { skin {} }");
-    if (!room)
+      continue;
+    }
+    const auto read = read_kind(std::type_identity<effects::Effect>(), reading, std::string(kind->name()),
+                                effect.GetReflection()->GetMessage(effect, kind));
+    if (!scene.effects.add(*read))
       check.in(effect).complain(
           "the scene names more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects",
           "leave some effects out");
