@@ -5,6 +5,7 @@
 #include "haptic_station/effects/friction.h"
 #include "haptic_station/effects/inner_cylinder.h"
 #include "haptic_station/effects/inner_sphere.h"
+#include "haptic_station/effects/membrane.h"
 #include "haptic_station/effects/organ.h"
 #include "haptic_station/effects/skin.h"
 #include "haptic_station/effects/solid.h"
@@ -21,6 +22,7 @@ using Effect = std::variant<  //
     Friction,                 //
     StiffRegions,             //
     Organ,                    //
-    Solid>;
+    Solid,                    //
+    Membrane>;
 
 }  // namespace telepalp::effects

@@ -193,6 +193,21 @@ struct Read<effects::Solid> {
   }
 };
 
+template <>
+struct Read<effects::Membrane> {
+  static effects::Membrane from(const Reading& reading, const msg::MembraneEffect& message) {
+    FieldCheck& check = reading.check;
+    effects::Membrane::Settings membrane;
+    membrane.at.m = read_xyz(check, "membrane.at_m", message.at_m(), {-1, 1, "m"});
+    membrane.tip_m = read_xyz(check, "membrane.tip_m", message.tip_m(), {-0.3, 0.3, "m"});
+    TELEPALP_READ(check, "membrane.", message, stiffness_n_per_m, membrane.stiffness_N_per_m, {10, 5000, "N/m"});
+    TELEPALP_READ(check, "membrane.", message, tears_at_n, membrane.tears_at_N, {0.1, 20, "N"});
+    TELEPALP_READ(check, "membrane.", message, friction_n, membrane.friction_N, {0, 3, "N"});
+    TELEPALP_READ(check, "membrane.", message, skin_left, membrane.skin_left, {0, 1, "N/N"});
+    return effects::Membrane(membrane);
+  }
+};
+
 template <class Kind, class Message>
 effects::Effect read_with(Kind (*from)(const Reading&, const Message&), const Reading& reading,
                           const google::protobuf::Message& message) {

@@ -1,5 +1,7 @@
 #include <array>
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "haptic_station/solids/distance_lattice.h"
 #include "tests/hard_cases/claims.h"
@@ -113,6 +115,32 @@ AssertionResult warm_motors() {
                  below("fastest", fastest, 1.0, 1.0, "m/s")});
 }
 
+/// Two membranes, 10 and 20 mm deep, that each halve the skin's stiffness when they tear. The hand goes through both,
+/// comes out to 5 mm, and goes in again.
+AssertionResult two_that_weaken_the_skin() {
+  const auto halves = [](double y_m) {
+    return effects::Membrane({.at = {{0.0, y_m, 0.0}}, .tears_at_N = 1.0, .friction_N = 0.2, .skin_left = 0.5});
+  };
+  effects::EffectBank bank;
+  (void)bank.add(effects::Skin({.law = effects::linear_law(100.0)}));
+  (void)bank.add(halves(-0.01));
+  (void)bank.add(halves(-0.02));
+  ForcedPath scene{.seconds = ForcedPath::kDown_s + 4.0, .effects = bank, .path = [](double s) {
+                     return Vector3d(0.0, -0.0175 + 0.0175 * std::cos(std::numbers::pi * s) - 0.005, 0.0);
+                   }};
+  double least_balance_J = 0.0;
+  double last_N = 0.0;
+  scene.watch = [&](const control::ControlOutput& out, double) {
+    least_balance_J = std::min(least_balance_J, out.passivity_J);
+    last_N = out.force.N.y();
+  };
+  const Felt felt = feel(scene);
+  return all_of({below_N("step", felt.worst_step_N, kTick_N),
+                 below_mJ("the ledger's error", -least_balance_J, 0.1),
+                 {std::abs(last_N - 0.25 * 100.0 * 0.005) < 0.01, "a quarter of the skin is left at the end"},
+                 {felt.finite && !felt.faulted, "no fault"}});
+}
+
 }  // namespace
 
 std::vector<HardCase> inner_rows() {
@@ -120,6 +148,8 @@ std::vector<HardCase> inner_rows() {
       {"pushed down through an object", "the nearest face is the far one", "no pull along the push", pushed_through},
       {"pushed sideways through an object", "it was entered from its side", "no pull along the push",
        pushed_through_sideways},
+      {"two effects weaken the skin", "a skin that stiffens again would give energy", "it only gets weaker",
+       two_that_weaken_the_skin},
       {"4.5 N held on an object for 90 s", "warm motors yield, the hand sinks past it", "no pull along the push",
        warm_motors},
   };
