@@ -20,6 +20,10 @@ namespace telepalp::bench {
 /// Whether `telepalp-station scene mesh` gives the right mesh of solids that are known from geometry, or refuses them.
 [[nodiscard]] Result<std::vector<Row>> run_solids_section(const UsersPlace& place);
 
+/// Work of the displayed force on closed paths of a needle, on a device that measures six degrees of freedom and drives
+/// three.
+[[nodiscard]] Result<std::vector<Row>> run_tool_section(const UsersPlace& place);
+
 /// A pointer that sweeps over the patient without a button: in virtual time, and in a browser.
 [[nodiscard]] Result<std::vector<Row>> run_hover_section(const UsersPlace& place);
 

@@ -15,6 +15,7 @@ const std::vector<UsersSection> kSections{
     {"layout", "the patient's share of the page", run_layout_section},
     {"records", "damaged sessions, and whether verify and repair say so", run_records_section},
     {"solids", "meshes of twenty solids that are known from geometry", run_solids_section},
+    {"tool", "a device that measures six degrees of freedom and drives three", run_tool_section},
     {"hover", "a pointer without a button never pushes the device into the body", run_hover_section},
 };
 

@@ -1,3 +1,4 @@
+#include "proto/words/wrench.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/control/controller_scene.h"
 #include "tests/hard_cases/control/loop_scene.h"
@@ -132,6 +133,91 @@ AssertionResult encoder_offset() {
                  {seen.felt.last.force.N.norm() == 0.0, "no force on an unknown place"}});
 }
 
+/// A probe whose tip is 50 mm beside the device point presses on a membrane of 500 N/m, 20 mm under a soft skin. The
+/// device states that it gives `most_N_m`.
+struct Probing {
+  Felt felt;
+  double most_N_m = 0.0;  ///< largest torque
+  double last_N_m = 0.0;  ///< at the end
+  double step_N = 0.0;    ///< largest change of force in a tick since kGlitch_s
+  double least_balance_J = 0.0;
+  bool finite = true;
+};
+Probing probing(const std::function<void(double, ports::DeviceReading&)>& device) {
+  LoopScene scene;
+  scene.effects = the_skin({.law = effects::linear_law(20.0)});
+  (void)scene.effects.add(effects::Membrane({.at = {{0.0, -0.02, 0.0}}, .tears_at_N = 1e9, .tip_m = {0.05, 0.0, 0.0}}));
+  scene.seconds = 3.5;
+  scene.person = presses_to(0.03);
+  scene.encoders = device;
+  Probing seen;
+  Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
+  scene.watch = [&](const loop::TickOut& act, double now_s, const auto&, const auto&) {
+    seen.finite = seen.finite && act.force.N.allFinite() && act.torque.N_m.allFinite();
+    seen.last_N_m = act.torque.N_m.norm();
+    seen.most_N_m = std::max(seen.most_N_m, seen.last_N_m);
+    seen.least_balance_J = std::min(seen.least_balance_J, act.control.passivity_J);
+    if (now_s > kGlitch_s - 0.001) seen.step_N = std::max(seen.step_N, (act.force.N - before_N).norm());
+    before_N = act.force.N;
+  };
+  seen.felt = feel(scene);
+  return seen;
+}
+
+Eigen::Quaterniond tilted(double rad) { return turned(Eigen::Quaterniond::Identity(), {0.0, 0.0, rad}); }
+
+/// From kGlitch_s on, a device of six degrees answers in place of one of three, with its handle tilted by 0.8 rad:
+/// down, 36 mm deeper into the membrane, or up.
+AssertionResult from_three_to_six_degrees() {
+  const auto replaced = [](double rad) {
+    return probing([=](double now_s, ports::DeviceReading& reading) {
+      if (now_s < kGlitch_s) return;
+      reading.attitude = tilted(rad);
+      reading.power = {.most_N = 10.0, .most_N_m = 0.5};
+    });
+  };
+  const Probing down = replaced(-0.8);
+  const Probing up = replaced(0.8);
+  return all_of(
+      {below_N("step, tilted into the membrane", down.step_N, 0.1),
+       below_mJ("the ledger's error", -std::min(down.least_balance_J, up.least_balance_J), 1.0),
+       {down.most_N_m == 0.0 && up.most_N_m == 0.0, "no torque until the next contact"},
+       {!down.felt.faulted && !up.felt.faulted && control::is_inside(down.felt.last.phase), "contact holds"}});
+}
+
+AssertionResult attitude_that_is_no_rotation() {
+  const double nan = std::nan("");
+  Probing last;
+  for (const Eigen::Quaterniond& wrong :
+       {Eigen::Quaterniond(nan, nan, nan, nan), Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0)})
+    for (const double until_s : {kGlitch_s + 0.004, 1e9}) {
+      last = probing([=](double now_s, ports::DeviceReading& reading) {
+        reading.attitude = now_s >= kGlitch_s && now_s < until_s ? wrong : tilted(0.0);
+        reading.turning.v.x() = now_s >= kGlitch_s && now_s < until_s ? nan : 0.0;
+        reading.power = {.most_N = 10.0, .most_N_m = 0.5};
+      });
+      const bool for_good = until_s > 1e6;
+      const AssertionResult result =
+          all_of({{last.finite && !last.felt.faulted, "no fault"},
+                  {last.most_N_m > 0.1 && (for_good ? last.last_N_m == 0.0 : last.last_N_m > 0.1),
+                   for_good ? "no torque at an unknown attitude" : "the torque goes on"},
+                  below_N("step", last.step_N, 0.1)});
+      if (!result) return result;
+    }
+  return all_of({below_N("step", last.step_N, 0.1), {last.finite, "every wrench is a number"}});
+}
+
+AssertionResult torque_above_the_devices() {
+  const Probing seen = probing([](double, ports::DeviceReading& reading) {
+    reading.attitude = tilted(0.0);
+    reading.power = {.most_N = 10.0, .most_N_m = 0.05};
+  });
+  return all_of({{seen.most_N_m <= 0.05 && seen.most_N_m > 0.045, "all of its torque, and no more"},
+                 {seen.felt.last.limited, "limited"},
+                 below_mJ("the ledger's error", -seen.least_balance_J, 1.0),
+                 {!seen.felt.faulted && seen.finite, "contact holds"}});
+}
+
 }  // namespace
 
 std::vector<HardCase> device_rows() {
@@ -141,6 +227,12 @@ std::vector<HardCase> device_rows() {
       {"device falls silent", "the device's position is unknown", "a fault until re-armed", silent_device},
       {"one encoder reading is off", "the force of a wrong position", "bridged: step 0.1 N, 1 mJ", encoder_glitch},
       {"encoders are off by 30 mm for good", "6.6 N within 10 ms", "held, then a fault", encoder_offset},
+      {"3 degrees become 6 in a contact", "a handle 36 mm inside a membrane", "turns only where free, step 0.1 N",
+       from_three_to_six_degrees},
+      {"attitude is NaN, or of length zero", "its torque has no direction", "bridged, then no torque",
+       attitude_that_is_no_rotation},
+      {"0.25 N m asked of 0.05 N m", "cut alone, it would leak energy", "relaxed with the force",
+       torque_above_the_devices},
       {"device that is no number", "NaN spreads", "fault, finite force", device_that_is_no_number},
   };
 }
