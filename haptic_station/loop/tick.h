@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -18,6 +19,7 @@ namespace telepalp::loop {
 struct TouchableSurface {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off between the threads owns it, too
   Transform<HapticBase, DepthCamera> haptic_from_camera;
+  std::uint64_t number = 0;  ///< counted from 1 by the stage that made it; 0: no stage made it
 };
 
 /// Everything that one tick depends on, besides the loop's own state. The same values give the same force, to the last

@@ -1,4 +1,6 @@
 #include <cstdio>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include "haptic_station/effects/tissue_presets.h"
@@ -9,10 +11,12 @@
 #include "haptic_station/station/commands/tissue_command.h"
 #include "haptic_station/station/faults/rearm_command.h"
 #include "haptic_station/station/rigs/calibrated_scene.h"
+#include "haptic_station/station/rigs/journaled_scene.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/station/signals/station_signals.h"
 #include "haptic_station/station/station.h"
+#include "haptic_station/station/threads/journal_thread.h"
 #include "haptic_station/surface/pcl_search/pcl_indexes.h"
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/trials/trials_command.h"
@@ -46,6 +50,7 @@ program::Usage usage() {
                       {"control", "PATH", "socket for rearm and hand-over; none: no socket"},
                       {"state-dir", "DIR",
                        "folder for a recording of the last 10 s before a fault; default: the user's state folder"},
+                      {"journal", "FILE", "keep each input and force exactly (docs/replay.md)"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "require: fail without real-time priority", "prefer"}},
           .example = "telepalp-station --connect 127.0.0.1:7400 --seconds 10",
@@ -149,10 +154,38 @@ Result<station::LoadedScene> load(const std::filesystem::path& scene_file, const
   return station::LoadedScene{std::move(scene).value(), std::move(parts).value()};
 }
 
+/// Opens the journal of the scene with that number, from 1; a null pointer: none is kept.
+using OpenJournal = std::function<Result<std::unique_ptr<station::JournalThread>>(int, const station::LoadedScene&)>;
+
+/// A journal and its file, for the station that runs with the `count`-th scene of this program.
+Result<std::unique_ptr<station::JournalThread>> open_journal(std::filesystem::path file, int count,
+                                                             const station::LoadedScene& loaded,
+                                                             const std::filesystem::path& scene_file) {
+  if (loaded.parts.model)
+    return Error{.what = "a journal cannot be kept, because the scene's patient is a model from a file",
+                 .where = "--journal",
+                 .fix = "leave out --journal, or give a scene whose patient_surface is streamed"};
+  if (count > 1) file.replace_filename(file.stem().string() + "-" + std::to_string(count) + file.extension().string());
+  return station::JournalThread::open(file, station::journal_header(loaded.scene, scene_file, loaded.parts.surface));
+}
+
+Result<void> close_journal(station::JournalThread* journal) {
+  if (journal == nullptr) return {};
+  const Result<void> closed = journal->close();
+  const msg::JournalEnd& end = journal->end();
+  const std::uint64_t lost = end.ticks_lost() + end.runs_lost();
+  program::log("telepalp-station",
+               "the journal holds " + std::to_string(end.ticks()) + " ticks and " + std::to_string(end.runs()) +
+                   " runs of the stages" +
+                   (lost == 0 ? "" : "; " + std::to_string(lost) + " more are lost, because the disk is too slow"));
+  return closed;
+}
+
 /// Runs the station with one scene. Error: the reason why it could not work.
 Result<void> run_with(station::LoadedScene loaded, station::StationSignals& signals, station::StationOptions options,
-                      const station::RigChoice& rig_choice) {
+                      const station::RigChoice& rig_choice, station::JournalThread* journal) {
   options.model = std::move(loaded.parts.model);
+  options.journal = journal;
   Result<station::ConnectedRig> rig = station::connect_rig(rig_choice, loaded.scene);
   if (!rig) return rig.error();
   boost::asio::io_context io{1};
@@ -164,14 +197,18 @@ Result<void> run_with(station::LoadedScene loaded, station::StationSignals& sign
 
 /// Runs the station with its first scene, then with each accepted scene that an operator asks for by SIGHUP.
 int run(const station::StationOptions& options, const station::StationSignals::ReadScene& read,
-        const station::RigChoice& rig_choice) {
+        const station::RigChoice& rig_choice, const OpenJournal& open_journal) {
   station::StationSignals signals(read);
   Result<station::LoadedScene> first = read();
   if (!first) return program::fail(first.error());
   std::optional<station::LoadedScene> scene = std::move(first).value();
-  while (scene) {
-    const Result<void> done = run_with(std::move(*scene), signals, options, rig_choice);
+  for (int count = 1; scene; ++count) {
+    Result<std::unique_ptr<station::JournalThread>> journal = open_journal(count, *scene);
+    if (!journal) return program::fail(journal.error());
+    const Result<void> done = run_with(std::move(*scene), signals, options, rig_choice, journal->get());
+    const Result<void> closed = close_journal(journal->get());
     if (!done) return program::fail(done.error());
+    if (!closed) return program::fail(closed.error());
     scene = signals.take_scene();
     if (scene) program::log("telepalp-station", "the station starts again with the new scene " + scene->scene.name);
   }
@@ -200,7 +237,13 @@ int main(int argc, char** argv) {
   const Result<std::filesystem::path> scene = scenes::find_scene((*read)->text("scene"));
   if (!scene) return program::fail(scene.error());
   const bool anyway = (*read)->has("anyway");
+  // telepalp-replay, which computes a journal again, has no PCL.
+  if ((*read)->has("journal")) surface::use_nanoflann_indexes();
   if ((*read)->has("check")) return check(read_calibrated(*scene, **read), *scene, anyway);
   return run(
-      *options, [&] { return load(*scene, **read, anyway); }, *rig);
+      *options, [&] { return load(*scene, **read, anyway); }, *rig,
+      [&](int count, const station::LoadedScene& loaded) -> Result<std::unique_ptr<station::JournalThread>> {
+        if (!(*read)->has("journal")) return std::unique_ptr<station::JournalThread>();
+        return open_journal((*read)->text("journal"), count, loaded, *scene);
+      });
 }

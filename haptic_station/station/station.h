@@ -2,27 +2,24 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
+#include <vector>
 
-#include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/station/commands/hand_over.h"
 #include "haptic_station/station/faults/fault_monitor.h"
-#include "haptic_station/station/inside/inside_thread.h"
+#include "haptic_station/station/parts/core_threads.h"
+#include "haptic_station/station/parts/image_log.h"
+#include "haptic_station/station/parts/inside_view.h"
+#include "haptic_station/station/parts/station_link.h"
+#include "haptic_station/station/parts/viewer_hand_input.h"
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
 #include "haptic_station/station/signals/station_signals.h"
-#include "haptic_station/station/telemetry/dropped_messages.h"
-#include "haptic_station/station/telemetry/image_ages.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
-#include "haptic_station/station/threads/collision_thread.h"
-#include "haptic_station/station/threads/haptic_thread.h"
-#include "haptic_station/station/threads/surface_worker.h"
 #include "proto/wire/client_link.h"
 #include "support/program/patience.h"
 
@@ -41,6 +38,7 @@ struct StationOptions {
   bool control_is_asked_for = false;                  ///< the user named the socket: without it, run() fails
   std::filesystem::path state_folder;                 ///< folder for the files of the flight recorder
   std::optional<StaticPatient> model = std::nullopt;  ///< the hand touches this model instead of a server's surface
+  JournalThread* journal = nullptr;  ///< keeps all that the core is given; outlives the station; nullptr: none
 };
 
 /// The station: a link to the server, the surface thread and the haptic thread, which exchange data without waiting for
@@ -61,6 +59,32 @@ class Station {
   [[nodiscard]] Result<void> run();
 
  private:
+  /// When the station's timers are due. A timer that has expired cannot be cancelled, so their handlers check stopped_.
+  struct Timers {
+    explicit Timers(boost::asio::io_context& io) : every_10_ms(io), every_second(io) {}
+    boost::asio::steady_timer every_10_ms;
+    boost::asio::steady_timer every_second;
+  };
+  /// What the first images have shown.
+  struct Seen {
+    std::optional<Intrinsics> camera;
+    std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera;
+  };
+  struct Progress {
+    std::chrono::steady_clock::time_point started;
+    std::chrono::steady_clock::time_point ticking_since;
+    std::vector<msg::EffectCost> costs;  ///< of each effect in a tick
+    bool realtime_granted = false;       ///< both real-time priority and locked memory
+    bool stopped = false;
+    std::optional<Error> failure;
+  };
+
+  /// What the device's protocol has refused, see ConnectedRig; `newest` refers to the device in core_.
+  struct DeviceRefusals {
+    std::function<std::optional<Error>()> newest;
+    std::optional<std::chrono::steady_clock::time_point> said;
+  };
+
   void on_message(const wire::Message& message);
   void on_camera_info(const wire::Message& message);
   void on_depth(const wire::Message& message);
@@ -69,77 +93,39 @@ class Station {
   void on_viewer_hand(const wire::Message& message);
   void on_link(wire::LinkState state, const std::string& detail);
   void on_datagrams(const std::string& detail);
-  void say_link(const std::string& text, wire::LinkState state);
   void on_surface(const msg::SurfaceReport& report);
-  void say_depth(const msg::SurfaceReport& report);
-  void start_inside_thread();
   void publish_inside();
-  void look_inside();
   void touch_model();
   void start_surface_thread(const surface::SurfaceSettings& surface);
-  [[nodiscard]] decltype(SurfaceWorker::Handlers::on_image) image_handler();
   void start_haptic_thread();
+  void start_inside_view();
   void end_threads();
   void every_10_ms();
   void every_second();
-  void look_at_clock();
-  void say_clock_step();
+  void serve_haptic_thread(HapticThread& haptic);
   void say_device_refusals();
   void publish_totals();
   void look_at_signals();
   void stop(const std::string& reason);
   void give_up(const Error& error);
   void lose_patience();
-  void publish(wire::Message message);
-  [[nodiscard]] SessionTime now() const noexcept { return link_.clock().now(); }
+  [[nodiscard]] SessionTime now() const noexcept { return link_.now(); }
 
-  // The members' initialisers read only the constructor's parameters, so the order of members is free. The destructor
-  // ends the threads before it destroys any member.
   StationOptions options_;
   scenes::Scene scene_;
-  std::optional<tracking::HandTrace> trace_;
   boost::asio::io_context& io_;  // of the network thread
   StationSignals& signals_;
-  boost::asio::steady_timer fast_timer_;
-  boost::asio::steady_timer slow_timer_;
-  wire::ClientLink link_;
-  HandOver hand_over_;
-  std::optional<Intrinsics> camera_;
-  std::optional<Error> failure_;
-  std::set<std::string> said_of_trying_;
-  std::string depth_;  // last logged description: depth lossless, or its error bound
-  double clock_error_s_ = std::numeric_limits<double>::infinity();  // bound on the error of the session clock
-  Nanoseconds clock_stepped_{0};                                    // sum of the session clock's steps that were logged
-  ImageAges ages_;
-  DroppedMessages dropped_;
-  std::function<std::optional<Error>()> device_refusals_;  // see ConnectedRig; refers to the device in rig_
-  std::optional<std::chrono::steady_clock::time_point> refusals_said_;
-
-  const bool in_tick_;  // the surface is evaluated on the haptic thread, without a collision thread
-  LatestValue<loop::TouchableSurface> slow_surfaces_;             // surface thread to collision thread, if it exists
-  LatestValue<loop::TouchableSurface> surfaces_;                  // surface, collision or network to haptic thread
-  LatestValue<Point<HapticBase>> device_to_surface_;              // haptic thread to surface thread
-  TickRing ticks_;                                                // haptic thread to network thread
-  loop::HapticLoop loop_;                                         // owner: haptic thread, once it runs
-  std::unique_ptr<ports::Rig> rig_;                               // owner: haptic thread, once it runs
-  std::optional<tracking::ViewerHandTracker::Taken> hand_taken_;  // last logged result of its hear()
-  tracking::ViewerHandTracker*
-      viewer_hand_tracker_;  // the tracker in rig_, or nullptr; its hear() is called on the network thread
-  std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;  // nullopt before the first image
-  std::optional<HapticThread> haptic_;
+  Timers timers_;
+  StationLink link_;
+  CoreThreads core_;
   TelemetryPublisher telemetry_;
   FaultMonitor faults_;
-  std::optional<InsideThread> inside_thread_;         // only if the scene has layers or a probe
-  std::optional<msg::InnerStructures> inside_;        // the surfaces of the layers, once inside_thread_ has made them
-  loop::ObjectPlacements objects_{};                  // displacements in the newest StationCompensation
-  std::chrono::steady_clock::time_point next_image_;  // when the next ultrasound image is due
-  std::optional<CollisionThread> collision_;
-  std::optional<SurfaceWorker> worker_;
-  std::chrono::steady_clock::time_point started_;
-  std::chrono::steady_clock::time_point ticking_since_;
-  std::vector<msg::EffectCost> costs_;
-  bool realtime_granted_ = false;  // both real-time priority and locked memory
-  bool stopped_ = false;           // checked by timer handlers: a timer that has expired cannot be cancelled
+  InsideView inside_;
+  ViewerHandInput viewer_hand_;
+  DeviceRefusals refusals_;
+  ImageLog images_;
+  Seen seen_;
+  Progress progress_;
 };
 
 }  // namespace telepalp::station

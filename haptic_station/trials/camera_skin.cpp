@@ -1,7 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/core/surface_stage.h"
+#include "haptic_station/core/virtual_driver.h"
 #include "haptic_station/trials/trial_skin.h"
 #include "support/sensor/depth_sensor.h"
 
@@ -16,18 +17,19 @@ constexpr Intrinsics kCamera{320, 240, 525.0, 525.0, 159.5, 119.5};
 class CameraSkin final : public TrialSkin {
  public:
   explicit CameraSkin(const BellySettings& belly)
-      : belly_(belly), builder_(surface::SurfaceSettings{}), sensor_({.seed = belly.seed}) {}
+      : belly_(belly),
+        stage_({}, [](const DepthImage&, const Intrinsics&) { return trial_camera(); }, {}),
+        sensor_({.seed = belly.seed}) {}
 
   [[nodiscard]] const loop::TouchableSurface* newer(double time_s, const Point<HapticBase>& device) override {
     if (time_s * kFrame_hz + 1e-9 < static_cast<double>(frames_)) return nullptr;
     ++frames_;
     const SessionTime now{from_seconds(time_s)};
-    const Transform<HapticBase, DepthCamera> placed = trial_camera();
-    auto snapshot =
-        builder_.add(seen_at(time_s, now), kCamera, now, surface::Reach{placed.inverse() * device, surface::kReach_m});
-    if (!snapshot) return nullptr;
+    stage_.arrived(core::seen_image(seen_at(time_s, now), kCamera, now, frames_, now));
+    const auto result = core::run_at_once(stage_, now, device);
+    if (!result->surface) return nullptr;
     before_ = std::move(shown_.snapshot);
-    shown_ = {std::move(snapshot), placed};
+    shown_ = *result->surface;
     return &shown_;
   }
 
@@ -63,7 +65,7 @@ class CameraSkin final : public TrialSkin {
   }
 
   BellySettings belly_;
-  surface::SurfaceBuilder builder_;
+  core::SurfaceStage stage_;
   sensor::DepthSensor sensor_;
   loop::TouchableSurface shown_;
   std::shared_ptr<const surface::SurfaceSnapshot> before_;  // shared: the loop refers to it until it gets `shown_`

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/loop/rig_tick.h"
 #include "haptic_station/trials/trial_skin.h"
 #include "haptic_station/trials/virtual_station.h"
 
@@ -23,14 +23,12 @@ class LoopStation {
   template <class Person>
   loop::TickOut step(Person&& person) {
     const double now_s = time_s();
-    const SessionTime now{from_seconds(now_s)};
-    loop::TickIn in{.now = now,
-                    .dt_s = settings_.tick_s,
-                    .reading = {.at = pair_.device(), .velocity = pair_.device_velocity()},
-                    .surface = skin_.newer(now_s, pair_.device())};
-    if (const auto sample = tracker_.sample(now_s, pair_.true_hand())) in.hand = {now, *sample};
-    const loop::TickOut act = loop_.tick(in);
-    pair_.step(act.force, person(device::TrialView{now_s, act.contact, pair_.device()}), settings_.tick_s);
+    const loop::TickIn due{.now = SessionTime{from_seconds(now_s)},
+                           .dt_s = settings_.tick_s,
+                           .surface = skin_.newer(now_s, pair_.device())};
+    HeldPair<Person> rig(*this, person);
+    const loop::TickOut act = loop::tick_at_rig(
+        loop_, rig, due, [](const loop::TickIn&) {}, [](const loop::TickIn&, const loop::TickOut&) {});
     ++tick_;
     return act;
   }
@@ -42,6 +40,28 @@ class LoopStation {
   [[nodiscard]] double true_depth_m() const { return skin_.true_depth_m(pair_.true_device(), time_s()); }
 
  private:
+  /// The simulated device and tracker, and the person who holds the device at this tick.
+  template <class Person>
+  class HeldPair final : public ports::Rig {
+   public:
+    HeldPair(LoopStation& station, Person& person) noexcept : station_(station), person_(person) {}
+    ports::DeviceReading read() noexcept override {
+      return {.at = station_.pair_.device(), .velocity = station_.pair_.device_velocity()};
+    }
+    std::optional<ports::HandSample> hand(SessionTime now) noexcept override {
+      const auto sample = station_.tracker_.sample(station_.time_s(), station_.pair_.true_hand());
+      return sample ? std::optional(ports::HandSample{now, *sample}) : std::nullopt;
+    }
+    void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override {
+      const device::TrialView view{station_.time_s(), contact, station_.pair_.device()};
+      station_.pair_.step(force, person_(view), dt_s);
+    }
+
+   private:
+    LoopStation& station_;
+    Person& person_;
+  };
+
   VirtualStationSettings settings_;
   TrialSkin& skin_;
   loop::HapticLoop loop_;

@@ -27,8 +27,8 @@ class TrialSkin {
 /// the controller alone. `begins_s`: time of the sine at the trial's start [s].
 [[nodiscard]] std::unique_ptr<TrialSkin> level_skin(const device::BreathingPlane& plane, double begins_s = 0.0);
 
-/// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps. As in the station, SurfaceBuilder
-/// makes the surface from the camera's images.
+/// A barrel-shaped belly under a Kinect-like camera with noise and disparity steps. The station's surface
+/// stage makes the surface from the camera's images.
 struct BellySettings {
   double breathing_m = 0.0;  ///< amplitude of the belly's rise and fall, a sine
   double rate_hz = 0.25;

@@ -64,11 +64,18 @@ std::string joined(std::string_view left, std::string_view right) {
   return std::string(left) + (right.empty() ? "" : " " + std::string(right));
 }
 
+/// True when the commands have a help of their own, to which their table's heading leads.
+bool has_own_help(const Usage& usage) {
+  return std::any_of(usage.commands.begin(), usage.commands.end(),
+                     [](const Command& command) { return command.run != nullptr; });
+}
+
 std::string usage_lines(const Usage& usage) {
   const std::string program(usage.program);
   std::string text;
   if (!usage.needs_command) text = "usage: " + joined(program + " [options]", usage.positional) + "\n";
-  if (!usage.commands.empty()) text += (text.empty() ? "usage: " : "       ") + program + " COMMAND [options]\n";
+  if (!usage.commands.empty() && (text.empty() || !has_own_help(usage)))
+    text += (text.empty() ? "usage: " : "       ") + program + " COMMAND [options]\n";
   return text;
 }
 
@@ -93,11 +100,10 @@ std::vector<Row> option_rows(const Usage& usage) {
 std::string help_text(const Usage& usage) {
   std::string text = wrapped(std::string(usage.program) + ": " + std::string(usage.purpose), 0, 0) + "\n";
   text += usage_lines(usage);
-  const bool own_help = std::any_of(usage.commands.begin(), usage.commands.end(),
-                                    [](const Command& command) { return command.run != nullptr; });
   if (!usage.commands.empty())
-    text += table(own_help ? "commands (details: " + std::string(usage.program) + " COMMAND --help)" : "commands",
-                  command_rows(usage));
+    text += table(
+        has_own_help(usage) ? "commands (details: " + std::string(usage.program) + " COMMAND --help)" : "commands",
+        command_rows(usage));
   return text + table("options", option_rows(usage)) + "\nexample: " + std::string(usage.example) + "\n";
 }
 

@@ -41,6 +41,9 @@ const std::vector<Rule> kRules{
     {"haptic_station/tracking",
      {"proto", "support", "messages", "haptic_station/ports", "haptic_station/device", "haptic_station/tracking"}},
     {"haptic_station/loop", {"proto/words", "haptic_station"}},
+    {"haptic_station/core",
+     {"proto/words", "proto/wire", "codec", "messages", "haptic_station/effects", "haptic_station/surface",
+      "haptic_station/loop", "haptic_station/core"}},
     {"haptic_station", {"proto", "support", "codec", "haptic_station", "messages", "foxglove"}},
     {"clients", {"proto", "support", "codec", "clients", "messages", "foxglove"}},
     // It reads recordings as the server does, and it needs no camera.
@@ -205,6 +208,34 @@ TEST(Architecture, ADecisionOnKeyFramesByTopicOrByParsingFailsTheCheck) {
                                       "if (message.topic.predicted && message.key_frame) begin();"
                                       "if (message.topic.name == wire::kCameraDepth.name) show();")
                   .empty());
+}
+
+/// What a stage of the station's core may not have of its own: its driver gives it times, jobs and results.
+TEST(Architecture, TheCoreHasNoThreadSocketClockOrFile) {
+  const std::regex kClock("(steady|system|high_resolution)_clock|clock_gettime");
+  for (const std::string& file : sources("haptic_station/core")) {
+    for (const std::string& include : includes(file))
+      for (const char* banned : {"<mutex>", "<condition_variable>", "<thread>", "<future>", "boost/asio", "<fstream>"})
+        EXPECT_EQ(include.find(banned), std::string::npos) << file << " includes " << include;
+    std::stringstream text;
+    text << std::ifstream(root() / file).rdbuf();
+    EXPECT_FALSE(std::regex_search(text.str(), kClock)) << file << " reads a clock";
+  }
+}
+
+/// The sequence sample, decide, apply stands once, in rig_tick.h. The replay of a journal has no rig: it gives the loop
+/// recorded samples.
+TEST(Architecture, TheSequenceOfATickIsWrittenOnce) {
+  const std::regex kTick(R"re(\bloop_?\.tick\()re");
+  std::vector<std::string> found;
+  for (const std::string& file : all_sources()) {
+    std::stringstream text;
+    text << std::ifstream(root() / file).rdbuf();
+    if (std::regex_search(text.str(), kTick)) found.push_back(file);
+  }
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, (std::vector<std::string>{"haptic_station/core/journal/journal_replay.cpp",
+                                             "haptic_station/loop/rig_tick.h"}));
 }
 
 TEST(Architecture, AClientIsThin) { expect_none(banned_includes(the_house().includes, {"clients"}, kThickLibraries)); }

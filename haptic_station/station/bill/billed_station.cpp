@@ -165,7 +165,7 @@ void BilledStation::run(double seconds, StationCost& cost, TickTimer* pace) {
     const bool served = (now_ - BodyStream::kBegin) % kServed == 0s;
     if (collision_ && served) {
       const std::int64_t before = thread_ns();
-      collision_->detect(slow_surfaces_, haptic_.device(), surfaces_, now_);
+      collision_->detect(slow_surfaces_, haptic_.device(), surfaces_, [this] { return now_; });
       cost.add(Part::Collision, us_since(before));
     }
     tick(cost, pace);

@@ -4,11 +4,12 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/core/surface_stage.h"
+#include "haptic_station/core/virtual_driver.h"
+#include "haptic_station/loop/rig_tick.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
-#include "haptic_station/surface/build/surface_builder.h"
 
 namespace telepalp::station {
 namespace {
@@ -101,7 +102,10 @@ class Pair {
   Pair(const scenes::Scene& scene, const SceneParts& parts, const SeenBody& body, std::vector<Twins> twins)
       : scene_(scene),
         body_(body),
-        builder_(parts.surface),
+        stage_(
+            parts.surface,
+            [&scene](const DepthImage& depth, const Intrinsics& camera) { return placed(scene, depth, camera); },
+            scene.effects),
         shown_(loop_of(scene)),
         truth_(loop_of(scene)),
         rig_(rig_of(scene, parts.trace)),
@@ -132,13 +136,12 @@ class Pair {
     const SessionTime captured = kBegin + from_seconds(exposed_s);
     if (captured + kLate > now_) return;
     ++seen_;
-    const DepthImage depth = body_.depth_at(exposed_s);
-    if (!haptic_from_camera_ && (haptic_from_camera_ = placed(scene_, depth, body_.camera())))
-      builder_.watch(loop::mark_lines(scene_.effects, haptic_from_camera_->inverse()));
-    if (!haptic_from_camera_) return;
-    const surface::Reach reach{haptic_from_camera_->inverse() * device_, surface::kReach_m};
-    if (const auto built = builder_.add(depth, body_.camera(), captured, reach))
-      adopt(built, std::make_shared<TrueBody>(body_, time_s(), now_));
+    stage_.arrived(
+        core::seen_image(body_.depth_at(exposed_s), body_.camera(), captured, static_cast<std::uint64_t>(seen_), now_));
+    const auto result = core::run_at_once(stage_, now_, device_);
+    if (!result->surface) return;
+    haptic_from_camera_ = result->surface->haptic_from_camera;
+    adopt(result->surface->snapshot, std::make_shared<TrueBody>(body_, time_s(), now_));
   }
 
   void adopt(std::shared_ptr<const surface::SurfaceSnapshot> shown,
@@ -162,21 +165,20 @@ class Pair {
 
   void tick() {
     const bool fresh = std::exchange(fresh_, false);
-    loop::TickIn in{.now = now_,
-                    .dt_s = kTick_s,
-                    .hand = rig_->hand(now_),
-                    .reading = rig_->read(),
-                    .surface = fresh ? &surfaces_[0] : nullptr};
-    const ports::DeviceReading& reading = in.reading;
-    const loop::TickOut shown = shown_.tick(in);
-    if (fresh) in.surface = &surfaces_[1];
-    const loop::TickOut truth = truth_.tick(in);
-    const Point<HapticBase> at = shown_.in_patient_frame(reading.at);
+    loop::TickOut truth;
+    Point<HapticBase> at;
+    const loop::TickOut shown = loop::tick_at_rig(
+        shown_, *rig_, {.now = now_, .dt_s = kTick_s, .surface = fresh ? &surfaces_[0] : nullptr},
+        [](const loop::TickIn&) {},
+        [&](loop::TickIn in, const loop::TickOut&) {
+          at = shown_.in_patient_frame(in.reading.at);
+          if (fresh) in.surface = &surfaces_[1];
+          truth = truth_.tick(in);
+        });
     const Vector<HapticBase> moved{at.m - device_.m};
     device_ = at;
     feel({.device = at, .device_velocity = {moved.v / kTick_s}, .contact = shown.contact, .moved = moved},
          {.device = at, .device_velocity = {moved.v / kTick_s}, .contact = truth.contact, .moved = moved});
-    rig_->apply({shown.force, shown.torque}, shown_.in_device_frame(shown.contact), kTick_s);
   }
 
   void feel(const effects::EffectInput& seen, const effects::EffectInput& real) {
@@ -200,7 +202,7 @@ class Pair {
 
   const scenes::Scene& scene_;
   const SeenBody& body_;
-  surface::SurfaceBuilder builder_;
+  core::SurfaceStage stage_;
   loop::HapticLoop shown_;
   loop::HapticLoop truth_;
   std::unique_ptr<ports::Rig> rig_;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <future>
+#include <optional>
 
+#include "haptic_station/loop/rig_tick.h"
+#include "haptic_station/station/threads/journal_thread.h"
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
@@ -70,29 +73,41 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
                         Nanoseconds{clock_offset_ns_.load(std::memory_order_relaxed)}};
   const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
 
-  const loop::TickIn in{.now = now,
-                        .dt_s = dt_s,
-                        .hand = rig_.hand(now),
-                        .reading = rig_.read(),
-                        .surface = surfaces_.take() ? &surfaces_.current() : nullptr,
-                        .rearm = asked_to_rearm()};
-  device_.put(loop_.in_patient_frame(in.reading.at));
-  device_to_surface_.put(loop_.in_patient_frame(in.reading.at));
-  loop::TickOut out = loop_.tick(in);
-  const Clock::time_point decided = Clock::now();
-  rig_.apply({out.force, out.torque}, loop_.in_device_frame(out.contact), dt_s);
-
-  out.sample.tick = tick_++;
+  const loop::TickIn given{.now = now,
+                           .dt_s = dt_s,
+                           .surface = surfaces_.take() ? &surfaces_.current() : nullptr,
+                           .rearm = asked_to_rearm()};
+  Clock::time_point decided;
+  std::optional<core::JournalTick> kept;
+  if (journal_ != nullptr) kept.emplace().tick = tick_;
+  loop::TickOut out = loop::tick_at_rig(
+      loop_, rig_, given,
+      [&](const loop::TickIn& in) {
+        if (kept) keep(in, *kept);
+        device_.put(loop_.in_patient_frame(in.reading.at));
+        device_to_surface_.put(loop_.in_patient_frame(in.reading.at));
+      },
+      [&decided](const loop::TickIn&, const loop::TickOut&) { decided = Clock::now(); });
+  if (kept) {
+    keep(out, *kept);
+    journal_->add(*kept);
+  }
   out.sample.stamp_ns = to_nanoseconds(now);
   out.sample.late_ns = static_cast<std::uint32_t>(due.late.count());
   out.sample.work_us = std::chrono::duration<float, std::micro>(decided - began).count();
+  hand_over(out.sample);
+}
+
+/// Numbers the tick, and hands it and what is due with it to the network thread.
+void HapticThread::hand_over(loop::TickSample& sample) noexcept {
+  sample.tick = tick_++;
   if (tick_ % kTicksPerCompensation == 0) {
     loop::Compensation compensation = loop_.compensation();
-    compensation.stamp_ns = out.sample.stamp_ns;
+    compensation.stamp_ns = sample.stamp_ns;
     compensation_.put(compensation);
   }
   if (tick_ % kTicksPerBill == 0) bill_.put(bill_of(loop_.controller().effects()));
-  if (!ticks_.try_push(out.sample)) counts_.ticks_dropped.fetch_add(1, std::memory_order_relaxed);
+  if (!ticks_.try_push(sample)) counts_.ticks_dropped.fetch_add(1, std::memory_order_relaxed);
 }
 
 }  // namespace telepalp::station

@@ -14,6 +14,8 @@
 
 namespace telepalp::station {
 
+class JournalThread;
+
 /// Ring of ticks from the haptic thread to the network thread; it holds 2 s.
 using TickRing = SpscRing<loop::TickSample, 4096>;
 
@@ -33,6 +35,8 @@ class HapticThread {
   HapticThread(loop::HapticLoop& loop, ports::Rig& rig, LatestValue<loop::TouchableSurface>& surfaces, TickRing& ticks,
                LatestValue<Point<HapticBase>>& device_to_surface)
       : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks), device_to_surface_(device_to_surface) {}
+  /// Keeps each tick in `journal`, which must outlive this object. Call it before start().
+  void write_to(JournalThread& journal) noexcept { journal_ = &journal; }
   ~HapticThread() { stop(); }
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
@@ -62,6 +66,7 @@ class HapticThread {
   void run() noexcept;
   void greet_device(TickTimer& timer) noexcept;
   [[nodiscard]] bool asked_to_rearm() noexcept;
+  void hand_over(loop::TickSample& sample) noexcept;
 
   loop::HapticLoop& loop_;                             // owner: haptic thread
   ports::Rig& rig_;                                    // owner: haptic thread
@@ -75,6 +80,7 @@ class HapticThread {
   std::atomic<std::int64_t> clock_offset_ns_{0};
   std::atomic<bool> running_{false};
   std::atomic<bool> rearm_{false};
+  JournalThread* journal_ = nullptr;  // nullptr: no journal is written
   std::uint64_t tick_ = 0;
   std::thread thread_;
 };

@@ -108,4 +108,6 @@ void use_pcl_indexes() noexcept {
   set_pcl_indexes({.kdtree = make_pcl_kdtree_index, .organized = make_pcl_organized_index});
 }
 
+void use_nanoflann_indexes() noexcept { set_pcl_indexes({}); }
+
 }  // namespace telepalp::surface

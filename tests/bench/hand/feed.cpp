@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptic_station/core/virtual_driver.h"
+
 namespace telepalp::bench::hand {
 namespace {
 
@@ -12,7 +14,10 @@ constexpr double kBurst_frames = 4.0;
 
 Feed::Feed(Settings settings)
     : settings_(std::move(settings)),
-      builder_(settings_.builder),
+      stage_(
+          settings_.builder,
+          [place = settings_.haptic_from_camera](const DepthImage&, const Intrinsics&) { return place; },
+          settings_.effects),
       random_(settings_.link.seed),
       loss_(settings_.link.loss, kBurst_frames) {}
 
@@ -33,11 +38,13 @@ std::shared_ptr<const surface::SurfaceSnapshot> Feed::step(double time_s, const 
     capture(static_cast<double>(frames_) / settings_.frame_hz);
   std::shared_ptr<const surface::SurfaceSnapshot> newest;
   while (!on_the_way_.empty() && on_the_way_.front().arrives_s <= time_s) {
-    const Frame& frame = on_the_way_.front();
+    Frame& frame = on_the_way_.front();
     newest_captured_s_ = std::max(newest_captured_s_, frame.captured_s);
-    if (auto snapshot = builder_.add(frame.depth, settings_.patient->settings().camera, at_time(frame.captured_s),
-                                     surface::Reach{device, surface::kReach_m}))
-      newest = std::move(snapshot);
+    stage_.arrived(core::seen_image(std::move(frame.depth), settings_.patient->settings().camera,
+                                    at_time(frame.captured_s), static_cast<std::uint64_t>(frames_), at_time(time_s)));
+    if (auto result = core::run_at_once(stage_, at_time(time_s), settings_.haptic_from_camera * device);
+        result->surface)
+      newest = std::move(result->surface->snapshot);
     on_the_way_.pop_front();
   }
   return newest;

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "haptic_station/core/surface_stage.h"
 #include "haptic_station/device/random.h"
-#include "haptic_station/surface/build/surface_builder.h"
 #include "proto/impaired/gilbert_elliott.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 
@@ -25,7 +25,7 @@ using PoseScript = std::function<capture::PatientPose(double time_s)>;
 /// Damages a frame on its way; false: the frame is lost.
 using Damage = std::function<bool(double captured_s, DepthImage& depth)>;
 
-/// The camera on the patient, the link, and the station's SurfaceBuilder. Snapshots are built in the order in which
+/// The camera on the patient, the link, and the station's surface stage. Snapshots are built in the order in which
 /// frames arrive. Stations that share the feed may each add a delay.
 class Feed {
  public:
@@ -36,6 +36,8 @@ class Feed {
     Link link;
     surface::SurfaceSettings builder;
     double frame_hz = 30.0;
+    effects::EffectBank effects = {};  ///< the skin above their objects is followed, as by the station
+    Transform<HapticBase, DepthCamera> haptic_from_camera = {};  ///< of these objects
   };
   explicit Feed(Settings settings);
 
@@ -45,9 +47,6 @@ class Feed {
 
   /// Time of capture [s] of the newest image that has arrived, even if the builder rejected it; -1 before any image.
   [[nodiscard]] double newest_captured_s() const noexcept { return newest_captured_s_; }
-
-  /// Follows these places on the skin, as the station's surface thread does for the scene's objects.
-  void watch(const surface::MarkLines& lines) { builder_.watch(lines); }
 
   [[nodiscard]] capture::TrueSurface truth(double time_s) const {
     return settings_.patient->surface_of(settings_.pose(time_s));
@@ -64,7 +63,7 @@ class Feed {
 
   Settings settings_;
   double newest_captured_s_ = -1.0;
-  surface::SurfaceBuilder builder_;
+  core::SurfaceStage stage_;
   device::Random random_;
   std::deque<Frame> on_the_way_;  ///< ordered by arrival
   std::int64_t frames_ = 0;

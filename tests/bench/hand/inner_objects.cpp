@@ -71,6 +71,8 @@ struct Met {
 /// How the object is met at `at_m`, with the patient in `pose` from the third second on.
 Met met_at(Object object, const capture::PatientPose& pose, const Eigen::Vector3d& at_m) {
   const auto patient = torso();
+  const auto placed = haptic_from_camera(*patient, spots()[0]);
+  const StationSettings settings = with_object(object);
   Feed feed({.patient = patient,
              .pose =
                  [&](double t) {
@@ -81,10 +83,9 @@ Met met_at(Object object, const capture::PatientPose& pose, const Eigen::Vector3
                    return now;
                  },
              .link = {},
-             .builder = {}});
-  const auto placed = haptic_from_camera(*patient, spots()[0]);
-  const StationSettings settings = with_object(object);
-  feed.watch(loop::mark_lines(settings.effects, placed.inverse()));
+             .builder = {},
+             .effects = settings.effects,
+             .haptic_from_camera = placed});
   BenchStation station(settings, placed, std::make_unique<RigidHand>(press(at_m, 5.0, 0.075)));
   Met result;
   bool met = false;

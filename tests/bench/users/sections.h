@@ -31,4 +31,9 @@ namespace telepalp::bench {
 /// judged by telepalp-replay --baseline or telepalp-report --assert.
 [[nodiscard]] Result<std::vector<Row>> run_gate_section(const UsersPlace& place);
 
+/// A station's journal against telepalp-replay: real server and station over sockets, under load, with the settings
+/// fast, cloud and paper in turn. TELEPALP_JOURNAL_RUNS (10) and TELEPALP_JOURNAL_SECONDS (60) set the runs' number and
+/// length.
+[[nodiscard]] Result<std::vector<Row>> run_journal_section(const UsersPlace& place);
+
 }  // namespace telepalp::bench

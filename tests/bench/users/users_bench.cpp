@@ -11,6 +11,7 @@ namespace {
 const std::vector<UsersSection> kSections{
     {"gate", "twelve planted defects against a gate", run_gate_section},
     {"bill", "what a scene costs, by its bill and as measured at the station's process", run_bill_section},
+    {"journal", "a station's journal, computed again to the last bit", run_journal_section},
     {"page", "a server that is silent, and a played session that is moved image by image", run_page_section},
     {"layout", "the patient's share of the page", run_layout_section},
     {"records", "damaged sessions, and whether verify and repair say so", run_records_section},

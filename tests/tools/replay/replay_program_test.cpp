@@ -239,4 +239,58 @@ TEST_F(ReplayProgram, AnInterruptedSweepKeepsItsFinishedCellsAndTheSameCommandRe
   EXPECT_EQ(from_the_start.find("were finished before"), std::string::npos) << from_the_start;
 }
 
+/// A live station over real sockets with a journal of `seconds`; its exit code and what it said.
+std::pair<int, std::string> keep_journal(const fs::path& folder, const std::string& setting,
+                                         const std::string& seconds) {
+  const fs::path bin = TELEPALP_BINARY_DIR "/bin";
+  const fs::path ready = folder / "ready";
+  support::ChildProcess server(bin / "telepalp-server", {"--port", "0", "--ready-file", ready}, folder / "server.log");
+  const auto port = support::await_ready(ready, "port");
+  if (!port) return {-1, bytes_of(folder / "server.log")};
+  support::ChildProcess station(bin / "telepalp-station",
+                                {"--connect", "127.0.0.1:" + *port, "--surface", setting, "--control", "none",
+                                 "--state-dir", folder, "--seconds", seconds, "--journal", folder / "a.journal"},
+                                folder / "station.log");
+  const std::optional<int> code = station.wait(60s);
+  return {code.value_or(-1), bytes_of(folder / "station.log")};
+}
+
+TEST_F(ReplayProgram, ComputesTheJournalOfALiveStationAgainToTheLastBit) {
+  for (const std::string setting : {"fast", "paper"}) {
+    const auto [kept, station] = keep_journal(in(""), setting, "4");
+    ASSERT_EQ(kept, 0) << station;
+    EXPECT_NE(station.find("the journal holds "), std::string::npos) << station;
+    const auto [code, said] = run("telepalp-replay", {"--journal", in("a.journal"), "--out", in("forces")});
+    EXPECT_EQ(code, 0) << said;
+    EXPECT_NE(said.find("force     0\nphase     0\nproxy     0\n"), std::string::npos) << said;
+    EXPECT_GT(fs::file_size(in("forces/forces-live.csv")), 100'000U);
+    EXPECT_TRUE(bytes_of(in("forces/forces-live.csv")) == bytes_of(in("forces/forces-replayed.csv"))) << setting;
+  }
+}
+
+TEST_F(ReplayProgram, SaysThatAJournalWasCutOffOrIsNone) {
+  ASSERT_EQ(keep_journal(in(""), "fast", "2").first, 0);
+  fs::resize_file(in("a.journal"), fs::file_size(in("a.journal")) / 2);
+  const auto [code, said] = run("telepalp-replay", {"--journal", in("a.journal")});
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("note: the journal was cut off: it is read up to its last whole block"), std::string::npos)
+      << said;
+  std::ofstream(in("none")) << "nothing";
+  const auto [refused, why] = run("telepalp-replay", {"--journal", in("none")});
+  EXPECT_EQ(refused, 2) << why;
+  EXPECT_NE(why.find("fix: give a file that telepalp-station --journal FILE wrote"), std::string::npos) << why;
+  const auto [beside, which] = run("telepalp-replay", {"synthetic:torso", "--journal", in("a.journal")});
+  EXPECT_EQ(beside, 2) << which;
+}
+
+TEST_F(ReplayProgram, RunsTheSettingOfThePaperInVirtualTime) {
+  std::string scene = bytes_of(TELEPALP_SOURCE_DIR "/haptic_station/scenes/skin.scene.textproto");
+  std::ofstream(in("paper.scene.textproto")) << scene << "\nsurface { name: \"paper\" }\n";
+  const auto [code, said] = run("telepalp-replay", {"synthetic:torso,motion=irregular,width=160", "--seconds", "4",
+                                                    "--scene", in("paper.scene.textproto"), "--out", in("a"),
+                                                    "--assert", "force_max_N>0.2,frames_touched_pct>90"});
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(bytes_of(in("a/report.json")).find("\"surface_setting\": \"paper\""), std::string::npos);
+}
+
 }  // namespace

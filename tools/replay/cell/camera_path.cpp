@@ -66,6 +66,14 @@ std::uint64_t CameraPath::transmit(link::DatagramLink& from, Wire& to, SessionTi
 
 std::optional<link::Frame> CameraPath::take(SessionTime now) { return ends_->station.take(now); }
 
-bool CameraPath::key_frame_wanted() { return (ends_->server.key_frames_wanted() & (1U << kDepthChannel)) != 0; }
+void CameraPath::request_key_frame(SessionTime now) {
+  if (!key_frame_request_) key_frame_request_ = now + scenario_.up.delay;
+}
+
+bool CameraPath::key_frame_wanted(SessionTime now) {
+  const bool requested = key_frame_request_ && *key_frame_request_ <= now;
+  if (requested) key_frame_request_.reset();
+  return (ends_->server.key_frames_wanted() & (1U << kDepthChannel)) != 0 || requested;
+}
 
 }  // namespace telepalp::replay

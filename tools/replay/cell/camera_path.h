@@ -30,8 +30,10 @@ class CameraPath {
   void exchange(SessionTime now);
   /// The next frame that is complete at the station; nullopt: none.
   [[nodiscard]] std::optional<link::Frame> take(SessionTime now);
-  /// True if the station needs a depth key frame. The call clears the request.
-  [[nodiscard]] bool key_frame_wanted();
+  /// The station's request for a depth key frame, which reaches the server after the network's delay.
+  void request_key_frame(SessionTime now);
+  /// True if a request of the station, or of its end of the link, has reached the server. The call clears them.
+  [[nodiscard]] bool key_frame_wanted(SessionTime now);
   /// True while the server restarts (Faults::restarts).
   [[nodiscard]] bool server_is_away(SessionTime now) const noexcept;
   [[nodiscard]] const PathCounts& counts() const noexcept { return counts_; }
@@ -50,6 +52,7 @@ class CameraPath {
   std::unique_ptr<Ends> ends_;
   std::uint32_t link_sessions_ = 0;
   bool was_away_ = false;
+  std::optional<SessionTime> key_frame_request_;  ///< when the station's request reaches the server
   PathCounts counts_;
 };
 

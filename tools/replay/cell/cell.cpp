@@ -1,6 +1,7 @@
 #include "tools/replay/cell/cell.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace telepalp::replay {
@@ -10,6 +11,22 @@ constexpr std::size_t kMostRecent = 256;
 
 const effects::SkinLaw* law_of(const scenes::Scene& scene) {
   return scene.effects.skin() == nullptr ? nullptr : &scene.effects.skin()->law();
+}
+
+/// The message of an arrived frame. Its image is known if the tape has decoded the same bytes.
+core::ArrivedDepth depth_of(const link::Frame& frame, const std::shared_ptr<const TapeFrame>& taped, SessionTime now) {
+  const auto bytes = std::as_bytes(std::span(taped->depth));
+  const bool known = std::equal(bytes.begin(), bytes.end(), frame.bytes.begin(), frame.bytes.end());
+  const auto payload = known ? std::shared_ptr<const std::string>(taped, &taped->depth)  // shared: the tape's own bytes
+                             : std::make_shared<const std::string>(reinterpret_cast<const char*>(frame.bytes.data()),
+                                                                   frame.bytes.size());
+  return {.depth = {.topic = wire::kCameraDepth,
+                    .published = frame.captured,
+                    .payload = payload,
+                    .key_frame = frame.key_frame},
+          .camera = taped->frame.camera.depth,
+          .received = now,
+          .decoded = known ? std::shared_ptr<const DepthImage>(taped, &taped->frame.depth) : nullptr};
 }
 
 }  // namespace
@@ -46,8 +63,7 @@ void Cell::count_complete(const link::Frame& frame, bool has_color, SessionTime 
 void Cell::receive(const link::Frame& frame, SessionTime now) {
   const std::shared_ptr<const TapeFrame> taped = sender_.sent(frame.number);
   count_complete(frame, taped && !taped->color.empty(), now);
-  if (frame.channel == kDepthChannel && frame.newest)
-    station_.arrived({.number = frame.number, .bytes = frame.bytes, .taped = taped, .received = now});
+  if (frame.channel == kDepthChannel && frame.newest && taped) station_.arrived(depth_of(frame, taped, now));
 }
 
 TickRecord Cell::tick() {
@@ -55,6 +71,7 @@ TickRecord Cell::tick() {
   watch_.sample(Part::Link, [&] { path_.exchange(now_); });
   while (const auto frame = path_.take(now_)) receive(*frame, now_);
   const TickOutcome outcome = station_.tick(now_, watch_);
+  if (station_.key_frame_wanted()) path_.request_key_frame(now_);
   if (auto times = station_.touchable()) {
     touched_.push_back(session_time(times->captured_ns));
     touchable_.push_back(*times);

@@ -25,7 +25,7 @@ FrameSender::FrameSender(const Scenario& scenario, const TapeSettings& tape)
 
 /// A server that is away captures nothing, and begins with a key frame afterwards.
 void FrameSender::step(SessionTime now, CameraPath& path, Stopwatch& watch) {
-  if (path.key_frame_wanted()) pacing_.requested = true;
+  if (path.key_frame_wanted(now)) pacing_.requested = true;
   while (!captured_.empty() && captured_.front()->frame.captured + scenario_.stages.encode <= now) {
     const std::shared_ptr<const TapeFrame> frame = captured_.front();
     captured_.pop_front();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "haptic_station/loop/rig_tick.h"
+
 namespace telepalp::replay {
 namespace {
 
@@ -38,18 +40,8 @@ class ReplayedStation::Telemetry {
     ++received_;
     publisher_.frame_received();
   }
-  void touchable(const BuiltSurface& built, SessionTime now) {
+  void touchable(const msg::SurfaceReport& report, SessionTime now) {
     ++touched_;
-    msg::SurfaceReport report;
-    report.set_captured_ns(static_cast<std::uint64_t>(built.times.captured_ns));
-    report.set_encoded_ns(static_cast<std::uint64_t>(built.times.encoded_ns));
-    report.set_received_ns(static_cast<std::uint64_t>(built.times.received_ns));
-    report.set_decoded_ns(static_cast<std::uint64_t>(built.times.decoded_ns));
-    report.set_touchable_ns(static_cast<std::uint64_t>(built.times.touchable_ns));
-    report.set_sequence(built.times.number);
-    report.set_points(built.surface.snapshot->points);
-    report.set_index(built.surface.snapshot->index_name);
-    report.set_build_ms(1e3 * built.build_s);
     publish_(wire::make_message(wire::kStationSurface, now, report));
   }
 
@@ -66,14 +58,18 @@ ReplayedStation::ReplayedStation(const StationSetup& setup, const Scenario& scen
     : scenario_(scenario),
       rig_(rig_of(setup, scenario)),
       loop_({}, {setup.scene.control, setup.scene.effects}),
-      surfaces_(scenario.stages, setup.surface, setup.haptic_from_camera, setup.scene.effects),
-      telemetry_(publish ? std::make_unique<Telemetry>(setup.scene.name, std::move(publish)) : nullptr) {}
+      surfaces_(
+          setup.surface, [placed = setup.haptic_from_camera](const DepthImage&, const Intrinsics&) { return placed; },
+          setup.scene.effects),
+      telemetry_(publish ? std::make_unique<Telemetry>(setup.scene.name, std::move(publish)) : nullptr) {
+  if (!surface::runs_in_tick(setup.surface)) collision_.emplace();
+}
 
 ReplayedStation::~ReplayedStation() = default;
 
-void ReplayedStation::arrived(ArrivedDepth frame) {
+void ReplayedStation::arrived(core::ArrivedDepth frame) {
   if (telemetry_) telemetry_->received();
-  surfaces_.arrived(std::move(frame));
+  if (surfaces_.admit(frame.depth.payload->size())) surfaces_.arrived(std::move(frame));
 }
 
 SessionTime ReplayedStation::clock(SessionTime now) const noexcept {
@@ -89,31 +85,63 @@ ports::DeviceReading ReplayedStation::spoiled(ports::DeviceReading reading, Nano
 }
 
 /// Messages carry `true_now`, so that a wrong clock of the station does not put the messages of a topic out of order.
-void ReplayedStation::report_touchable(const BuiltSurface& built, SessionTime true_now) {
-  if (telemetry_) telemetry_->touchable(built, true_now);
-  touchable_ = built.times;
+void ReplayedStation::report(const msg::SurfaceReport& report, SessionTime true_now) {
+  if (telemetry_) telemetry_->touchable(report, true_now);
+  touchable_ = FrameTimes{.number = static_cast<std::uint32_t>(report.sequence()),
+                          .captured_ns = static_cast<std::int64_t>(report.captured_ns()),
+                          .encoded_ns = static_cast<std::int64_t>(report.encoded_ns()),
+                          .received_ns = static_cast<std::int64_t>(report.received_ns()),
+                          .decoded_ns = static_cast<std::int64_t>(report.decoded_ns()),
+                          .touchable_ns = static_cast<std::int64_t>(report.touchable_ns())};
+}
+
+std::optional<loop::TouchableSurface> ReplayedStation::newer_surface(SessionTime true_now, Stopwatch& watch) {
+  if (auto result = surface_driver_.finished(true_now)) {
+    if (result->unreadable) key_frame_wanted_ = true;
+    if (result->surface) report(result->report, true_now);
+    if (!result->surface) ++undecodable_;
+    return result->surface;
+  }
+  Stopwatch::Laps laps(watch);
+  const auto cost = [&](core::StageStep step) {
+    if (step == core::StageStep::Decoded) laps.end(Part::Decode);
+    if (step == core::StageStep::Done) laps.end(Part::Build);
+    return scenario_.stages.decode + (step == core::StageStep::Done ? scenario_.stages.build : Nanoseconds{0});
+  };
+  surface_driver_.begin(true_now, surfaces_, cost, device_);
+  return std::nullopt;
+}
+
+std::optional<loop::TouchableSurface> ReplayedStation::newer_plane(SessionTime true_now) {
+  const auto result = collision_driver_.finished(true_now);
+  if ((true_now - kBegin) % core::CollisionStage::kPeriod == Nanoseconds{0})
+    collision_driver_.begin(
+        true_now, *collision_, [&](core::StageStep) { return scenario_.stages.collision; },
+        std::exchange(to_collision_, std::nullopt), device_);
+  return result ? result->plane : std::nullopt;
 }
 
 TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
-  const SessionTime now = clock(true_now);
   const Nanoseconds since = true_now - kBegin;
   touchable_.reset();
-  std::optional<BuiltSurface> built = surfaces_.step(true_now, device_, watch);
-  if (built) report_touchable(*built, true_now);
+  std::optional<loop::TouchableSurface> newer = newer_surface(true_now, watch);
+  if (collision_) {
+    if (newer) to_collision_ = std::move(newer);
+    newer = newer_plane(true_now);
+  }
   TickOutcome out{.at = true_now, .tracker_lost = any_contains(scenario_.faults.tracker_lost, since)};
   watch.sample(Part::Loop, [&] {
-    loop::TickIn in{.now = now,
-                    .dt_s = to_seconds(kTick),
-                    .hand = rig_->hand(now),
-                    .reading = rig_->read(),
-                    .surface = built ? &built->surface : nullptr};
-    if (out.tracker_lost) in.hand.reset();
-    device_ = out.device = loop_.in_patient_frame(in.reading.at);
-    in.reading = spoiled(in.reading, since);
-    out.act = loop_.tick(in);
-    rig_->apply(out.act.force, loop_.in_device_frame(out.act.contact), to_seconds(kTick));
+    out.act = loop::tick_at_rig(
+        loop_, *rig_, {.now = clock(true_now), .dt_s = to_seconds(kTick), .surface = newer ? &*newer : nullptr},
+        [&](loop::TickIn& in) {
+          if (out.tracker_lost) in.hand.reset();
+          out.device = loop_.in_patient_frame(in.reading.at);
+          in.reading = spoiled(in.reading, since);
+          device_ = loop_.in_patient_frame(in.reading.at);
+        },
+        [](const loop::TickIn&, const loop::TickOut&) {});
   });
-  if (built) touched_ = std::move(built->surface.snapshot);  // the loop no longer refers to the last snapshot
+  if (newer) touched_ = std::move(*newer);  // the loop no longer refers to the last snapshot
   if (telemetry_) watch.sample(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, loop_); });
   return out;
 }

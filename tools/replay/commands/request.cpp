@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "codec/depth.h"
 #include "support/program/files/whole_file.h"
@@ -35,11 +36,6 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   const Result<surface::SurfaceSettings> surface =
       name.empty() ? surface::SurfaceSettings{} : surface::surface_settings(name);
   if (!surface) return surface.error();
-  if (!surface::runs_in_tick(*surface))
-    return Error{
-        .what = "the surface setting " + name + " cannot run in virtual time, because it needs a thread of its own",
-        .where = file->string(),
-        .fix = "give a scene with another surface setting, such as fast"};
   request.surface = *surface;
   std::ifstream text(*file);
   request.scene_text.assign(std::istreambuf_iterator<char>(text), {});
@@ -159,26 +155,41 @@ Result<void> read_sweep(const program::Arguments& arguments, Request& request) {
   return {};
 }
 
-/// A storm draws its own sources and networks. An option that it would ignore is refused.
-Result<void> refuse_beside_storm(const program::Arguments& arguments) {
-  const auto refused = [](const std::string& where) {
-    return Error{.what = "cannot be combined with --storm, which draws source, network and faults at random",
+/// Refuses the source, and each option that is not in `goes_with`: the option `mode` would ignore it. `why`: what
+/// `mode` does instead.
+Result<void> refuse_beside(const program::Arguments& arguments, const std::string& mode, const std::string& why,
+                           const std::set<std::string_view>& goes_with) {
+  const auto refused = [&](const std::string& where) {
+    return Error{.what = "cannot be combined with " + mode + ", " + why,
                  .where = where,
-                 .fix = "leave out " + where + ", or leave out --storm"};
+                 .fix = "leave out " + where + ", or leave out " + mode};
   };
   if (!arguments.positional().empty()) return refused(arguments.positional().front());
   for (const program::Option& option : usage().options) {
     const bool given =
         arguments.has(option.name) && (option.initial.empty() || arguments.text(option.name) != option.initial);
-    if (given && option.name != "storm" && option.name != "seed" && option.name != "threads")
-      return refused("--" + std::string(option.name));
+    if (given && !goes_with.contains(option.name)) return refused("--" + std::string(option.name));
   }
   return {};
 }
 
+Result<Request> read_journal(const program::Arguments& arguments) {
+  if (const Result<void> alone =
+          refuse_beside(arguments, "--journal", "which holds its own source and scene", {"journal", "out"});
+      !alone)
+    return alone.error();
+  Request request;
+  request.journal = arguments.text("journal");
+  request.out = arguments.text("out");
+  return request;
+}
+
 Result<void> read_storm(const program::Arguments& arguments, Request& request) {
   if (!arguments.has("storm")) return {};
-  if (const Result<void> alone = refuse_beside_storm(arguments); !alone) return alone;
+  if (const Result<void> alone = refuse_beside(arguments, "--storm", "which draws source, network and faults at random",
+                                               {"storm", "seed", "threads"});
+      !alone)
+    return alone;
   const Result<std::int64_t> seeds = arguments.whole("storm", 1, kMostSeeds);
   if (!seeds) return seeds.error();
   request.storm_seeds = static_cast<int>(*seeds);
@@ -225,6 +236,7 @@ program::Usage usage() {
                         {"threads", "N", "0: one per core; no influence on the results", "0"},
                         {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5%"},
                         {"storm", "SEEDS", "make this many random runs, and check each of them"},
+                        {"journal", "FILE", "compute a live run again; exit code 1 if a force differs"},
                         {"check", "", "check force, energy and contact as --storm does"},
                         {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
                         {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if any is false"},
@@ -235,6 +247,7 @@ program::Usage usage() {
 }
 
 Result<Request> read_request(const program::Arguments& arguments) {
+  if (arguments.has("journal")) return read_journal(arguments);
   Request request;
   if (const Result<void> read = read_storm(arguments, request); !read) return read.error();
   if (request.storm_seeds) {

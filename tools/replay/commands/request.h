@@ -34,7 +34,8 @@ struct Request {
   RecordedHand recorded;  ///< empty: the simulated hand repeats scenario.hand
   double seconds = 0.0;
   int threads = 1;
-  std::filesystem::path out;  ///< empty: no files
+  std::filesystem::path journal;  ///< of a station, to be computed again; empty: none
+  std::filesystem::path out;      ///< empty: no files
   std::vector<Assertion> assertions;
   std::filesystem::path junit;     ///< empty: none
   std::filesystem::path baseline;  ///< session that the run is compared with; empty: none

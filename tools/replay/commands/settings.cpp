@@ -62,6 +62,7 @@ std::map<std::string, std::string> settings_of(const Request& request, const Sce
           {"encode_ms", milliseconds(scenario.stages.encode)},
           {"decode_ms", milliseconds(scenario.stages.decode)},
           {"build_ms", milliseconds(scenario.stages.build)},
+          {"collision_ms", milliseconds(scenario.stages.collision)},
           {"deadline_ms", milliseconds(scenario.deadline)},
           {"network_down", direction(scenario.down)},
           {"network_up", direction(scenario.up)},

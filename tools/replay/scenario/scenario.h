@@ -45,6 +45,7 @@ struct StageTimes {
   Nanoseconds encode = std::chrono::milliseconds(5);  ///< from capture until the frame is offered to the link
   Nanoseconds decode = std::chrono::milliseconds(3);
   Nanoseconds build = std::chrono::milliseconds(5);
+  Nanoseconds collision = std::chrono::milliseconds(1);  ///< of settings that need the collision detection
 };
 
 /// What a simulated person does at the device, round after round.

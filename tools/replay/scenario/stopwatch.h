@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace telepalp::replay {
 
@@ -36,6 +37,19 @@ class Stopwatch {
     const Booking booking(*this, part, kSampled);
     return work();
   }
+  /// The costs of parts that follow each other: the time since the begin or the last end() belongs to one part.
+  class Laps {
+   public:
+    explicit Laps(Stopwatch& watch) noexcept : watch_(watch), began_(watch.clock_()) {}
+    void end(Part part) noexcept {
+      const std::int64_t now = watch_.clock_();
+      watch_.costs_[static_cast<std::size_t>(part)] += now - std::exchange(began_, now);
+    }
+
+   private:
+    Stopwatch& watch_;
+    std::int64_t began_;
+  };
   [[nodiscard]] std::int64_t cost_ns(Part part) const noexcept { return costs_[static_cast<std::size_t>(part)]; }
   void add(const Stopwatch& other) noexcept {
     for (std::size_t i = 0; i < kPartCount; ++i) costs_[i] += other.costs_[i];

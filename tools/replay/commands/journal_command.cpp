@@ -1,0 +1,123 @@
+#include "tools/replay/commands/journal_command.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+
+#include "haptic_station/core/journal/journal_replay.h"
+#include "haptic_station/station/rigs/journaled_scene.h"
+#include "haptic_station/station/rigs/placement.h"
+#include "proto/words/counted.h"
+#include "support/program/files/whole_file.h"
+#include "support/program/version.h"
+
+namespace telepalp::replay {
+namespace {
+
+using core::JournalReader;
+using core::JournalVerdict;
+
+std::string mine() { return std::string(program::version()) + ", commit " + program::commit(); }
+std::string writer_of(const msg::JournalHeader& header) { return header.version() + ", commit " + header.commit(); }
+
+/// What a reader of the verdict must know of the journal.
+std::vector<std::string> remarks_of(const JournalReader& reader) {
+  std::vector<std::string> remarks;
+  const msg::JournalHeader& header = reader.header();
+  if (writer_of(header) != mine())
+    remarks.push_back("another binary wrote the journal: this program is " + mine() +
+                      "; a difference may come from the code between the two");
+  if (header.machine() != station::processor_model())
+    remarks.push_back("another machine wrote the journal: this one has a " + station::processor_model());
+  if (!reader.end())
+    remarks.push_back("the journal was cut off: it is read up to its last whole block, at byte " +
+                      std::to_string(reader.whole_bytes()));
+  else if (reader.end()->ticks_lost() + reader.end()->runs_lost() > 0)
+    remarks.push_back("the journal is incomplete: the station's disk was too slow for " +
+                      counted(reader.end()->ticks_lost(), "tick", "ticks") + " and " +
+                      counted(reader.end()->runs_lost(), "run", "runs") + " of the stages");
+  return remarks;
+}
+
+std::string in_words(const std::string& file, const JournalReader& reader, const JournalVerdict& verdict) {
+  const msg::JournalHeader& header = reader.header();
+  std::string text = "journal:  " + file + "\nwritten:  " + header.program() + " " + writer_of(header) + ", on " +
+                     header.machine() + "\nscene:    " + header.scene_file() + ", surface setting " +
+                     header.surface_setting() + "\nreplayed: " + counted(verdict.ticks, "tick", "ticks") + ", " +
+                     counted(verdict.surface_runs, "surface run", "surface runs") + ", " +
+                     counted(verdict.collision_runs, "collision run", "collision runs") +
+                     "\n\nticks whose values differ from the journal's, as doubles\nforce     " +
+                     std::to_string(verdict.forces_differ) + "\nphase     " + std::to_string(verdict.phases_differ) +
+                     "\nproxy     " + std::to_string(verdict.proxies_differ) + "\n";
+  if (verdict.first_difference) text += "the first of them is tick " + std::to_string(*verdict.first_difference) + "\n";
+  if (verdict.stopped) text += "stopped: " + *verdict.stopped + "\n";
+  if (verdict.ticks == 0) text += "the journal holds no tick\n";
+  for (const std::string& remark : remarks_of(reader)) text += "note: " + remark + "\n";
+  return text;
+}
+
+/// The forces of both runs as text, exact: equal files are equal doubles.
+class ForceFiles {
+ public:
+  void add(const msg::JournalTick& tick, const Eigen::Vector3d& force_N) {
+    live_ += line(tick.tick(), {tick.force(0), tick.force(1), tick.force(2)});
+    replayed_ += line(tick.tick(), force_N);
+  }
+  [[nodiscard]] Result<void> write(const std::filesystem::path& folder) const {
+    if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;
+    for (const auto& [name, lines] : {std::pair{"forces-live.csv", &live_}, {"forces-replayed.csv", &replayed_}})
+      if (const Result<void> written =
+              program::write_whole_file(folder / name, "tick,x_N,y_N,z_N\n" + *lines, program::Readers::Group);
+          !written)
+        return written;
+    return {};
+  }
+
+ private:
+  static std::string line(std::uint64_t tick, const Eigen::Vector3d& force_N) {
+    std::array<char, 128> text{};
+    std::snprintf(text.data(), text.size(), "%llu,%.17g,%.17g,%.17g\n", static_cast<unsigned long long>(tick),
+                  force_N.x(), force_N.y(), force_N.z());
+    return text.data();
+  }
+  std::string live_;
+  std::string replayed_;
+};
+
+JournalVerdict verdict_of(JournalReader& reader, const station::JournaledScene& journaled, ForceFiles* files) {
+  const scenes::Scene& scene = journaled.scene;
+  loop::HapticLoop loop({}, {scene.control, scene.effects});
+  core::SurfaceStage surfaces(
+      journaled.surface,
+      [&scene](const DepthImage& depth, const Intrinsics& camera) { return station::placed(scene, depth, camera); },
+      scene.effects);
+  core::CollisionStage collision;
+  const bool in_tick = surface::runs_in_tick(journaled.surface);
+  core::JournalReplay replay(loop, surfaces, in_tick ? nullptr : &collision,
+                             [files](const msg::JournalTick& tick, const Eigen::Vector3d& force_N) {
+                               if (files != nullptr) files->add(tick, force_N);
+                             });
+  return replay.run(reader);
+}
+
+}  // namespace
+
+Result<bool> run_journal(const Request& request) {
+  std::ifstream in(request.journal, std::ios::binary);
+  if (!in)
+    return Error{.what = "cannot be read",
+                 .where = request.journal.string(),
+                 .fix = "give a file that telepalp-station --journal FILE wrote"};
+  Result<JournalReader> reader = JournalReader::open(in, request.journal.string());
+  if (!reader) return reader.error();
+  const Result<station::JournaledScene> journaled = station::journaled_scene(reader->header());
+  if (!journaled) return journaled.error();
+  ForceFiles files;
+  const JournalVerdict verdict = verdict_of(*reader, *journaled, request.out.empty() ? nullptr : &files);
+  std::fputs(in_words(request.journal.string(), *reader, verdict).c_str(), stdout);
+  if (!request.out.empty())
+    if (const Result<void> written = files.write(request.out); !written) return written.error();
+  return verdict.equal();
+}
+
+}  // namespace telepalp::replay
