@@ -103,7 +103,7 @@ bool JournalReplay::tick(const msg::JournalTick& recorded) {
 }
 
 void JournalReplay::compare(const msg::JournalTick& recorded, const loop::TickOut& out) {
-  const bool force = same_bits(recorded.force(), out.force.N);
+  const bool force = same_bits(recorded.force(), out.force.N) && same_bits(recorded.torque(), out.torque.N_m);
   const bool phase = recorded.phase() == static_cast<std::uint32_t>(out.control.phase);
   const bool proxy = same_bits(recorded.proxy(), out.contact.proxy.m);
   ++verdict_.ticks;

@@ -19,6 +19,12 @@ msg::JournalTick message_of(const JournalTick& tick) {
   message.mutable_device()->Add(tick.device_m.begin(), tick.device_m.end());
   message.mutable_device()->Add(tick.device_m_per_s.begin(), tick.device_m_per_s.end());
   message.add_device(tick.device_age_s);
+  if (tick.has_tool_attitude) {
+    message.mutable_tool()->Add(tick.tool_attitude.begin(), tick.tool_attitude.end());
+    message.mutable_tool()->Add(tick.tool_rad_per_s.begin(), tick.tool_rad_per_s.end());
+  }
+  message.add_power(tick.most_N);
+  message.add_power(tick.most_N_m);
   if (tick.has_hand) {
     message.set_hand_at_ns(tick.hand_at_ns);
     message.mutable_hand()->Add(tick.hand_m.begin(), tick.hand_m.end());
@@ -30,21 +36,29 @@ msg::JournalTick message_of(const JournalTick& tick) {
   message.mutable_force()->Add(tick.force_N.begin(), tick.force_N.end());
   message.set_phase(tick.phase);
   message.mutable_proxy()->Add(tick.proxy_m.begin(), tick.proxy_m.end());
+  message.mutable_torque()->Add(tick.torque_N_m.begin(), tick.torque_N_m.end());
   return message;
 }
 
 std::optional<loop::TickIn> tick_in(const msg::JournalTick& tick) {
   const bool has_hand = !tick.hand().empty();
   const bool has_attitude = !tick.attitude().empty();
-  if (tick.device_size() != 7 || tick.force_size() != 3 || tick.proxy_size() != 3 ||
-      (has_hand && tick.hand_size() != 3) || (has_attitude && tick.attitude_size() != 4))
+  const bool has_tool_attitude = !tick.tool().empty();
+  if (tick.device_size() != 7 || tick.force_size() != 3 || tick.proxy_size() != 3 || tick.torque_size() != 3 ||
+      tick.power_size() != 2 || (has_hand && tick.hand_size() != 3) || (has_attitude && tick.attitude_size() != 4) ||
+      (has_tool_attitude && tick.tool_size() != 7))
     return std::nullopt;
   loop::TickIn in{.now = session_time(tick.now_ns()),
                   .dt_s = tick.dt_s(),
                   .reading = {.at = {vector_at(tick.device(), 0)},
                               .velocity = {vector_at(tick.device(), 3)},
-                              .age_s = tick.device(6)},
+                              .age_s = tick.device(6),
+                              .power = {.most_N = tick.power(0), .most_N_m = tick.power(1)}},
                   .rearm = tick.rearm()};
+  if (has_tool_attitude) {
+    in.reading.attitude.emplace(tick.tool().data());
+    in.reading.turning = {vector_at(tick.tool(), 4)};
+  }
   if (!has_hand) return in;
   ports::HandSample hand{.at = session_time(tick.hand_at_ns()), .hand = {vector_at(tick.hand(), 0)}};
   if (has_attitude) hand.attitude.emplace(tick.attitude().data());
