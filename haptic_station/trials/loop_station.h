@@ -52,9 +52,9 @@ class LoopStation {
       const auto sample = station_.tracker_.sample(station_.time_s(), station_.pair_.true_hand());
       return sample ? std::optional(ports::HandSample{now, *sample}) : std::nullopt;
     }
-    void apply(const Force<HapticBase>& force, const ports::SurfaceContact& contact, double dt_s) noexcept override {
+    void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override {
       const device::TrialView view{station_.time_s(), contact, station_.pair_.device()};
-      station_.pair_.step(force, person_(view), dt_s);
+      station_.pair_.step(wrench.force, person_(view), dt_s);
     }
 
    private:

@@ -32,15 +32,18 @@ class FoxgloveFile {
                                     .name = std::string(message.topic.schema),
                                     .encoding = "protobuf",
                                     .data = wire::file_descriptor_set(*views::descriptor_of_view(message.topic))};
-    const wire::mcap::Channel channel{.id = 0,
-                                      .schema_id = 1,
-                                      .topic = std::string(message.topic.name),
-                                      .message_encoding = "protobuf",
-                                      .metadata = {}};
+    const wire::mcap::StoredChannel channel{.channel = {.id = 0,
+                                                        .schema_id = 1,
+                                                        .topic = std::string(message.topic.name),
+                                                        .message_encoding = "protobuf",
+                                                        .metadata = {}},
+                                            .schema = &schema,
+                                            .topic = {},
+                                            .key_frames = {}};
     const auto time = static_cast<std::uint64_t>(to_nanoseconds(message.published));
     return writer_.copy(
-        &schema, channel,
-        {.channel_id = 0, .sequence = 0, .log_time = time, .publish_time = time, .data = *message.payload});
+        {.channel = &channel,
+         .record = {.channel_id = 0, .sequence = 0, .log_time = time, .publish_time = time, .data = *message.payload}});
   }
 
   wire::McapWriter writer_;

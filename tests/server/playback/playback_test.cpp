@@ -480,7 +480,7 @@ TEST(SessionEvents, SaysWhichEventsTheListLacks) {
     messages.push_back(wire::make_message(wire::kStationEvents, at_ms(ms), msg::StationEvent()));
   ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
   EXPECT_NE(events_of(file).second.find("ends after 5000 events"), std::string::npos) << events_of(file).second;
-  messages.resize(10);
+  messages.erase(messages.begin() + 10, messages.end());
   std::filesystem::remove(file);
   ASSERT_TRUE(wire::samples::write_file(file, messages, {.bytes = 3000}));
   EXPECT_EQ(events_of(file).second, "");

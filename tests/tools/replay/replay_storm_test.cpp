@@ -90,11 +90,12 @@ TEST(ReplayStorm, ADeviceBelowTheReachOfContactsIsLifted) {
 
 TEST(ReplayStorm, ASilentOrDisorderedTopicIsSeen) {
   Invariants invariants({}, {});
-  invariants.add({.topic = wire::kStationState, .published = kBegin + 10ms, .payload = {}});
+  invariants.add(
+      wire::Message{.topic = wire::kStationState, .published = kBegin + 10ms, .payload = {}, .key_frame = true});
   EXPECT_FALSE(invariants.violation());
-  invariants.add({.topic = wire::kStationEvents, .published = kBegin, .payload = {}});
+  invariants.add(wire::Message{.topic = wire::kStationEvents, .published = kBegin, .payload = {}, .key_frame = true});
   EXPECT_FALSE(invariants.violation());
-  invariants.add({.topic = wire::kStationState, .published = kBegin, .payload = {}});
+  invariants.add(wire::Message{.topic = wire::kStationState, .published = kBegin, .payload = {}, .key_frame = true});
   EXPECT_TRUE(invariants.violation());
 }
 

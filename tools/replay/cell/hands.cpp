@@ -83,7 +83,7 @@ class RecordedRig final : public ports::Rig {
     next_sample_ = now_ + kHandPeriod;
     return ports::HandSample{.at = now, .hand = instant(now_).hand};
   }
-  void apply(const Force<HapticBase>&, const ports::SurfaceContact&, double) noexcept override { now_ += kTick; }
+  void apply(const Wrench<HapticBase>&, const ports::SurfaceContact&, double) noexcept override { now_ += kTick; }
 
  private:
   [[nodiscard]] RecordedInstant instant(SessionTime at) const noexcept {
