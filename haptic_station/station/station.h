@@ -59,7 +59,7 @@ class Station {
   [[nodiscard]] Result<void> run();
 
  private:
-  /// When the station's timers are due. A timer that has expired cannot be cancelled, so their handlers check stopped_.
+  /// A timer that has expired cannot be cancelled, so the handlers of both check Progress::stopped.
   struct Timers {
     explicit Timers(boost::asio::io_context& io) : every_10_ms(io), every_second(io) {}
     boost::asio::steady_timer every_10_ms;

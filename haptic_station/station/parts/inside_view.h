@@ -15,8 +15,8 @@ class InsideView {
   /// Called on the inside thread; both must post to the network thread.
   using Handlers = InsideThread::Handlers;
 
-  /// Starts the inside thread; without layers and probe, there is none, and has_structures() is true at once: a message
-  /// without structures replaces that of a station before this one.
+  /// Starts the inside thread. Without layers and probe there is none, and structures() is empty at once, not nullopt: a
+  /// message without structures replaces that of a station before this one.
   void start(const scenes::Scene& scene, Handlers handlers);
   void end() { thread_.reset(); }
 

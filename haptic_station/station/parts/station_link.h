@@ -30,7 +30,7 @@ class StationLink {
   /// The line for the log about a state; nullopt: it was said before. Repeated attempts to connect are logged once
   /// until one succeeds.
   [[nodiscard]] std::optional<std::string> line_of(wire::LinkState state, const std::string& detail);
-  /// Reads the bound on the clock's error anew.
+  /// Reads the bound on the clock's error again.
   void look_at_clock() noexcept;
   [[nodiscard]] double clock_error_s() const noexcept { return clock_error_s_; }  ///< infinite: not known
   /// What an operator is told when the session clock has stepped since the last call, else nullopt. It may step when a
