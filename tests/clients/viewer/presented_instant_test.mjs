@@ -32,6 +32,7 @@ test('numbers wait a second for the first picture', () => {
 const state = (at_ms, more = {}) => ({
   stampNs: ms(at_ms), phase: 3, inBody: false, indentationM: at_ms / 1000, limited: false,
   displayedHandCamera: {x: at_ms, y: 2 * at_ms, z: -at_ms}, forceN: {x: 0, y: at_ms / 100, z: 0},
+  torqueCameraNM: {x: 0, y: 0, z: at_ms / 1000},
   handAttitudeCamera: {x: 0, y: 0, z: 0, w: 1}, ...more,
 });
 
@@ -48,6 +49,7 @@ test('in a short gap, values are estimated at the very instant of the picture', 
   assert.equal(found.stampNs, ms(1010));
   assert.deepEqual(found.displayedHandCamera, {x: 1010, y: 2020, z: -1010});
   assert.equal(found.forceN.y, 10.1);
+  assert.ok(Math.abs(found.torqueCameraNM.z - 1.01) < 1e-12);
   assert.ok(Math.abs(found.indentationM - 1.01) < 1e-12);
   assert.equal(found.limited, true, 'a value that does not change gradually stays as before the gap');
   assert.equal(found.proxyCamera, undefined, 'nothing is made up');

@@ -1,7 +1,8 @@
 import type {Rotation, StationState, Vec3} from '../messages/generated';
 
 const PLACES = [
-  'hand', 'device', 'forceN', 'displayedHandCamera', 'proxyCamera', 'deviceCamera', 'forceCameraN', 'normalCamera',
+  'hand', 'device', 'forceN', 'displayedHandCamera', 'proxyCamera', 'deviceCamera', 'forceCameraN', 'torqueCameraNM',
+  'normalCamera',
 ] as const;
 
 const between = (a: number, b: number, share: number) => a + share * (b - a);

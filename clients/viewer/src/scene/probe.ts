@@ -14,6 +14,7 @@ import {
 
 import {Arrow} from './arrow';
 import {ARROW_M_PER_N, BALL_RADIUS_M} from './drawn_sizes';
+import {TorqueRing} from './torque_ring';
 
 const NORMAL_M = 0.045;
 
@@ -22,9 +23,10 @@ export interface ProbePlace {
   proxy: Vector3 | undefined;
   normal: Vector3 | undefined;
   force_N: Vector3 | undefined;  // of the contact; undefined while the device is driven
+  torque_N_m: Vector3 | undefined;  // about the device; undefined: it gives none
 }
 
-/** The device's ball, the proxy on the surface, the line between them, the surface's normal and the force. */
+/** The device's ball, the proxy on the surface, the line between them, the surface's normal, the force and the torque. */
 export class Probe {
   readonly group = new Group();
   private readonly ball = new Group();
@@ -36,6 +38,7 @@ export class Probe {
                               opacity: 0.8}));
   private readonly normal = new Arrow('#63c7ff', 0.0011);
   private readonly force = new Arrow('#4fd6a5', 0.0034);
+  private readonly torque = new TorqueRing();
 
   constructor() {
     const shape = new SphereGeometry(BALL_RADIUS_M, 48, 32);
@@ -51,11 +54,11 @@ export class Probe {
     this.ball.add(seen, through);
     this.proxy.renderOrder = 12;
     this.between.renderOrder = 9;
-    this.group.add(this.ball, this.proxy, this.between, this.normal.group, this.force.group);
+    this.group.add(this.ball, this.proxy, this.between, this.normal.group, this.force.group, this.torque.group);
     this.group.visible = false;
   }
 
-  show({device, proxy, normal, force_N}: ProbePlace, forceColor: Color): void {
+  show({device, proxy, normal, force_N, torque_N_m}: ProbePlace, forceColor: Color): void {
     this.group.visible = true;
     this.ball.visible = device !== undefined;
     this.proxy.visible = proxy !== undefined;
@@ -68,6 +71,7 @@ export class Probe {
     }
     this.normal.show(proxy, normal?.clone().multiplyScalar(NORMAL_M));
     this.force.show(proxy, force_N?.clone().multiplyScalar(ARROW_M_PER_N), forceColor);
+    this.torque.show(device, torque_N_m);
   }
 
   hide(): void {
@@ -79,7 +83,7 @@ export class Probe {
   }
 
   setForcesVisible(wanted: boolean): void {
-    for (const part of [this.force.group, this.normal.group, this.proxy, this.between])
+    for (const part of [this.force.group, this.torque.group, this.normal.group, this.proxy, this.between])
       part.traverse((child) => child.layers.set(wanted ? 0 : 31));
   }
 }

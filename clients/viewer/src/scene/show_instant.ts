@@ -43,6 +43,7 @@ function showStation(
         device: station.deviceCamera && fromCamera(station.deviceCamera),
         proxy,
         normal,
+        torque_N_m: station.torqueCameraNM && fromCamera(station.torqueCameraNM),
         force_N: drive_N === 0 && station.forceCameraN ? fromCamera(station.forceCameraN) : undefined,
       },
       color);
