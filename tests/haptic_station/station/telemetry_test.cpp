@@ -177,6 +177,29 @@ TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   EXPECT_EQ(ticks.surface_age_s_size(), 2);
 }
 
+TEST(TicksMessage, HasTorquesOnlyInABatchWithATorque) {
+  std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
+  EXPECT_EQ(ticks_message(samples, 500'000).torque_z_size(), 0);
+  samples[1].torque = {0.0F, 0.0F, 0.125F};
+  const msg::StationTicks ticks = ticks_message(samples, 500'000);
+  ASSERT_EQ(ticks.torque_z_size(), 2);
+  EXPECT_EQ(ticks.torque_z(0), 0.0F);
+  EXPECT_EQ(ticks.torque_z(1), 0.125F);
+}
+
+TEST(StateMessage, HasTorqueAndAttitudeOnlyOfADeviceThatHasThem) {
+  loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 0.0F);
+  EXPECT_FALSE(state_message(tick).has_torque_n_m());
+  EXPECT_FALSE(state_message(tick).has_tool_attitude_camera());
+  tick.gives_torque = true;
+  tick.torque = {0.0F, 0.25F, 0.0F};
+  tick.torque_camera = {0.25F, 0.0F, 0.0F};
+  tick.tool_attitude_camera = {0.0F, 0.0F, 0.5F, 0.75F};
+  EXPECT_EQ(state_message(tick).torque_n_m().y(), 0.25);
+  EXPECT_EQ(state_message(tick).torque_camera_n_m().x(), 0.25);
+  EXPECT_EQ(state_message(tick).tool_attitude_camera().w(), 0.75);
+}
+
 TEST(StateMessage, TellsThatThePatientMovesUnlikeBefore) {
   loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 0.0F);
   EXPECT_EQ(state_message(tick).unmodelled(), 0.0);
