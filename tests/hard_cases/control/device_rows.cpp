@@ -148,7 +148,7 @@ Probing probing(const std::function<void(double, ports::DeviceReading&)>& device
   scene.effects = the_skin({.law = effects::linear_law(20.0)});
   (void)scene.effects.add(effects::Membrane({.at = {{0.0, -0.02, 0.0}}, .tears_at_N = 1e9, .tip_m = {0.05, 0.0, 0.0}}));
   scene.seconds = 3.5;
-  scene.person = presses_to(0.03);
+  scene.person = presses_to(0.05);
   scene.encoders = device;
   Probing seen;
   Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
