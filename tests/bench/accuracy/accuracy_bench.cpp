@@ -19,10 +19,11 @@ struct Part {
   std::string_view name;
   Result<Section> (*measure)();
 };
-constexpr Part kParts[] = {
-    {"surface", surface_section},   {"patients", patients_section}, {"prediction", prediction_section},
-    {"organ", organ_section},       {"solids", solids_section},     {"price", price_section},
-    {"settings", settings_section}, {"z-width", z_width_section},   {"depth", depth_section}};
+constexpr Part kParts[] = {{"surface", surface_section},   {"slopes", slopes_section},
+                           {"patients", patients_section}, {"prediction", prediction_section},
+                           {"organ", organ_section},       {"solids", solids_section},
+                           {"price", price_section},       {"settings", settings_section},
+                           {"z-width", z_width_section},   {"depth", depth_section}};
 
 /// All parts, or the part named on the command line.
 Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {

@@ -16,6 +16,8 @@ struct Section {
 
 /// The surface's settings and parameters: error, cost, the front of both and its knee; then over noise and density.
 [[nodiscard]] Result<Section> surface_section();
+/// The error of the settings over the slope of the skin against the camera's ray.
+[[nodiscard]] Result<Section> slopes_section();
 /// The error of each setting on moving patients.
 [[nodiscard]] Result<Section> patients_section();
 /// Errors of the models that predict the hand and the surface.
@@ -27,8 +29,8 @@ struct Section {
 /// The bill of each library scene, and what each kind of effect costs: processor time, memory, start-up, and the error
 /// of the force in motion.
 [[nodiscard]] Result<Section> price_section();
-/// What further settings cost and gain: JPEG quality, camera, disparity levels, the skin's anchor, the radius of a mark,
-/// ultrasound size, the viewer's levels of detail.
+/// What further settings cost and gain: JPEG quality, camera, disparity levels, the skin's anchor, the radius of a
+/// mark, ultrasound size, the viewer's levels of detail.
 [[nodiscard]] Result<Section> settings_section();
 /// The stiffest wall that the simulated device can show, over sampling rate and damping.
 [[nodiscard]] Result<Section> z_width_section();

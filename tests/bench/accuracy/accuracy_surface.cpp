@@ -9,6 +9,7 @@
 
 #include "haptic_station/surface/touch/touch.h"
 #include "support/program/files/shipped.h"
+#include "tests/bench/accuracy/accuracy_page.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
 #include "tests/haptic_station/surface/shape_error.h"
@@ -206,14 +207,31 @@ bool SurfaceFigures::right_enough() const noexcept {
          shapes.touched == shapes.places && torso.touched == torso.places;
 }
 
+namespace {
+
+RenderedShape rendered(std::unique_ptr<testing::AnalyticSurface> shape, double spacing_m) {
+  const Intrinsics camera = testing::camera_with_spacing(0.8, spacing_m);
+  DepthImage clean = testing::render(*shape, camera, {});
+  return {std::move(shape), camera, std::move(clean)};
+}
+
+}  // namespace
+
 std::vector<RenderedShape> rendered_shapes(double spacing_m) {
   std::vector<RenderedShape> all;
-  for (auto& shape : testing::smooth_shapes()) {
-    const Intrinsics camera = testing::camera_with_spacing(0.8, spacing_m);
-    DepthImage clean = testing::render(*shape, camera, {});
-    all.push_back({std::move(shape), camera, std::move(clean)});
-  }
+  for (auto& shape : testing::smooth_shapes()) all.push_back(rendered(std::move(shape), spacing_m));
   return all;
+}
+
+RenderedShape rendered_sphere(double spacing_m) { return rendered(std::move(testing::smooth_shapes()[1]), spacing_m); }
+
+std::string touched(const TouchError& error, const std::string& text) {
+  if (error.touched == error.places) return text;
+  return text + " (" + std::to_string(error.touched) + "/" + std::to_string(error.places) + ")";
+}
+
+std::string both(const TouchError& error, double scale) {
+  return touched(error, cell(scale * error.position_m) + " / " + cell(error.normal_deg));
 }
 
 Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.sigma_m = sigma_m})); }

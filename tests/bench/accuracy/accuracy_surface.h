@@ -49,6 +49,11 @@ struct TouchError {
   double build_ms = 0.0;  ///< processor time of one snapshot, median
 };
 
+/// `text`, and the number of places without contact, if any: a cell of a table.
+[[nodiscard]] std::string touched(const TouchError& error, const std::string& text);
+/// A cell "position / normal": the position in metres times `scale`, the normal in degrees.
+[[nodiscard]] std::string both(const TouchError& error, double scale);
+
 /// Errors and costs of a variant.
 struct SurfaceFigures {
   TouchError shapes;     ///< worst values over the shapes, without noise
@@ -79,6 +84,8 @@ struct RenderedShape {
   DepthImage clean;
 };
 [[nodiscard]] std::vector<RenderedShape> rendered_shapes(double spacing_m);
+/// The sphere of 80 mm among them.
+[[nodiscard]] RenderedShape rendered_sphere(double spacing_m);
 
 /// A torso and its frames at 30 Hz, rendered once for all variants.
 struct FilmedTorso {

@@ -21,12 +21,6 @@ std::string percent(double share) { return cell(100.0 * share); }
 
 std::string with_mark(double value, bool holds) { return cell(value) + (holds ? "" : " ✗"); }
 
-/// A table cell with an error; it states the number of points without contact, if any.
-std::string touched(const TouchError& error, const std::string& text) {
-  if (error.touched == error.places) return text;
-  return text + " (" + std::to_string(error.touched) + "/" + std::to_string(error.places) + ")";
-}
-
 PageTable surface_table(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
   PageTable table{.head = {"setting", "neighbours by", "support", "normals", "shapes µm", "shapes °", "torso mm",
                            "torso °", "jump µm", "build ms p50 / p99", "step µs p50 / p99", "load %", ""},
@@ -165,11 +159,6 @@ void add_rows(const Tried& tried, bool is_default, std::vector<Row>& rows) {
   rows.push_back(measured(name + "load of one core", 100.0 * f.load(), "%"));
 }
 
-/// A cell "position / normal".
-std::string both(const TouchError& error, double scale) {
-  return touched(error, cell(scale * error.position_m) + " / " + cell(error.normal_deg));
-}
-
 Result<PageTable> noise_table(std::vector<Row>& rows) {
   struct Sight {
     std::string name;
@@ -219,27 +208,6 @@ PageTable density_table(std::vector<Row>& rows) {
   return table;
 }
 
-/// The slope of the skin against the camera's ray, on a sphere of 80 mm, for the few settings and narrower windows.
-PageTable slopes_table(const std::vector<RenderedShape>& shapes, std::vector<Row>& rows) {
-  std::vector<SurfaceVariant> variants = few_variants();
-  for (const SurfaceVariant& variant : surface_variants())
-    if (variant.name == "fast, fit 3" || variant.name == "fast, support 1.5") variants.push_back(variant);
-  PageTable table{.head = {"setting"}, .rows = {}};
-  for (const SurfaceVariant& variant : variants)
-    table.rows.push_back({variant.named ? "`" + variant.name + "`" : variant.name});
-  for (const double slope_deg : {10.0, 30.0, 45.0, 55.0, 65.0, 72.0, 78.0}) {
-    table.head.push_back(cell(slope_deg) + "°, µm / °");
-    for (std::size_t k = 0; k < variants.size(); ++k) {
-      const TouchError error = slope_touch_error(shapes[1], variants[k], slope_deg);
-      table.rows[k].push_back(both(error, 1e6));
-      rows.push_back(
-          measured(variants[k].name + ": RMS position error, sphere of 80 mm, slope of " + cell(slope_deg) + " degrees",
-                   1e6 * error.position_m, "um"));
-    }
-  }
-  return table;
-}
-
 }  // namespace
 
 Result<Section> surface_section() {
@@ -269,7 +237,6 @@ Result<Section> surface_section() {
   section.parts = {{"surface", to_markdown(surface_table(all, front, knee))},
                    {"knee", knee_text(all, knee)},
                    {"noise", to_markdown(*noise)},
-                   {"slopes", to_markdown(slopes_table(shapes, section.rows))},
                    {"density", to_markdown(density_table(section.rows))}};
   section.pictures = {{"accuracy/surface.svg", plot::to_svg(pareto_chart(all, front, knee))}};
   return section;

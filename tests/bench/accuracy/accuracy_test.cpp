@@ -50,6 +50,7 @@ TEST(Page, ThePageThatShipsHasEveryMarker) {
   std::ifstream in(TELEPALP_SOURCE_DIR "/docs/accuracy.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   for (const char* part : {"measured-surface",
+                           "measured-slopes",
                            "surface",
                            "knee",
                            "slopes",
