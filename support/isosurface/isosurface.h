@@ -12,7 +12,8 @@
 
 namespace telepalp::isosurface {
 
-/// Value of an implicit function at a point: negative inside. `gradient`: of `m`; shorter than 1 where sheets tie.
+/// Value of an implicit function at a point: negative inside. `gradient`: of `m`; shorter than 1 where two
+/// parts of the surface are equally near.
 struct FieldAt {
   double m = 0.0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -61,7 +62,7 @@ struct Tight {
 struct Extraction {
   Mesh mesh;
   std::optional<Tight> tightest;  ///< nullopt: all parallel sheets lie in cells of their own
-  std::size_t unsure = 0;  ///< smallest cells that would have been halved again to be sure of the surface's course
+  std::size_t unsure = 0;         ///< cells of the smallest size in which the shape of the surface remains in doubt
   std::size_t cells = 0;
   double finest_m = 0.0;  ///< side of the smallest cell used
 };

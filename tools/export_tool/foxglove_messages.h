@@ -30,7 +30,7 @@ class Thinning {
  private:
   SessionTime begin_;
   double images_per_s_;
-  std::int64_t last_ = INT64_MIN;  // place in the grid of the image that was taken last
+  std::int64_t last_ = INT64_MIN;  // number of the period, 1 / images_per_s long, of the newest chosen image
 };
 
 /// Gives the messages of station and colour camera to `take`, in order of time. Damaged ones are left out; returns the

@@ -55,7 +55,7 @@ struct SessionFacts {
   std::string consent;      ///< the patient's consent, as the operator stated it; empty: not stated
   std::string depth;        ///< bound on the depth error, as text; empty: no depth
   std::map<std::string, std::string> recording;  ///< the recorder's notes: gaps, dropped messages, clock
-  std::vector<std::string> repairs;  ///< of which repairs the file is the copy, and what they lost, in words
+  std::vector<std::string> repairs;              ///< each repair that led to this file, and what it lost, in words
   std::vector<std::string> attachments;
   std::vector<Topic> topics;  ///< sorted by name
   std::vector<Peer> peers;

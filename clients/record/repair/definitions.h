@@ -10,7 +10,8 @@
 namespace telepalp::record {
 
 /// Definitions of a session without a CRC, compared with this program's own. A file that this very version wrote holds
-/// them unchanged, so that each difference is a damage. In a file of another version none is known to be damaged.
+/// them unchanged, so that each difference is a damage. In a file of another version a difference may also
+/// be the version's, so none counts as a damage.
 class DefinitionCheck {
  public:
   explicit DefinitionCheck(const wire::SessionInfo& session);

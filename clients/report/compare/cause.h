@@ -13,7 +13,7 @@ namespace telepalp::report {
 /// 3. what the contacts show: a clipped force, a contact that begins deeper, another force at equal indentation;
 /// 4. the state of both runs at the first difference that is felt: hands apart, a station that let go, another age;
 /// 5. other settings that differ: source, software, computer.
-/// Never empty: the last resort says that the cause is not known.
+/// Never empty: without any of these, one sentence says that the cause is not known.
 [[nodiscard]] std::vector<std::string> causes_of(const Comparison& comparison);
 
 /// "A is in the state “in body” and B in “released”"

@@ -10,8 +10,8 @@
 
 namespace telepalp::report {
 
-/// What the images of two runs have in common. Compared are the recorded depth images; if one run holds no image, as a
-/// replay's session, the images that became a surface.
+/// What the images of two runs have in common. The recorded depth images are compared. If one run holds no image, as a
+/// replay's session does, the images that became a surface are compared instead.
 struct ImageComparison {
   std::size_t a = 0, b = 0;  ///< images of each run
   bool surfaces = false;     ///< images that became a surface are compared

@@ -7,7 +7,7 @@
 
 namespace telepalp::report {
 
-/// Stands in every report.
+/// The notice that every report has.
 inline constexpr std::string_view kNotAMedicalDevice =
     "telepalp is not a medical device. It has not been assessed as one, and must not be used to decide on a diagnosis "
     "or a treatment.";

@@ -12,7 +12,7 @@ namespace telepalp::report {
 /// Result of comparing a value with its budget.
 enum class Standing { Holds, Misses, NotMeasured };
 
-/// What a reader needs first. Causes are ranked in this order.
+/// Kinds of causes, in the order in which the report lists them: what a reader needs first comes first.
 enum class Rank { Safety, Depth, Latency, Images, Loop, Clock, Recording, Computer };
 
 /// The samples of which a figure is made, and the limit of each.

@@ -17,7 +17,7 @@ class WaitingPlane {
 
   /// Moves the plane for one tick, to the skin's height plus the clearance, but at least to PlaneSettings::height_m;
   /// without a skin, to height_m. The first call sets it at once; later calls move it by at most speed_m_per_s * dt_s.
-  /// `wait_at_m`: the end-effector waits at this height instead, twice as fast, under a hand that a person points with.
+  /// `wait_at_m`: a browser's hand demands that the end-effector waits at this height instead; it moves twice as fast.
   /// The plane is then 2 cm lower, so that an end-effector that lags behind its target is not below the plane, which
   /// would end its control.
   void move(const Point<HapticBase>& device, const ports::SurfaceContact& contact,
@@ -31,7 +31,7 @@ class WaitingPlane {
  private:
   PlaneSettings settings_;
   double height_m_ = 0.0;
-  double raised_m_ = 0.0;  ///< of the demanded target; height_m_ without a demand
+  double raised_m_ = 0.0;  ///< the height that `wait_at_m` demands; height_m_ without a demand
   bool placed_ = false;
 };
 

@@ -19,7 +19,7 @@
 
 namespace telepalp::station {
 
-/// The parts of a station whose processor time the bill states, and the step of each.
+/// The parts of a station whose processor time the bill states. After each colon: what one step of the part is.
 enum class Part : std::uint8_t {
   Loop,       ///< the haptic thread: a tick, with its waking in real time
   Surface,    ///< the surface thread: a depth image, from its message to the snapshot with the marks of the objects

@@ -7,12 +7,12 @@
 
 namespace telepalp::tracking {
 
-/// The way of a hand that a person points at a place, and does not carry there: a browser's. A pointer jumps, and its
-/// straight way leads through the patient. This hand moves at the speed of a hand. While the person does not press, it
-/// flies over the patient at a height over the skin, and so does the device below it: the hand crosses a place only
-/// when the device is above everything that is seen around that place. A hand that begins to press flies on until it is
-/// over the place, then comes down slowly, then follows. Pure; real-time safe. All positions are in H, the haptic
-/// base's frame; y points up.
+/// The path of a hand that a person moves with a pointer in a browser. A pointer can jump, and the straight line
+/// between two places of the skin leads through the patient. So this hand moves at the speed of a real hand. While the
+/// person does not press, it flies over the patient at a height over the skin, and so does the device below it: the
+/// hand crosses a place only when the device is above everything that is seen around that place. A hand that begins to
+/// press flies on until it is over the place, then comes down slowly, then follows. Pure; real-time safe. All positions
+/// are in H, the haptic base's frame; y points up.
 class GuidedHand {
  public:
   static constexpr double kFastest_m_per_s = 0.5;

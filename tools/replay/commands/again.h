@@ -21,8 +21,8 @@ struct Again {
 /// version that does not write how its run is made again.
 [[nodiscard]] Result<Again> read_again(const std::filesystem::path& asked);
 
-/// The command line `words` (without the program's name) in which the source of `again` stands in place of again:DIR,
-/// and in which options of `again` stand where `words` give none.
+/// The command line `words` (without the program's name), completed from `again`: its source replaces again:DIR, and
+/// its options are added where `words` do not give them.
 [[nodiscard]] std::vector<std::string> words_again(const Again& again, const std::vector<std::string>& words);
 
 /// Reads the command line. With the source again:DIR, source and options of that run fill what is not given. nullopt:

@@ -22,7 +22,7 @@ class FinishedCells {
   /// The figures of a cell; nullopt: not finished.
   [[nodiscard]] const std::vector<std::optional<Figures>>& figures() const noexcept { return figures_; }
 
-  /// Adds the cells `batch`, of which `results` has the unimpaired run and then one run for each. Error: a file cannot
+  /// Adds the cells `batch`. `results`: the unimpaired run, then the run of each of these cells. Error: a file cannot
   /// be written.
   [[nodiscard]] Result<void> add(const std::vector<std::size_t>& batch, const RunResults& results);
 
