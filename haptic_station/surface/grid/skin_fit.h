@@ -34,7 +34,7 @@ struct ViewCamera {
 /// faced the camera, and at least two and a half pixels away along the slant. The fit is repeated over the tangent
 /// plane that it found, until this plane turns by less than 8 degrees. Where the quadratic's terms are not distinct, a
 /// plane is fitted. nullopt: too few pixels, or no plane that faces the camera. Error: on a sphere of 80 mm, seen at
-/// 0.8 m by pixels 1.5 mm apart, a few µm up to a slant of 70 degrees.
+/// 0.8 m by pixels 1.5 mm apart, about 10 µm up to a slant of 70 degrees.
 [[nodiscard]] std::optional<SkinFit> fit_on_skin(const InverseDepthView& view, const ViewCamera& camera,
                                                  const WindowMask& mask, Pixel centre, int radius,
                                                  const SkinPoint& start);
