@@ -157,6 +157,24 @@ void add_verdict(Json& json, const Verdict& verdict) {
   json.end_object();
 }
 
+/// What the hand felt: contacts, forces, indentation, and the energy that the display gave.
+void add_touches(Json& json, const Summary& summary) {
+  json.add("touches", summary.touches);
+  json.add("contact_s", summary.contact_s);
+  json.begin_object("force_N");
+  json.add("max", summary.force_max_N);
+  json.add("max_in_contact", summary.force_in_contact_max_N);
+  json.add("max_of_drive", summary.force_of_drive_max_N);
+  json.end_object();
+  json.begin_object("indentation_mm");
+  json.add("max", summary.indentation_max_mm);
+  json.end_object();
+  json.begin_object("energy_mJ");
+  json.add("display_least", summary.display_least_mJ);
+  json.add("hand_excess_most", summary.hand_excess_most_mJ);
+  json.end_object();
+}
+
 }  // namespace
 
 std::string report_json(const Session& session, const Summary& summary, const Verdict& verdict) {
@@ -201,20 +219,7 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.end_object();
   add_latencies(json, summary);
   add_states(json, summary);
-  json.add("touches", summary.touches);
-  json.add("contact_s", summary.contact_s);
-  json.begin_object("force_N");
-  json.add("max", summary.force_max_N);
-  json.add("max_in_contact", summary.force_in_contact_max_N);
-  json.add("max_of_drive", summary.force_of_drive_max_N);
-  json.end_object();
-  json.begin_object("indentation_mm");
-  json.add("max", summary.indentation_max_mm);
-  json.end_object();
-  json.begin_object("energy_mJ");
-  json.add("display_least", summary.display_least_mJ);
-  json.add("hand_excess_most", summary.hand_excess_most_mJ);
-  json.end_object();
+  add_touches(json, summary);
   json.add("heat_warnings", summary.heat_warnings);
   json.add("non_finite", summary.non_finite);
   json.add("damaged_messages", summary.damaged_messages);
