@@ -5,15 +5,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "server/capture/capture_source.h"
 #include "server/gateway/gateway.h"
+#include "server/origin/camera_origin.h"
+#include "server/origin/session_shelf.h"
 #include "server/pipeline/depth_options.h"
-#include "server/playback/comparison/session_comparison.h"
-#include "server/playback/session_events.h"
-#include "server/playback/session_network.h"
-#include "server/playback/session_notes.h"
-#include "server/playback/session_player.h"
 #include "server/recording/session_recorder.h"
 #include "server/server.h"
 #include "support/program/address.h"
@@ -79,6 +78,7 @@ struct Asked {
   std::filesystem::path ready_file;
   std::optional<access::Access::Options> keys;  // nullopt: no TLS, and peers of this machine only
   server::Server::Options server;
+  pipeline::EncodeOptions encode;
   std::optional<gateway::GatewayOptions> gateway;               // nullopt: browsers are not served
   std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing
   std::filesystem::path compare_folder;                         // empty: the played session is compared with no other
@@ -200,8 +200,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .bind = address->to_string(),
                           .port = static_cast<std::uint16_t>(*port),
                           .software = program::software(kProgram),
-                          .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                           .log = log_line},
+               .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                .gateway = *gateway,
                .recorder = *recorder,
                .compare_folder = *compare_folder};
@@ -213,92 +213,13 @@ std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
   return text;
 }
 
-/// What the server publishes: a session that is played, or the frames of a source.
-struct Opened {
-  std::unique_ptr<capture::CaptureSource> source;
-  std::unique_ptr<playback::SessionPlayer> player;  // exactly one of the two is set
-};
-
-Result<Opened> open(const Asked& asked, const wire::SessionClock& clock) {
-  Opened opened;
-  if (asked.source.starts_with(kSession)) {
-    const Result<playback::PlaybackSpec> spec = playback::read_spec(asked.source.substr(kSession.size()));
-    if (!spec) return spec.error();
-    auto player = playback::SessionPlayer::open(*spec, asked.loop, clock);
-    if (!player) return player.error();
-    opened.player = std::move(player).value();
-    return opened;
-  }
+/// The origin that --source names. The only place where its kind matters.
+Result<std::unique_ptr<origin::Origin>> open(const Asked& asked, origin::SessionShelf& shelf,
+                                             boost::asio::io_context& io, const wire::SessionClock& clock) {
+  if (asked.source.starts_with(kSession)) return shelf.play(asked.source.substr(kSession.size()), asked.loop);
   auto source = capture::open_source(asked.source, {.clock = clock, .loop = asked.loop, .paced = true});
   if (!source) return source.error();
-  opened.source = std::move(source).value();
-  return opened;
-}
-
-/// What visitors see of a played session, and change in it.
-struct PlayedSession {
-  playback::SessionEvents events;
-  playback::SessionNotes notes;
-  std::unique_ptr<playback::SessionComparison> comparison;  // null: no folder of other sessions is named
-};
-
-/// `others`: folder of the sessions that may be compared with the played one; empty: none.
-Result<std::unique_ptr<PlayedSession>> survey(const playback::SessionPlayer& player,
-                                              const std::filesystem::path& others) {
-  const msg::PlaybackState state = player.state();
-  Result<playback::SessionNotes> notes = playback::SessionNotes::open(state.file(), state.duration_s());
-  if (!notes) return notes.error();
-  std::unique_ptr<playback::SessionComparison> comparison;
-  if (!others.empty()) {
-    auto opened = playback::SessionComparison::open(state.file(), others, log_line);
-    if (!opened) return opened.error();
-    comparison = std::move(opened).value();
-  }
-  return std::unique_ptr<PlayedSession>(
-      new PlayedSession{{state.file(), player.begin(), log_line}, std::move(*notes), std::move(comparison)});
-}
-
-/// Lets the gateway's visitors see, move, impair and note on the session.
-void offer_playback(gateway::GatewayOptions& options, playback::SessionPlayer& player,
-                    playback::SessionNetwork& network, PlayedSession& session) {
-  options.session_events = [&session] { return program::to_json(session.events.events()); };
-  options.playback.state = [&player] { return program::to_json(player.state()); };
-  options.playback.change = [&player](const std::string& json, const std::string&) -> Result<std::string> {
-    const Result<msg::PlaybackCommand> command = playback::read_command(json);
-    if (!command) return command.error();
-    if (const Result<void> applied = player.apply(*command); !applied) return applied.error();
-    return program::to_json(player.state());
-  };
-  options.playback_port = {.state = [&player] { return player.state(); },
-                           .move = [&player](const msg::PlaybackCommand& command) -> Result<void> {
-                             if (const Result<void> valid = playback::check(command); !valid) return valid;
-                             return player.apply(command);
-                           }};
-  options.network = {.state = [&network] { return network.state(); },
-                     .change = [&network](const std::string& json, const std::string&) { return network.apply(json); }};
-  options.notes = {.state = [&session] { return session.notes.json(); },
-                   .change =
-                       [&session](const std::string& json, const std::string& who) {
-                         return session.notes.apply(json, who, std::chrono::system_clock::now());
-                       }};
-}
-
-/// Lets the gateway's visitors compare the session with others. Without a folder the state is empty, because a browser
-/// would log a missing page as an error.
-void offer_comparison(gateway::GatewayOptions& options, PlayedSession& session) {
-  if (!session.comparison) {
-    options.comparison = {.state = [] { return std::string("{}"); },
-                          .change = [](const std::string&, const std::string&) -> Result<std::string> {
-                            return Error{.what = "this server compares no sessions",
-                                         .where = "playback/comparison",
-                                         .fix = "start telepalp-server with --compare-dir DIR"};
-                          }};
-    return;
-  }
-  playback::SessionComparison& comparison = *session.comparison;
-  options.comparison = {
-      .state = [&comparison] { return comparison.json(); },
-      .change = [&comparison](const std::string& json, const std::string&) { return comparison.apply(json); }};
+  return origin::of_camera(io, std::move(source).value(), asked.source, asked.encode, clock);
 }
 
 /// Where a recorder on this machine reaches the server: at its address, or on loopback when it listens everywhere.
@@ -308,24 +229,34 @@ std::string own_address(const std::string& bind, std::uint16_t port) {
 }
 
 /// Lets the gateway's visitors begin and end recordings.
-void offer_recording(gateway::GatewayOptions& options, recording::SessionRecorder& recorder) {
-  options.recording.state = [&recorder] { return program::to_json(recorder.state()); };
-  options.recording.change = [&recorder](const std::string& json, const std::string&) -> Result<std::string> {
-    const Result<msg::RecordingCommand> command = recording::read_command(json);
-    if (!command) return command.error();
-    if (const Result<void> applied = recorder.apply(*command, std::chrono::system_clock::now()); !applied)
-      return applied.error();
-    return program::to_json(recorder.state());
-  };
+origin::Resource recording_resource(recording::SessionRecorder& recorder) {
+  return {.state = [&recorder] { return program::to_json(recorder.state()); },
+          .change = [&recorder](const std::string& json, const std::string&) -> Result<std::string> {
+            const Result<msg::RecordingCommand> command = recording::read_command(json);
+            if (!command) return command.error();
+            if (const Result<void> applied = recorder.apply(*command, std::chrono::system_clock::now()); !applied)
+              return applied.error();
+            return program::to_json(recorder.state());
+          }};
+}
+
+/// Lets the gateway's visitors see and change the origin, record, and open recorded sessions for themselves.
+void offer(gateway::GatewayOptions& options, origin::Origin& origin, origin::SessionShelf& shelf,
+           recording::SessionRecorder* recorder) {
+  options.offer = origin.offer();
+  options.open_session = [&shelf](const origin::ReadingSpec& asked) { return shelf.read_alone(asked); };
+  if (recorder == nullptr) return;
+  options.offer.resources[origin::kRecordingPath] = recording_resource(*recorder);
+  options.offer.resources[origin::kSessionsPath] = {.state = [&shelf] { return shelf.list(); }};
 }
 
 /// All parts of a running server. The later ones use the earlier ones.
 struct Parts {
   boost::asio::io_context io;
   std::unique_ptr<server::Server> server;
-  Opened opened;                                         // its source or player is handed to the server at the start
+  std::optional<origin::SessionShelf> shelf;
+  std::unique_ptr<origin::Origin> origin;                // handed to the server at the start
   std::unique_ptr<recording::SessionRecorder> recorder;  // null: visitors may not record
-  std::unique_ptr<PlayedSession> session;                // null: a camera or a recording without commands
   std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
 };
 
@@ -338,9 +269,12 @@ Result<void> open_server(Parts& parts, Asked& asked) {
   Result<std::unique_ptr<server::Server>> listening = server::Server::listen(parts.io, asked.server);
   if (!listening) return listening.error();
   parts.server = std::move(listening).value();
-  Result<Opened> opened = open(asked, parts.server->clock());
+  parts.shelf.emplace(parts.io, parts.server->clock(),
+                      asked.recorder ? asked.recorder->folder : std::filesystem::path(), asked.compare_folder,
+                      log_line);
+  Result<std::unique_ptr<origin::Origin>> opened = open(asked, *parts.shelf, parts.io, parts.server->clock());
   if (!opened) return opened.error();
-  parts.opened = std::move(opened).value();
+  parts.origin = std::move(opened).value();
   return {};
 }
 
@@ -359,14 +293,7 @@ Result<void> open_gateway(Parts& parts, Asked& asked) {
   asked.gateway->access = asked.server.access;
   asked.gateway->problem = [&server] { return server.problem(); };
   asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
-  if (parts.opened.player) {
-    auto surveyed = survey(*parts.opened.player, asked.compare_folder);
-    if (!surveyed) return surveyed.error();
-    parts.session = std::move(surveyed).value();
-    offer_playback(*asked.gateway, *parts.opened.player, server.network(), *parts.session);
-    offer_comparison(*asked.gateway, *parts.session);
-  }
-  if (parts.recorder) offer_recording(*asked.gateway, *parts.recorder);
+  offer(*asked.gateway, *parts.origin, *parts.shelf, parts.recorder.get());
   auto listens = gateway::Gateway::open(
       parts.io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
   if (!listens) return listens.error();
@@ -412,10 +339,7 @@ class Ending {
 };
 
 void begin(Parts& parts, const Asked& asked, std::function<void()> on_end) {
-  if (parts.opened.player)
-    parts.server->play(std::move(parts.opened.player), std::move(on_end));
-  else
-    parts.server->start(std::move(parts.opened.source), asked.source, std::move(on_end));
+  parts.server->start(std::move(parts.origin), std::move(on_end));
   program::log(kProgram, "listening on " + program::to_text({asked.server.bind, parts.server->port()}) +
                              (asked.keys ? ", TLS with keys" : ""));
   asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(parts.server->port()));

@@ -23,21 +23,6 @@ msg::Clock clock_message(SessionTime now) {
   return clock;
 }
 
-std::string_view word_for(msg::CaptureState state) noexcept {
-  switch (state) {
-    case msg::CAPTURE_STATE_LIVE:
-      return "live";
-    case msg::CAPTURE_STATE_WAITING:
-      return "waiting for a frame";
-    case msg::CAPTURE_STATE_LOST:
-      return "lost, connecting again";
-    case msg::CAPTURE_STATE_ENDED:
-      return "has no more images";
-    default:
-      return "in an unknown state";
-  }
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Options options) {
@@ -57,65 +42,38 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
   return server;
 }
 
-Server::Server(boost::asio::io_context& io, Options options)
-    : io_(io),
-      options_(std::move(options)),
-      second_(io),
-      network_(io, clock_, [this](wire::Message message) { publish_played(std::move(message)); }) {
+Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {
   hub_.on_key_frame_request([this](std::string_view) {
-    if (capture_) capture_->request_key_frame();
-    if (player_) player_->show_again();
+    if (origin_) origin_->show_again();
   });
 }
 
-void Server::start(std::unique_ptr<capture::CaptureSource> source, const std::string& source_name,
-                   std::function<void()> on_end) {
+void Server::start(std::unique_ptr<origin::Origin> origin, std::function<void()> on_end) {
   started_ = std::chrono::steady_clock::now();
-  capture_ = std::make_unique<pipeline::CaptureThread>(
-      io_, std::move(source), source_name, options_.encode, clock_,
-      pipeline::CaptureThread::Handlers{.on_message = [this](wire::Message message) { publish(std::move(message)); },
-                                        .on_end = std::move(on_end)});
+  origin_ = std::move(origin);
+  origin_->start({.on_message = [this](wire::Message message) { publish(std::move(message)); },
+                  .on_end = std::move(on_end),
+                  .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
   publish_every_second();
-}
-
-void Server::play(std::unique_ptr<playback::SessionPlayer> player, std::function<void()> on_end) {
-  started_ = std::chrono::steady_clock::now();
-  player_ = std::move(player);
-  player_->start(io_, {.on_message =
-                           [this](wire::Message message) {
-                             // A topic without a subscriber, such as the ticks, must not fill an impaired network.
-                             if (hub_.is_wanted(message.topic.name))
-                               network_.send(std::move(message));
-                             else
-                               publish_played(std::move(message));
-                           },
-                       .on_end = std::move(on_end)});
-  publish_every_second();
-}
-
-void Server::publish_played(wire::Message message) {
-  const bool is_of_station = message.topic.publisher == wire::Publisher::Station;
-  if (!is_of_station || listener_->stations() == 0) publish(std::move(message));
 }
 
 void Server::stop(const std::string& reason) {
   stopped_ = true;
-  network_.stop();
-  if (capture_) capture_->stop();
-  if (player_) player_->stop();
+  if (origin_) origin_->stop();
   second_.cancel();
   publish_clock_and_stats();
   listener_->close(reason);
 }
 
 void Server::publish(wire::Message message) {
+  if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
   if (message.topic.name == wire::kCameraDepth.name) last_depth_ = std::chrono::steady_clock::now();
   hub_.publish(std::move(message));
 }
 
 std::string Server::problem() const {
-  if (player_ && !player_->state().playing()) return "";
+  if (origin_ && origin_->is_still()) return "";
   constexpr std::chrono::seconds kLongest{5};
   const auto since = std::max(last_depth_, started_);
   return std::chrono::steady_clock::now() - since > kLongest
@@ -134,9 +92,9 @@ void Server::publish_every_second() {
   });
 }
 
-/// Repeats the picture of a paused session for a subscriber that came after its publication.
+/// Repeats a picture that stands still for a subscriber that came after its publication.
 void Server::show_newcomers_the_picture() {
-  if (player_ && !player_->state().playing() && hub_.is_missed(wire::kCameraDepth.name)) player_->show_again();
+  if (origin_->is_still() && hub_.is_missed(wire::kCameraDepth.name)) origin_->show_again();
 }
 
 void Server::publish_clock_and_stats() {
@@ -149,11 +107,9 @@ void Server::publish_clock_and_stats() {
 
 /// All subscribers get the same encoding, so depth is predicted only while every path delivers the reference frames.
 void Server::choose_prediction() {
-  const codec::DepthMode mode = options_.encode.depth.mode;
-  const bool in_groups = mode == codec::DepthMode::Temporal || mode == codec::DepthMode::Bounded;
   const bool may = listener_->references_arrive();
-  if (!capture_ || !in_groups || std::exchange(predicts_, may) == may) return;
-  capture_->let_predict(may);
+  if (!origin_->chooses_prediction() || std::exchange(predicts_, may) == may) return;
+  origin_->let_predict(may);
   log(may ? "depth images are again predicted from earlier depth images: the network path of each subscriber "
             "loses almost no packet, or repairs each loss in time"
           : "all depth images are now key frames, which take more bytes: the network path of a subscriber is not "
@@ -172,17 +128,12 @@ void Server::give_memory_back() {
 void Server::log_state_changes(const wire::Message& message) {
   msg::CaptureStatus status;
   if (!status.ParseFromString(*message.payload)) return;
-  const std::string state = (player_ ? "" : "camera " + std::string(word_for(status.state())) + ": ") + status.detail();
+  const std::string state = origin_->in_words(status);
   if (std::exchange(last_state_, state) != state) log(state);
 }
 
 void Server::log(const std::string& text) const {
   if (options_.log) options_.log(text);
-}
-
-std::uint64_t Server::frames() const {
-  if (player_) return player_->depth_images();
-  return capture_ ? capture_->frames() : 0;
 }
 
 std::string Server::summary() const {
@@ -192,8 +143,9 @@ std::string Server::summary() const {
   char line[200];
   std::snprintf(line, sizeof line,
                 "%.1f s; frames captured: %llu; depth images: %llu published, %llu sent to subscribers, %llu dropped",
-                seconds, static_cast<unsigned long long>(frames()), static_cast<unsigned long long>(depth.published),
-                static_cast<unsigned long long>(depth.sent), static_cast<unsigned long long>(depth.dropped));
+                seconds, static_cast<unsigned long long>(origin_ ? origin_->images() : 0),
+                static_cast<unsigned long long>(depth.published), static_cast<unsigned long long>(depth.sent),
+                static_cast<unsigned long long>(depth.dropped));
   return line;
 }
 

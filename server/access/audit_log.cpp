@@ -86,6 +86,8 @@ std::string_view name(AuditEvent event) noexcept {
       return "signed-in";
     case AuditEvent::SignedOut:
       return "signed-out";
+    case AuditEvent::OpenedSession:
+      return "opened-session";
   }
   return "?";
 }

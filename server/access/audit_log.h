@@ -27,7 +27,8 @@ enum class AuditEvent {
   Rearmed,
   Refused,
   SignedIn,
-  SignedOut
+  SignedOut,
+  OpenedSession
 };
 [[nodiscard]] std::string_view name(AuditEvent event) noexcept;
 

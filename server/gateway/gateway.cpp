@@ -54,7 +54,7 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, hub::Hub& h
   for (const std::string& host : options.access->hosts()) options.policy.allowed_hosts.push_back(host);
   const std::string session_id = std::to_string(to_nanoseconds(now()));
   auto context = std::make_shared<GatewayContext>(
-      GatewayContext{hub, std::move(options), std::move(files), std::move(now), session_id, {}});
+      GatewayContext{hub, options, std::move(files), std::move(now), session_id, {io, options.open_session}, {}});
   context->view_maker = std::make_unique<views::ViewMaker>(
       io, hub, context->views, context->options.log ? context->options.log : [](const std::string&) {});
   return std::unique_ptr<Gateway>(new Gateway(std::move(acceptor).value(), std::move(context)));
@@ -85,11 +85,10 @@ std::string Gateway::url() const {
 
 void Gateway::look_after_connections_every_second() {
   const bool has_keys = context_->options.access->has_keys();
-  if (!has_keys && !context_->options.playback_port) return;
   if (has_keys) context_->options.access->look_at_revocations();
   const std::unordered_set<Connection*> open = context_->connections;  // check_access() may take them out
   for (Connection* const connection : open) {
-    if (context_->options.playback_port) connection->send_playback_state();
+    connection->send_playback_state();
     if (has_keys) connection->check_access();
   }
   second_.expires_after(std::chrono::seconds(1));

@@ -15,23 +15,17 @@
 #include "proto/words/result.h"
 #include "proto/words/time.h"
 #include "server/access/access.h"
-#include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/hand_holder.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in/web_sessions.h"
 #include "server/gateway/static_files.h"
 #include "server/hub/hub.h"
 #include "server/hub/server_stats.h"
+#include "server/origin/origin.h"
+#include "server/origin/reading.h"
 #include "server/views/view_maker.h"
 
 namespace telepalp::gateway {
-
-/// A state of the server that browsers read by GET and change by POST. The bodies are Protobuf messages as JSON.
-struct JsonResource {
-  std::function<std::string()> state{};  ///< unset: the server does not have this state
-  /// Carries out `command` (JSON) for the person `who`, and returns the new state; set if `state` is set.
-  std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
-};
 
 struct GatewayOptions {
   std::string address = "127.0.0.1";
@@ -42,13 +36,8 @@ struct GatewayOptions {
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
   std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
   std::function<hub::DatagramCounts()> datagrams{};  ///< counts of datagrams that arrived at the UDP port
-  JsonResource playback{};                           ///< msg::PlaybackState and msg::PlaybackCommand
-  foxglove::PlaybackPort playback_port{};            ///< control of the played session over the WebSocket
-  JsonResource network{};                            ///< msg::NetworkState and msg::NetworkCommand
-  JsonResource notes{};                              ///< msg::SessionNotes and msg::NoteCommand
-  JsonResource comparison{};                         ///< msg::ComparisonState and msg::ComparisonCommand
-  std::function<std::string()> session_events{};     ///< JSON of msg::SessionEvents; set if `playback` is set
-  JsonResource recording{};  ///< msg::RecordingState and msg::RecordingCommand; unset: nothing can be recorded here
+  origin::Offer offer{};                             ///< what visitors may see of the server's origin, and change in it
+  origin::Readings::Open open_session{};  ///< opens a recorded session for one reader; unset: none can be opened
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
   std::chrono::milliseconds request_timeout{10'000};  ///< limit for receiving a request, and for sending the reply
@@ -63,7 +52,8 @@ struct GatewayContext {
   GatewayOptions options;
   StaticFiles files;
   std::function<SessionTime()> now;
-  std::string session_id;                       ///< differs for each start of the server
+  std::string session_id;  ///< differs for each start of the server
+  origin::Readings readings;
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
   WebSessions sessions{};

@@ -131,8 +131,14 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
           request, http::status::unauthorized,
           "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +
               "/?token=TOKEN, where TOKEN is all that follows \"token:\" in the file that the technician gave you"));
+    Newcomer newcomer{*subprotocol, peer_, visit_->visitor(), nullptr, {}};
+    // A browser's page cannot read why an upgrade is refused, so the stream opens and tells it.
+    if (auto reading = visit_->reading(request))
+      newcomer.reading = std::move(reading).value();
+    else
+      newcomer = {*subprotocol, peer_, visit_->visitor(), context()->readings.nothing(), to_string(reading.error())};
     stream_.tcp().expires_never();
-    start_viewer_connection(std::move(stream_), request, {*subprotocol, peer_, visit_->visitor()}, context());
+    start_viewer_connection(std::move(stream_), request, newcomer, context());
   }
 
   void write(HttpReply reply) {

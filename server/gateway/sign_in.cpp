@@ -1,5 +1,7 @@
 #include "server/gateway/sign_in.h"
 
+#include "server/gateway/request/reading_request.h"
+
 namespace telepalp::gateway {
 namespace {
 
@@ -102,16 +104,6 @@ std::string_view bearer_token(std::string_view authorization) noexcept {
   return authorization.starts_with(kScheme) ? authorization.substr(kScheme.size()) : std::string_view{};
 }
 
-std::string_view token_in_target(std::string_view target) noexcept {
-  constexpr std::string_view kField = "token=";
-  const std::size_t asked = target.find('?');
-  std::string_view query = asked == std::string_view::npos ? std::string_view{} : target.substr(asked + 1);
-  while (!query.empty()) {
-    const std::string_view one = query.substr(0, query.find('&'));
-    query.remove_prefix(std::min(query.size(), one.size() + 1));
-    if (one.starts_with(kField)) return one.substr(kField.size());
-  }
-  return {};
-}
+std::string_view token_in_target(std::string_view target) noexcept { return query_value(target, "token"); }
 
 }  // namespace telepalp::gateway

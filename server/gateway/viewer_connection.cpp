@@ -26,6 +26,7 @@ constexpr std::size_t kMaxTextBytes = 65'536;  // of a client's message; a large
 constexpr std::size_t kMaxSubscriptions = 256;
 constexpr std::size_t kMaxWaitingTexts = 32;
 constexpr std::string_view kSubscriberName = "viewer";
+constexpr std::string_view kUnopened = "the recorded session is not opened: ";  // the page looks for these words
 /// Minimum time between two warnings that no station uses the hand; a viewer publishes it 100 times a second.
 constexpr std::chrono::seconds kUntakenWarnedEvery{1};
 /// Limits the age of a frame at a slow viewer: a message in the kernel's buffer cannot be replaced by a newer one.
@@ -39,8 +40,12 @@ std::string to_text(const tcp::endpoint& peer) {
 
 class ViewerConnection final : public Connection, public std::enable_shared_from_this<ViewerConnection> {
  public:
-  ViewerConnection(WebStream stream, std::optional<Visitor> visitor, std::shared_ptr<GatewayContext> context)
-      : Connection(std::move(context)), stream_(std::move(stream)), visitor_(std::move(visitor)) {}
+  ViewerConnection(WebStream stream, const Newcomer& newcomer, std::shared_ptr<GatewayContext> context)
+      : Connection(std::move(context)),
+        stream_(std::move(stream)),
+        visitor_(newcomer.visitor),
+        reading_(newcomer.reading),
+        unopened_(newcomer.unopened) {}
   ~ViewerConnection() override { leave(); }
 
   void start(const HttpRequest& upgrade, const Newcomer& newcomer) {
@@ -71,8 +76,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   void send_playback_state() override {
-    if (controls_playback_ && subscriber_)
-      say_binary(foxglove::playback_state(context()->options.playback_port.state()));
+    if (controls_playback_ && subscriber_) say_binary(foxglove::playback_state(offer().playback.state()));
   }
 
   void close() override {
@@ -84,13 +88,30 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
  private:
   tcp::socket& socket() { return beast::get_lowest_layer(stream_).socket(); }
 
+  /// What this viewer may subscribe to.
+  hub::Hub& hub() { return reading_ ? reading_->hub() : context()->hub; }
+  hub::Hub& views() { return reading_ ? reading_->views() : context()->views; }
+  const origin::Offer& offer() { return reading_ ? reading_->offer() : context()->options.offer; }
+
+  /// Moving a played session changes what all viewers see; a reading is its reader's own.
+  bool may_move() {
+    const keys::Operation needed = reading_ ? keys::Operation::Watch : keys::Operation::Play;
+    return visitor_ && context()->options.access->may(visitor_->who, needed).ok();
+  }
+
+  void subscriptions_changed() {
+    if (reading_) reading_->subscriptions_changed();
+    if (context()->view_maker) context()->view_maker->subscriptions_changed();
+  }
+
   void leave() {
     if (!subscriber_) return;
     const hub::SubscriberId viewer = *subscriber_;
     subscriber_.reset();
-    context()->hub.leave(viewer);
-    context()->views.leave(views_subscriber_);
+    hub().leave(viewer);
+    views().leave(views_subscriber_);
     if (context()->view_maker) context()->view_maker->subscriptions_changed();
+    if (std::exchange(reading_, nullptr)) return;  // its last holder ends it
     context()->holder.let_go(viewer);
     note_hand(false, " why=\"the connection ended\"");
     publish_holder();
@@ -98,15 +119,15 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void greet(const std::string& peer) {
     if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
-    subscriber_ = context()->hub.join(std::string(kSubscriberName), peer, [this] { write_next(); });
+    subscriber_ = hub().join(std::string(kSubscriberName), peer, [this] { write_next(); });
     number_ = *subscriber_;
-    views_subscriber_ = context()->views.join(std::string(kSubscriberName), peer, [this] { write_next(); });
+    views_subscriber_ = views().join(std::string(kSubscriberName), peer, [this] { write_next(); });
     const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
-    controls_playback_ = speaks_playback_ && context()->options.playback_port && visitor_ &&
-                         context()->options.access->may(visitor_->who, keys::Operation::Play).ok();
-    const auto played = controls_playback_ ? std::optional(context()->options.playback_port.state()) : std::nullopt;
+    controls_playback_ = speaks_playback_ && offer().playback && may_move();
+    const auto played = controls_playback_ ? std::optional(offer().playback.state()) : std::nullopt;
     say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role, played));
     say(foxglove::advertise_all_topics());
+    if (!unopened_.empty()) warn(std::string(kUnopened) + unopened_);
     send_playback_state();
     read();
   }
@@ -133,13 +154,13 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       if (const Result<void> taken = commands_.advertise(channel); !taken) warn(to_string(taken.error()));
     std::vector<std::string> topics;
     for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
-    context()->hub.subscribe(*subscriber_, topics);
-    context()->views.subscribe(views_subscriber_, topics);
-    context()->view_maker->subscriptions_changed();
+    hub().subscribe(*subscriber_, topics);
+    views().subscribe(views_subscriber_, topics);
+    subscriptions_changed();
   }
 
   void move_playback(const std::string& bytes) {
-    const foxglove::PlaybackPort& port = context()->options.playback_port;
+    const origin::PlaybackPort& port = offer().playback;
     if (!port) return warn(std::string(kNoSession));
     if (!controls_playback_) return warn(std::string(kOnlyForPlayers));
     const msg::PlaybackState before = port.state();
@@ -170,6 +191,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   void publish(const std::string& bytes) {
+    if (reading_) return;  // its picture is of the past, and no station follows a hand there
     if (!may_touch()) return;
     if (commands_.lets_go(bytes)) {
       context()->holder.let_go(*subscriber_);
@@ -274,10 +296,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   /// Takes messages alternately from telepalp's topics and from the view topics, so that neither blocks the other.
   std::optional<wire::Message> next_message() {
     view_is_next_ = !view_is_next_;
-    std::optional<wire::Message> message =
-        view_is_next_ ? context()->views.next(views_subscriber_) : context()->hub.next(*subscriber_);
+    std::optional<wire::Message> message = view_is_next_ ? views().next(views_subscriber_) : hub().next(*subscriber_);
     if (message) return message;
-    return view_is_next_ ? context()->hub.next(*subscriber_) : context()->views.next(views_subscriber_);
+    return view_is_next_ ? hub().next(*subscriber_) : views().next(views_subscriber_);
   }
 
   /// Prepares to write `message` to each subscription of its topic; false if the client has unsubscribed meanwhile.
@@ -317,6 +338,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   websocket::stream<WebStream> stream_;
   std::optional<Visitor> visitor_;
+  std::shared_ptr<origin::Reading> reading_;  // null: this viewer sees what the server publishes for all
+  const std::string unopened_;                // why the reading publishes nothing
   bool denied_ = false;
   bool holds_hand_ = false;
   hub::SubscriberId number_ = 0;    // of this viewer, also after it has left
@@ -341,7 +364,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 void start_viewer_connection(WebStream stream, const HttpRequest& upgrade, const Newcomer& newcomer,
                              std::shared_ptr<GatewayContext> context) {
   // shared: the connection is owned by the pending reads and writes
-  std::make_shared<ViewerConnection>(std::move(stream), newcomer.visitor, std::move(context))->start(upgrade, newcomer);
+  std::make_shared<ViewerConnection>(std::move(stream), newcomer, std::move(context))->start(upgrade, newcomer);
 }
 
 }  // namespace telepalp::gateway

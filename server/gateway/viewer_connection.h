@@ -3,6 +3,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "server/gateway/gateway.h"
@@ -17,6 +18,8 @@ struct Newcomer {
   std::string_view subprotocol;  ///< the negotiated one
   boost::asio::ip::tcp::endpoint peer;
   std::optional<Visitor> visitor;
+  std::shared_ptr<origin::Reading> reading;  ///< what this viewer alone sees; null: what the server publishes for all
+  std::string unopened;                      ///< why `reading` publishes nothing; empty: it was opened
 };
 
 /// Accepts the WebSocket `upgrade` on `stream` and runs the Foxglove protocol on it, as a subscriber of the hub.

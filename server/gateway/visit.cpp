@@ -5,6 +5,7 @@
 
 #include "server/access/audit_text.h"
 #include "server/gateway/health/metrics.h"
+#include "server/gateway/request/reading_request.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in.h"
 
@@ -51,14 +52,18 @@ HttpReply json_reply(const HttpRequest& request, const std::string& json) {
 }
 
 /// GET answers the state; POST carries out a command and answers the state after it.
-HttpReply answer_state(const HttpRequest& request, const JsonResource& resource, const std::string& who) {
+HttpReply answer_state(const HttpRequest& request, const origin::Resource& resource, const std::string& who) {
   if (request.method() == http::verb::get) return json_reply(request, resource.state());
+  if (!resource.change) return refuse(request, http::status::method_not_allowed, "this address answers only GET");
   if (request.method() != http::verb::post)
     return refuse(request, http::status::method_not_allowed,
                   "this address answers only GET (the state) and POST (a command)");
   const Result<std::string> after = resource.change(request.body(), who);
   return after ? json_reply(request, *after) : refuse(request, http::status::bad_request, to_string(after.error()));
 }
+
+constexpr std::string_view kReadingIsOver =
+    "this session was opened for one page, which is closed. fix: load the page again";
 
 }  // namespace
 
@@ -91,12 +96,7 @@ std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
   const std::string_view target = path_of(view(request.target()));
   const bool has_keys = context_.options.access->has_keys();
   if (target == kMetricsTarget) return metrics(request);
-  if (target == kPlaybackTarget) return played(request, context_.options.playback);
-  if (target == kNetworkTarget) return played(request, context_.options.network);
-  if (target == kNotesTarget) return played(request, context_.options.notes);
-  if (target == kComparisonTarget) return played(request, context_.options.comparison);
-  if (target == kEventsTarget) return session_events(request);
-  if (target == kRecordingTarget) return recording(request);
+  if (const ResourceRow* const row = resource_at(target)) return resource(request, *row);
   if (!has_keys) return std::nullopt;
   if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
   if (!may(keys::Operation::Watch)) {
@@ -150,60 +150,51 @@ std::optional<HttpReply> Visit::refusal_to_watch(const HttpRequest& request) con
   return std::nullopt;
 }
 
-/// Everyone who may watch may GET a state. A POST changes something for all visitors, so it needs its own right, and
-/// must come from a page of this server, a page of an origin in --allow-origin, or a trusted program.
-std::optional<HttpReply> Visit::refusal_to_command(const HttpRequest& request, const CommandRight& right) const {
+/// A POST must come from a page of this server, a page of an origin in --allow-origin, or a trusted program. `is_own`:
+/// the state is of a reading, which nobody but its reader sees.
+std::optional<HttpReply> Visit::refusal(const HttpRequest& request, const ResourceRow& row, bool is_own) const {
   if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return refusal;
+  if (!may(row.read)) return refuse(request, http::status::forbidden, row.people);
   if (request.method() != http::verb::post) return std::nullopt;
-  if (!may(right.operation)) return refuse(request, http::status::forbidden, right.people);
+  if (!may(is_own ? row.change_own : row.change)) return refuse(request, http::status::forbidden, row.people);
   const std::string_view origin = view(request[http::field::origin]);
   if (!origin_is_allowed(context_.options.policy, origin, view(request[http::field::host]), is_from_trusted_program()))
-    return refuse(request, http::status::forbidden, origin.empty() ? kNoTokenNoOrigin : right.pages);
+    return refuse(request, http::status::forbidden, origin.empty() ? kNoTokenNoOrigin : row.pages);
   return std::nullopt;
 }
 
-/// Moving, impairing or noting on the session changes what all viewers see: it is for technicians and QA.
-HttpReply Visit::played(const HttpRequest& request, const JsonResource& part) const {
-  constexpr CommandRight kChange{.operation = keys::Operation::Play,
-                                 .people = kOnlyForPlayers,
-                                 .pages =
-                                     "this web page is from another site, which may not control a played session. fix: "
-                                     "allow the page's scheme and "
-                                     "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};
-  if (std::optional<HttpReply> refusal = refusal_to_command(request, kChange)) return std::move(*refusal);
-  if (!part.state) return refuse(request, http::status::not_found, kNoSession);
-  return answer_state(request, part, describe(visitor_->who));
-}
-
-HttpReply Visit::session_events(const HttpRequest& request) const {
-  if (std::optional<HttpReply> refusal = refusal_to_watch(request)) return std::move(*refusal);
-  if (request.method() != http::verb::get)
-    return refuse(request, http::status::method_not_allowed, "this address answers only GET");
-  const GatewayOptions& options = context_.options;
-  if (!options.session_events) return refuse(request, http::status::not_found, kNoSession);
-  return json_reply(request, options.session_events());
-}
-
-HttpReply Visit::recording(const HttpRequest& request) const {
-  constexpr CommandRight kRecord{
-      .operation = keys::Operation::Record,
-      .people = "only doctors, technicians and QA may record",
-      .pages =
-          "this web page is from another site, which may not record. fix: allow the page's scheme and host: "
-          "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev"};
-  if (std::optional<HttpReply> refusal = refusal_to_command(request, kRecord)) return std::move(*refusal);
-  const JsonResource& recording = context_.options.recording;
+HttpReply Visit::resource(const HttpRequest& request, const ResourceRow& row) const {
+  const std::string id(query_value(view(request.target()), "reading"));
+  const std::shared_ptr<origin::Reading> reading = context_.readings.find(id);
+  if (std::optional<HttpReply> refused = refusal(request, row, reading != nullptr)) return std::move(*refused);
+  if (!id.empty() && !reading) return refuse(request, http::status::not_found, kReadingIsOver);
+  const origin::Resources& all = reading ? reading->offer().resources : context_.options.offer.resources;
+  const auto found = all.find(row.path);
   const bool commands = request.method() == http::verb::post;
-  // A browser logs each 404 as an error of the page, so a GET gets an empty state instead.
-  if (!recording.state)
-    return commands ? refuse(request, http::status::not_found,
-                             "recording from the web page is off on this server. fix: start telepalp-server with "
-                             "--record-dir DIR")
-                    : json_reply(request, "{}");
-  if (commands)
+  if (found == all.end())
+    return row.empty_if_absent && !commands ? json_reply(request, "{}")
+                                            : refuse(request, http::status::not_found, row.absent);
+  if (commands && row.is_audited)
     note(access::AuditEvent::Records,
          "who=" + describe(visitor_->who) + " asked=" + access::audit_text(request.body()));
-  return answer_state(request, recording, describe(visitor_->who));
+  return answer_state(request, found->second, describe(visitor_->who));
+}
+
+/// Who may watch sees each moment of the session that the server plays. A recording of the server's folder may be of
+/// another patient: it needs the right to record.
+Result<std::shared_ptr<origin::Reading>> Visit::reading(const HttpRequest& request) const {
+  const Result<std::optional<ReadingRequest>> asked = read_reading_request(view(request.target()));
+  if (!asked) return asked.error();
+  if (!*asked) return std::shared_ptr<origin::Reading>();
+  const origin::ReadingSpec& spec = (*asked)->spec;
+  const keys::Operation needed = spec.session.empty() ? keys::Operation::Watch : keys::Operation::Record;
+  if (const Result<void> allowed = context_.options.access->may(visitor_->who, needed); !allowed)
+    return allowed.error();
+  auto joined = context_.readings.join((*asked)->id, spec);
+  if (joined && !spec.session.empty())
+    note(access::AuditEvent::OpenedSession,
+         "who=" + describe(visitor_->who) + " session=" + access::audit_text(spec.session));
+  return joined;
 }
 
 void Visit::note(access::AuditEvent event, const std::string& text) const {

@@ -32,6 +32,12 @@ export async function openBrowser(folder, viewport = {width: 900, height: 640}, 
 
 export const status = (page) => page.evaluate(() => window.telepalp);
 
+/** The playback of the page's own session; without values until the page has opened it. */
+export const ownPlayback = (page) => page.evaluate(async () => {
+  const reply = await fetch(`playback${globalThis.telepalpOwnQuery}`);
+  return reply.ok ? reply.json() : {};
+});
+
 /** Waits until `holds(status)` is true. */
 export const untilStatus = (page, what, holds, timeout_ms = 120_000) =>
     until(what, async () => {

@@ -1,13 +1,12 @@
 // The web port of a server with keys, as a browser and as a stranger use it: node keys_browser_test.mjs BIN_DIR VIEWER_DIR
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {randomBytes} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 import http from 'node:http';
-import https from 'node:https';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
+import {frame, KeyedWeb} from './keyed_web.mjs';
 import {sleep, until, Workplace} from './running_program.mjs';
 
 const [bin, viewer] = process.argv.slice(2);
@@ -17,7 +16,7 @@ const keys = (...words) => execFileSync(join(bin, 'telepalp-keys'), [...words, '
 const tokenOf = (name) => /^token: (.*)$/m.exec(readFileSync(join(folder, `${name}.token`), 'utf8'))[1];
 const audit = () => readFileSync(join(folder, 'audit.log'), 'utf8');
 const studio = 'https://studio.example';
-let server, station, ca, origin;
+let server, station, web, origin;
 
 before(async () => {
   keys('authority');
@@ -26,7 +25,7 @@ before(async () => {
   for (const [name, role] of [['dora', 'doctor'], ['vera', 'viewer'], ['quinn', 'qa']]) keys('token', '--name', name, '--role', role);
   server = await workplace.server(join(bin, 'telepalp-server'),
     ['--source', 'synthetic', '--viewer', viewer, '--key', join(folder, 'server.key'), '--allow-origin', studio]);
-  ca = readFileSync(join(folder, 'authority.crt'));
+  web = new KeyedWeb(server.http_port, readFileSync(join(folder, 'authority.crt')));
   origin = `https://127.0.0.1:${server.http_port}`;
   // A doctor feels the patient while all this happens; the last tests look whether she was disturbed.
   station = workplace.start(join(bin, 'telepalp-station'), ['--connect', `127.0.0.1:${server.port}`, '--patience', '60',
@@ -35,50 +34,11 @@ before(async () => {
 });
 after(() => workplace.end());
 
-/** One request over HTTPS, without a redirect followed. */
-function ask(path, {method = 'GET', headers = {}, body = ''} = {}) {
-  return new Promise((resolve, reject) => {
-    const request = https.request({host: '127.0.0.1', port: server.http_port, path, method, ca, headers, agent: false,
-      ...(headers.host ? {checkServerIdentity: () => undefined} : {})}, (reply) => {
-      let text = '';
-      reply.on('data', (part) => (text += part));
-      reply.on('end', () => resolve({status: reply.statusCode, headers: reply.headers, text}));
-    });
-    request.on('error', reject);
-    request.end(body);
-  });
-}
-
+const ask = (...request) => web.ask(...request);
+const upgrade = (...request) => web.upgrade(...request);
 const signIn = (token, from = origin, query = '') =>
   ask(`/sign-in${query}`, {method: 'POST', headers: {origin: from, 'content-type': 'application/x-www-form-urlencoded'}, body: `token=${token}`});
 const cookieOf = (reply) => reply.headers['set-cookie'][0].split(';')[0];
-
-/** Opens a WebSocket; resolves with its status and, if it is open, the socket. */
-function upgrade(headers, subprotocol = 'foxglove.websocket.v1', path = '/stream') {
-  return new Promise((resolve, reject) => {
-    const request = https.request({
-      host: '127.0.0.1', port: server.http_port, path, ca, agent: false,
-      headers: {connection: 'Upgrade', upgrade: 'websocket', 'sec-websocket-version': '13',
-        'sec-websocket-key': randomBytes(16).toString('base64'),
-        ...(subprotocol ? {'sec-websocket-protocol': subprotocol} : {}), ...headers},
-    }, (reply) => resolve({status: reply.statusCode}));
-    request.on('upgrade', (reply, socket, head) => {
-      const heard = {status: 101, socket, bytes: head, closed: false};
-      socket.on('data', (part) => (heard.bytes = Buffer.concat([heard.bytes, part])));
-      socket.on('close', () => (heard.closed = true));
-      socket.on('error', () => (heard.closed = true));
-      resolve(heard);
-    });
-    request.on('error', reject);
-    request.end();
-  });
-}
-
-/** A client's frame of at most 65535 bytes, masked as the protocol demands. */
-function frame(opcode, payload) {
-  const head = payload.length < 126 ? [0x80 | opcode, 0x80 | payload.length] : [0x80 | opcode, 0xfe, payload.length >> 8, payload.length & 255];
-  return Buffer.concat([Buffer.from(head), Buffer.alloc(4), payload]);
-}
 
 test('without a token there is a page to sign in, and nothing of the patient', async () => {
   const page = await ask('/');

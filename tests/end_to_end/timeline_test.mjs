@@ -6,7 +6,7 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
-import {openBrowser, status, untilStatus} from './browser.mjs';
+import {openBrowser, ownPlayback, status, untilStatus} from './browser.mjs';
 import {sleep, until, Workplace} from './running_program.mjs';
 
 const [binDir, viewer] = process.argv.slice(2);
@@ -187,7 +187,9 @@ test('QA notes a moment: it is kept beside the session, drawn, listed, shared, a
   await page.locator('#timeline-slider').fill('9');
   await untilState('it is elsewhere again', ({position_s}) => position_s === 9);
   await page.reload();
-  await untilState('the address shows the same picture', (now) => now.shown_s === shown_s);
+  await until('the address shows this page the same picture', async () =>
+    (await ownPlayback(page)).shown_s === shown_s);
+  assert.equal((await state()).position_s, 9, 'and leaves the others where they are');
   await untilStatus(page, 'the page runs', () => true);
   if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
   await page.locator('#notes li[aria-current]').waitFor();
@@ -200,6 +202,10 @@ test('QA notes a moment: it is kept beside the session, drawn, listed, shared, a
 
 test('a double click adds one note, and removes one', async () => {
   const {page} = browser;
+  await page.goto(`http://127.0.0.1:${played.http_port}/?view=qa`);
+  await page.locator('#timeline').waitFor();
+  if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
+  await page.locator('#note-form').waitFor();
   const count = async () => (await part('notes')).notes.length;
   for (const text of ['first', 'second', 'third']) {
     await page.fill('#note-text', text);

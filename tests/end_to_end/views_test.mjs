@@ -10,7 +10,7 @@ import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
 import {violations} from './accessibility.mjs';
-import {openBrowser, status, untilStatus} from './browser.mjs';
+import {openBrowser, ownPlayback, status, untilStatus} from './browser.mjs';
 import {sleep, until, Workplace} from './running_program.mjs';
 
 const borrowed = createRequire(new URL('../npm/package.json', import.meta.url));
@@ -118,7 +118,9 @@ test('QA shares a moment, and the address brings another visitor to it', async (
   await page.locator('#timeline-slider').fill('8');
   await until('it is elsewhere', async () => (await playback()).position_s === 8);
   await page.goto(shared);
-  await until('the address leads back to the same picture', async () => (await playback()).shown_s === shown_s);
+  await until('the address leads this page back to the same picture', async () =>
+    (await ownPlayback(page)).shown_s === shown_s);
+  assert.equal((await playback()).position_s, 8, 'and leaves the others where they are');
   await untilStatus(page, 'it is QA\'s view', (now) => now.view === 'qa');
   await untilStatus(page, 'the mesh is drawn again', (now) => now.meshVertices > 200);
 });

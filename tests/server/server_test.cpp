@@ -16,6 +16,7 @@
 #include "messages/clock.pb.h"
 #include "messages/station.pb.h"
 #include "proto/wire/client_link.h"
+#include "server/origin/camera_origin.h"
 #include "tests/server/still_source.h"
 
 namespace telepalp::server {
@@ -49,7 +50,8 @@ struct ServedSource {
          .on_state =
              [&](wire::LinkState state, const std::string& detail) {
                if (state == wire::LinkState::Connected)
-                 (*server)->start(std::make_unique<StillSource>(20, 25ms, (*server)->clock()), "still",
+                 (*server)->start(origin::of_camera(io, std::make_unique<StillSource>(20, 25ms, (*server)->clock()),
+                                                    "still", {}, (*server)->clock()),
                                   [&] { (*server)->stop("the source came to its end"); });
                if (state == wire::LinkState::Lost) {
                  lost_because = detail;
@@ -157,9 +159,12 @@ struct Onlooker {
 
 TEST(Server, TemporalDepthBeginsWithAKeyFrameForEveryoneAndNobodyCanMakeEachFrameOne) {
   boost::asio::io_context io;
-  auto server = Server::listen(io, {.encode = {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 1000}}});
+  auto server = Server::listen(io, {});
   ASSERT_TRUE(server.ok());
-  (*server)->start(std::make_unique<StillSource>(1000, 5ms, (*server)->clock()), "still", [] {});
+  (*server)->start(
+      origin::of_camera(io, std::make_unique<StillSource>(1000, 5ms, (*server)->clock()), "still",
+                        {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 1000}}, (*server)->clock()),
+      [] {});
   Onlooker first(io, (*server)->port());
   const auto run_until = [&](auto done) {
     for (int i = 0; i < 4000 && !done(); ++i) io.run_one_for(5ms);

@@ -10,6 +10,7 @@ import type {Extra} from './site/worker_messages';
 import {DoctorPanel} from './panel/doctor/doctor_panel';
 import {QaPanel} from './panel/qa/qa_panel';
 import {element} from './page/page';
+import {SessionsCard} from './panel/sessions_card';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {PlaybackLink} from './playback/playback_link';
@@ -137,10 +138,11 @@ const status = publishStatus(() => ({
 }));
 
 const technician = new TechnicianPanel(view, canvas, (place) => link.takePlace(place));
+const sessions = new SessionsCard();
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
-  technician: [technician],
-  qa: [new QaPanel(playback, new OverviewBand(playback, notes), notes, view, () => coming ?? drawing ?? last)],
+  technician: [technician, sessions],
+  qa: [sessions, new QaPanel(playback, new OverviewBand(playback, notes), notes, view, () => coming ?? drawing ?? last)],
 };
 const layout = new KeptLayout(browserStore());
 const [cards, details] = [new FoldingCards(layout), new Details(layout)];

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,13 +9,6 @@
 #include "proto/words/result.h"
 
 namespace telepalp::gateway::foxglove {
-
-/// Access to the played session: reads its state, carries out a command. Both are unset if the server plays no session.
-struct PlaybackPort {
-  std::function<msg::PlaybackState()> state;
-  std::function<Result<void>(const msg::PlaybackCommand&)> move;
-  [[nodiscard]] explicit operator bool() const noexcept { return state && move; }
-};
 
 /// A client's request of Foxglove's capability "playbackControl". Binary, little-endian: 03 | u8 command: 0 play, 1
 /// pause | f32 speed | u8: not 0 to seek | u64 time to seek to [ns] | u32 length of the id | id of the request.

@@ -4,7 +4,9 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {addressOfMoment, momentInAddress} = await bundled('playback/moment.ts');
+const {addressOfMoment} = await bundled('playback/moment.ts');
+const {momentInAddress, ownSessionIn, queryOf} = await bundled('link/own_session.ts');
+const {readSessions, recordedSays} = await bundled('playback/recorded_sessions.ts');
 const {snapshotLines} = await bundled('panel/qa/snapshot_words.ts');
 const {EventLog} = await bundled('panel/qa/event_log.ts');
 const {toneOf} = await bundled('words/event_tone.ts');
@@ -24,6 +26,24 @@ test('a shared address shows QA the same moment', () => {
 test('what is no moment is none', () => {
   for (const search of ['', '?at_s=', '?at_s=-3', '?at_s=1e9', '?at_s=NaN', '?at_s=3;4'])
     assert.equal(momentInAddress(search), undefined, search);
+});
+
+test('an address opens a session for its page alone, and a shared moment keeps the session', () => {
+  assert.equal(ownSessionIn('?view=qa'), undefined);
+  assert.equal(queryOf(undefined, 'id'), '');
+  const own = ownSessionIn('?view=qa&session=a_1.mcap&at_s=2.5');
+  assert.deepEqual(own, {session: 'a_1.mcap', at_s: 2.5});
+  assert.equal(queryOf(own, 'id'), '?reading=id&session=a_1.mcap&at_s=2.5');
+  assert.equal(queryOf(ownSessionIn('?at_s=3'), 'id'), '?reading=id&at_s=3');
+  for (const wrong of ['?session=', '?session=../x', '?session=a b']) assert.equal(ownSessionIn(wrong), undefined, wrong);
+  assert.equal(new URL(addressOfMoment('https://site.example/?session=a_1.mcap', 5)).searchParams.get('session'), 'a_1.mcap');
+});
+
+test('a recording is listed with its time and size; a server without recordings lists none', () => {
+  const [one] = readSessions('{"sessions":[{"name":"a.mcap","bytes":"12500000","written_s":"1772366400"}]}');
+  assert.equal(one.name, 'a.mcap');
+  assert.equal(recordedSays(one), '2026-03-01 12:00 UTC, 12.5 MB');
+  for (const none of ['{}', '', '[]']) assert.deepEqual(readSessions(none), []);
 });
 
 test('an event is placed by the speed at which the session plays', () => {

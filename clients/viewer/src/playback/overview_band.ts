@@ -1,6 +1,7 @@
 import {element, made} from '../page/page';
 import {toneOf} from '../words/event_tone';
 import {lookOf} from '../words/phases';
+import {askServer} from '../link/ask_server';
 import type {PlayedPart} from './played_part';
 import type {PlaybackLink} from './playback_link';
 import {seekTo} from './playback_state';
@@ -77,11 +78,9 @@ export class OverviewBand {
   }
 }
 
+const askEvents = askServer('playback/events');
+
 async function ask(): Promise<SessionOverview | undefined> {
-  try {
-    const reply = await fetch('playback/events', {cache: 'no-store'});
-    return reply.ok ? readOverview(await reply.text()) : undefined;
-  } catch {
-    return undefined;
-  }
+  const answer = await askEvents();
+  return answer?.status === 200 ? readOverview(answer.text) : undefined;
 }

@@ -1,4 +1,5 @@
 import {measureHeight} from '../page/layout';
+import {ownQuery} from '../link/own_session';
 import {element, setText} from '../page/page';
 import type {Reading} from '../state/viewer_state';
 import {type Focus, commandForKey} from './playback_keys';
@@ -74,6 +75,8 @@ export class TimelineBar {
   private show(): void {
     const {state, problem} = this.link;
     this.bar.hidden = state === undefined;
+    element('timeline-own').hidden = ownQuery() === '';
+    this.loop.hidden = ownQuery() !== '';  // its own session begins again at its end, always
     if (state === undefined) return;
     const look = timelineLook(state);
     setText(this.play, look.symbol);

@@ -1,3 +1,4 @@
+import {ownQuery} from '../link/own_session';
 import type {FromWorker} from './worker_messages';
 
 /** The link worker, with the messages that came before the page could take them. */
@@ -13,7 +14,7 @@ export function linkWorker(): EarlyWorker {
 }
 
 function begin(): EarlyWorker {
-  const worker = new Worker('link_worker.js', {type: 'module'});
+  const worker = new Worker('link_worker.js', {type: 'module', name: ownQuery()});
   const early: FromWorker[] = [];
   worker.onmessage = ({data}: MessageEvent<FromWorker>) => early.push(data);
   return {worker, early};

@@ -21,6 +21,7 @@ import {SiteFacts} from './site_facts';
 import type {FromWorker, News, ToWorker} from './worker_messages';
 
 const KEY_FRAME_REQUEST_INTERVAL_MS = 500;
+const UNOPENED = 'the recorded session is not opened:';
 
 const clock = new SessionClock();
 const facts = new SiteFacts();
@@ -109,7 +110,7 @@ function stationCame(state: StationState): void {
 }
 
 const stream = new Stream(
-    `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream`,
+    `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream${self.name}`,  // the page gave its own session as the worker's name
     {
       '/clock': () => undefined,  // one message a second: the stream treats silence as a lost connection
       '/camera/depth': (image, published_ns) => {
@@ -166,6 +167,7 @@ const stream = new Stream(
       },
       warned: (text) => {
         console.warn('server:', text);
+        if (text.startsWith(UNOPENED)) facts.unopened = text.slice(UNOPENED.length).trim();
         if (text.includes('follows the hand of a viewer')) facts.untaken_ms = now_ms();
       },
       heard: (published_ns) => facts.came(local_ms(published_ns), now_ms()),

@@ -17,6 +17,7 @@ export class SiteFacts {
   capture: CaptureStatus | undefined;
   lateTicks: number | undefined;
   untaken_ms: number | undefined;
+  unopened: string | undefined;
   holder: HandHolder = NOBODY;
   stats: ServerStats | undefined;
   surfaceReport: SurfaceReport | undefined;
@@ -37,6 +38,7 @@ export class SiteFacts {
     this.lastSequence = undefined;  // frames missed without a connection are no drops of the link
     this.holder = NOBODY;
     this.station = this.stationHeard_ms = this.link_ms = this.heard = this.heardAny_ms = this.stats = this.surfaceReport = undefined;
+    this.unopened = undefined;
     this.events = [];
   }
 
@@ -70,10 +72,10 @@ export class SiteFacts {
 
   get news() {
     const {everConnected, link_ms, heard, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped} = this;
-    const {stats, surfaceReport, events, heardAny_ms} = this;
+    const {stats, surfaceReport, events, heardAny_ms, unopened} = this;
     return {
       everConnected, link_ms, heard, heardAny_ms, capture, depth, stationHeard_ms, lateTicks, untaken_ms, holder, dropped,
-      stats, surfaceReport, events,
+      stats, surfaceReport, events, unopened,
       touching: this.station?.sender ?? 0,
       phase: this.station?.phase ?? Phase.UNSPECIFIED,
       surfaceStale: this.station?.surfaceStale ?? false,

@@ -37,6 +37,7 @@ export interface News {
   motion: DeviceMotion;
   lateTicks: number | undefined;
   untaken_ms: number | undefined;  // when the server last reported that no station uses this viewer's hand
+  unopened: string | undefined;    // why the server does not open this page's own session; undefined: it does
   holder: HandHolder;
   viewer: bigint;      // this page's number at the server; 0n until the server has sent it
   role: string;        // of this visitor at the server; empty until the server has sent it

@@ -19,6 +19,7 @@ export interface Health extends TouchHealth {
   connected: boolean;
   retryIn_ms: number | undefined;
   everConnected: boolean;
+  unopened?: string | undefined;  // why the server does not open this page's own session; undefined: it does
   capture: CaptureStatus | undefined;
   picture_ms: number | undefined;
   account: TimeAccount | undefined;  // for the oldest picture of the last second; undefined while data is missing

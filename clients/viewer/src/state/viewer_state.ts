@@ -139,6 +139,7 @@ export class ViewerState {
       connected,
       everConnected: news?.everConnected ?? false,
       retryIn_ms: news?.retryAt_ms === undefined ? undefined : Math.max(0, news.retryAt_ms - now_ms),
+      unopened: news?.unopened,
       capture: news?.capture,
       phase: news?.phase === Phase.FAULTED ? Phase.FAULTED : station?.phase ?? this.unknownPhase,
       depth: news?.depth,

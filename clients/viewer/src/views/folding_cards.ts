@@ -32,7 +32,7 @@ export class FoldingCards {
   }
 
   private shown(): Card[] {
-    return this.cards.filter(({box}) => box.dataset['views'] === undefined || box.dataset['views'] === this.view);
+    return this.cards.filter(({box}) => box.dataset['views'] === undefined || box.dataset['views'].split(' ').includes(this.view));
   }
 
   private allFolded(): boolean {

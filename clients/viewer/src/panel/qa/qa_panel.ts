@@ -1,7 +1,7 @@
 import {milliseconds} from '../../link/session_clock';
 import {element, made, setText} from '../../page/page';
 import {saveFile} from '../../page/save_file';
-import {addressOfMoment, momentInAddress} from '../../playback/moment';
+import {addressOfMoment} from '../../playback/moment';
 import type {OverviewBand} from '../../playback/overview_band';
 import type {PlaybackLink} from '../../playback/playback_link';
 import {seekTo} from '../../playback/playback_state';
@@ -34,7 +34,6 @@ export class QaPanel {
   private shown: LoggedEvent | undefined;  // the newest event in the list
   private reading: Reading | undefined;
   private moment: ShownMoment | undefined;  // undefined: no session can be moved
-  private asked_s = momentInAddress(location.search);  // to be shown once the session can be moved
 
   constructor(
       private readonly playback: PlaybackLink, private readonly whole: OverviewBand, notes: Notes,
@@ -49,7 +48,6 @@ export class QaPanel {
     const {connected, events, sessionNow_ns, presence} = reading;
     this.reading = reading;
     const {state} = this.playback;
-    this.showAskedMoment();
     this.moment = state && shownMoment(state, reading);
     this.network.show(state !== undefined);
     this.notesCard.show(this.moment?.seek_s ?? 0);
@@ -63,13 +61,6 @@ export class QaPanel {
     this.log.add(events, played);
     this.log.know(whole);
     this.showEvents();
-  }
-
-  private showAskedMoment(): void {
-    const {state} = this.playback;
-    if (state === undefined || this.asked_s === undefined) return;
-    void this.playback.command({...seekTo(state, this.asked_s), play: false});
-    this.asked_s = undefined;
   }
 
   private showEvents(): void {

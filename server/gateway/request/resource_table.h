@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "proto/keys/role.h"
+
+namespace telepalp::gateway {
+
+/// A resource of the server: where browsers GET and POST it, who may, and what the others are told.
+struct ResourceRow {
+  std::string_view path;
+  keys::Operation read;        ///< right to GET the state
+  keys::Operation change;      ///< right to POST a command, which changes something for all visitors
+  keys::Operation change_own;  ///< right to POST a command in a reading, which nobody else sees
+  std::string_view people;     ///< "only … may …": reply to a visitor without the right
+  std::string_view pages;      ///< reply to a page of a foreign origin
+  std::string_view absent;     ///< reply if the server does not have this resource
+  bool empty_if_absent;        ///< GET then gets an empty state: a browser logs each 404 as an error of the page
+  bool is_audited;             ///< each command is written to the audit log
+};
+
+/// Refusals of a command for a played session, over HTTP and over the WebSocket.
+inline constexpr std::string_view kNoSession =
+    "this server plays no session. fix: start telepalp-server with --source session:FILE.mcap";
+inline constexpr std::string_view kOnlyForPlayers = "only technicians and QA may control a played session";
+
+/// The resource at `path`; nullptr: there is none.
+[[nodiscard]] const ResourceRow* resource_at(std::string_view path) noexcept;
+
+}  // namespace telepalp::gateway

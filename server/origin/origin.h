@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "messages/camera.pb.h"
+#include "messages/playback.pb.h"
+#include "proto/wire/message.h"
+#include "proto/words/result.h"
+
+namespace telepalp::origin {
+
+/// A state that visitors read, and change by commands. The bodies are Protobuf messages as JSON.
+struct Resource {
+  std::function<std::string()> state{};
+  /// Carries out `command` for the person `who`, and returns the new state. Unset: the state is only read.
+  std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
+};
+using Resources = std::map<std::string_view, Resource>;  ///< by path, such as "/playback"
+
+// Paths of the resources.
+inline constexpr std::string_view kPlaybackPath = "/playback";         ///< msg::PlaybackState, msg::PlaybackCommand
+inline constexpr std::string_view kEventsPath = "/playback/events";    ///< msg::SessionEvents; only read
+inline constexpr std::string_view kNetworkPath = "/playback/network";  ///< msg::NetworkState, msg::NetworkCommand
+inline constexpr std::string_view kNotesPath = "/playback/notes";      ///< msg::SessionNotes, msg::NoteCommand
+inline constexpr std::string_view kComparisonPath = "/playback/comparison";  ///< msg::ComparisonState, …Command
+inline constexpr std::string_view kRecordingPath = "/recording";             ///< msg::RecordingState, …Command
+inline constexpr std::string_view kSessionsPath = "/sessions";               ///< msg::SessionList; only read
+
+/// Access to a session that is played: reads its state, carries out a command. Both are unset if none is played.
+struct PlaybackPort {
+  std::function<msg::PlaybackState()> state{};
+  std::function<Result<void>(const msg::PlaybackCommand&)> move{};
+  [[nodiscard]] explicit operator bool() const noexcept { return state && move; }
+};
+
+/// What visitors may see of an origin, and change in it, besides its messages.
+struct Offer {
+  Resources resources{};
+  PlaybackPort playback{};
+};
+
+/// Whence messages come: from a camera, or from a recorded session. Owner: the server's network thread.
+class Origin {
+ public:
+  struct Handlers {
+    std::function<void(wire::Message)> on_message;          ///< on the network thread
+    std::function<void()> on_end;                           ///< on the network thread, once, when no more comes
+    std::function<bool(std::string_view topic)> is_wanted;  ///< whether somebody has subscribed to the topic
+  };
+
+  Origin() = default;
+  Origin(const Origin&) = delete;
+  Origin& operator=(const Origin&) = delete;
+  virtual ~Origin() = default;
+
+  /// Begins to publish.
+  virtual void start(Handlers handlers) = 0;
+  /// Publishes nothing more; handlers that wait in the io_context may still be called.
+  virtual void stop() = 0;
+
+  /// A subscriber cannot decode the predicted messages that come next: publishes those from which it can.
+  virtual void show_again() = 0;
+  /// True while no new picture is due, such as in a pause. A newcomer then needs show_again().
+  [[nodiscard]] virtual bool is_still() const = 0;
+
+  /// The lease of the touch: true if `topic` is withheld while `stations` stations are connected, so that viewers see
+  /// one hand.
+  [[nodiscard]] virtual bool withholds(const wire::Topic& topic, std::size_t stations) const = 0;
+
+  /// True if this origin's depth images can be predicted from earlier ones, or not, as let_predict() says.
+  [[nodiscard]] virtual bool chooses_prediction() const = 0;
+  virtual void let_predict(bool may) = 0;
+
+  /// Number of depth images so far.
+  [[nodiscard]] virtual std::uint64_t images() const = 0;
+  /// The state that `status` tells, for the log.
+  [[nodiscard]] virtual std::string in_words(const msg::CaptureStatus& status) const = 0;
+
+  /// The functions in it may be called while this object lives.
+  [[nodiscard]] virtual Offer offer() { return {}; }
+};
+
+}  // namespace telepalp::origin

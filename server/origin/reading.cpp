@@ -1,0 +1,82 @@
+#include "server/origin/reading.h"
+
+#include <boost/asio/post.hpp>
+#include <utility>
+
+namespace telepalp::origin {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::milliseconds kSubscribesWithin{100};  // a page subscribes to its topics one by one
+constexpr std::chrono::milliseconds kLooksAgain{1100};       // a paused player repeats its picture once a second
+
+}  // namespace
+
+Reading::Reading(boost::asio::io_context& network, std::unique_ptr<Origin> origin)
+    : timer_(network), origin_(std::move(origin)) {
+  if (!origin_) return;
+  offer_ = origin_->offer();
+  hub_.on_key_frame_request([this](std::string_view) {
+    if (started_ && !stopped_) origin_->show_again();
+  });
+}
+
+void Reading::subscriptions_changed() {
+  if (!origin_ || stopped_) return;
+  timer_.expires_after(kSubscribesWithin);
+  timer_.async_wait([this](const boost::system::error_code& cancelled) {
+    if (!cancelled && !stopped_) look();
+  });
+}
+
+/// Starts the origin, or shows its picture to a subscriber that came after its publication.
+void Reading::look() {
+  if (!std::exchange(started_, true))
+    return origin_->start({.on_message = [this](wire::Message message) { hub_.publish(std::move(message)); },
+                           .on_end = [] {},
+                           .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
+  if (!origin_->is_still() || !hub_.is_missed(wire::kCameraDepth.name)) return;
+  origin_->show_again();
+  timer_.expires_after(kLooksAgain);
+  timer_.async_wait([this](const boost::system::error_code& cancelled) {
+    if (!cancelled && !stopped_) look();
+  });
+}
+
+void Reading::stop() {
+  if (std::exchange(stopped_, true)) return;
+  timer_.cancel();
+  if (origin_) origin_->stop();
+}
+
+/// The last holder's release ends the origin. Its messages that wait in the io_context come before the deletion.
+std::shared_ptr<Reading> Readings::shared(std::unique_ptr<Origin> origin) {
+  return {new Reading(network_, std::move(origin)), [&network = network_](Reading* ended) {
+            ended->stop();
+            boost::asio::post(network, [kept = std::unique_ptr<Reading>(ended)] {});
+          }};
+}
+
+Result<std::shared_ptr<Reading>> Readings::join(const std::string& id, const ReadingSpec& asked) {
+  std::erase_if(readings_, [](const auto& entry) { return entry.second.expired(); });
+  if (std::shared_ptr<Reading> present = find(id)) return present;
+  if (!open_)
+    return Error{.what = "this server opens no recorded session", .where = id, .fix = "open its page without a moment"};
+  if (readings_.size() >= kMost)
+    return Error{.what = std::to_string(kMost) + " recorded sessions are open, as many as this server opens at a time",
+                 .where = asked.session,
+                 .fix = "close another page that shows a recorded session for one reader"};
+  Result<std::unique_ptr<Origin>> opened = open_(asked);
+  if (!opened) return opened.error();
+  std::shared_ptr<Reading> reading = shared(std::move(opened).value());
+  readings_[id] = reading;
+  return reading;
+}
+
+std::shared_ptr<Reading> Readings::find(const std::string& id) const {
+  const auto found = readings_.find(id);
+  return found == readings_.end() ? nullptr : found->second.lock();
+}
+
+}  // namespace telepalp::origin
