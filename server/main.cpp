@@ -247,7 +247,9 @@ void offer(gateway::GatewayOptions& options, origin::Origin& origin, origin::Ses
   options.open_session = [&shelf](const origin::ReadingSpec& asked) { return shelf.read_alone(asked); };
   if (recorder == nullptr) return;
   options.offer.resources[origin::kRecordingPath] = recording_resource(*recorder);
-  options.offer.resources[origin::kSessionsPath] = {.state = [&shelf] { return shelf.list(); }};
+  options.offer.resources[origin::kSessionsPath] = {
+      .state = [&shelf] { return shelf.list(); },
+      .change = [&shelf](const std::string& json, const std::string&) { return shelf.take(json); }};
 }
 
 /// All parts of a running server. The later ones use the earlier ones.

@@ -13,6 +13,7 @@
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/health/metrics.h"
 #include "server/gateway/http_reply.h"
+#include "server/gateway/sign_in.h"
 #include "server/gateway/sign_in/web_stream.h"
 #include "server/gateway/viewer_connection.h"
 #include "server/gateway/visit.h"
@@ -25,7 +26,8 @@ namespace http = beast::http;
 using boost::asio::ip::tcp;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
-constexpr std::uint64_t kMaxBodyBytes = 1024;  // of a token at the sign-in, or of a command by POST
+constexpr std::uint64_t kMaxBodyBytes = 1024;                    // of a token at the sign-in, or of a command by POST
+constexpr std::uint64_t kMaxPartBytes = std::uint64_t{1} << 20;  // of a part of a session file, by POST
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -62,8 +64,23 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
   void read() {
     parser_.emplace();
     parser_->header_limit(kMaxHeaderBytes);
-    parser_->body_limit(kMaxBodyBytes);
+    parser_->body_limit(kMaxPartBytes);
     stream_.tcp().expires_after(context()->options.request_timeout);
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = shared_from_this()](beast::error_code failed, std::size_t) {
+                              if (failed) return self->refuse_unreadable(failed);
+                              self->read_body();
+                            });
+  }
+
+  /// Only who may bring a session file may send a long body.
+  void read_body() {
+    const HttpRequest& head = parser_->get();
+    const bool is_part = head.method() == http::verb::post && path_of(view(head.target())) == origin::kSessionsPath;
+    if (!is_part || !Visit(*context(), head, peer_.address()).may(keys::Operation::Record)) {
+      if (parser_->content_length().value_or(0) > kMaxBodyBytes) return refuse_unreadable(http::error::body_limit);
+      parser_->body_limit(kMaxBodyBytes);
+    }
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
       if (failed) return self->refuse_unreadable(failed);
       self->answer(self->parser_->release());

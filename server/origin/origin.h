@@ -29,7 +29,7 @@ inline constexpr std::string_view kNetworkPath = "/playback/network";  ///< msg:
 inline constexpr std::string_view kNotesPath = "/playback/notes";      ///< msg::SessionNotes, msg::NoteCommand
 inline constexpr std::string_view kComparisonPath = "/playback/comparison";  ///< msg::ComparisonState, …Command
 inline constexpr std::string_view kRecordingPath = "/recording";             ///< msg::RecordingState, …Command
-inline constexpr std::string_view kSessionsPath = "/sessions";               ///< msg::SessionList; only read
+inline constexpr std::string_view kSessionsPath = "/sessions";               ///< msg::SessionList, msg::SessionPart
 
 /// Access to a session that is played: reads its state, carries out a command. Both are unset if none is played.
 struct PlaybackPort {

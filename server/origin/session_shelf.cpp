@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,40 @@ std::vector<Listed> sessions_of(const fs::path& folder) {
     return a.written != b.written ? a.written > b.written : a.name > b.name;
   });
   return found;
+}
+
+constexpr std::uintmax_t kSpare_B = std::uintmax_t{1} << 30;  // left free on the disk, for recordings
+constexpr std::size_t kLongestName = 100;
+constexpr const char* kPartExample =
+    "send JSON such as {\"name\": \"a.mcap\", \"from\": 0, \"data\": BASE64, \"complete\": true}";
+
+Error refused(std::string what, const std::string& name, std::string fix) {
+  return {.what = std::move(what), .where = name.substr(0, kLongestName), .fix = std::move(fix)};
+}
+
+/// Whether `part` may be written behind what `growing` has.
+Result<void> check(const msg::SessionPart& part, const fs::path& whole, const fs::path& growing) {
+  const std::string& name = part.name();
+  if (!name.ends_with(".mcap") || !is_plain(name) || name.starts_with('.') || name.size() > kLongestName)
+    return refused("this is no name of a session", name,
+                   "rename the file: letters, digits, . _ and - alone, 100 at most, with .mcap at the end");
+  std::error_code unknown;
+  if (fs::exists(whole, unknown))
+    return refused("the server has a session of this name already", name, "open it in the list, or rename your file");
+  const std::uintmax_t present = part.from() == 0 ? 0 : fs::file_size(growing, unknown);
+  if (unknown || present != part.from())
+    return refused("this part does not follow the part that came last", name, "send the file again from its beginning");
+  if (fs::space(whole.parent_path(), unknown).available < kSpare_B + part.data().size())
+    return refused("the disk of the server's recordings has less than 1 GiB left", name, "free space on the disk");
+  return {};
+}
+
+Result<void> append(const msg::SessionPart& part, const fs::path& growing) {
+  std::ofstream stream(growing, std::ios::binary | (part.from() == 0 ? std::ios::trunc : std::ios::app));
+  stream.write(part.data().data(), static_cast<std::streamsize>(part.data().size()));
+  stream.flush();
+  if (stream) return {};
+  return refused("the part cannot be written", growing.string(), "check the folder of --record-dir on the server");
 }
 
 std::uint64_t utc_s(fs::file_time_type at) {
@@ -118,6 +153,25 @@ Result<std::unique_ptr<Origin>> SessionShelf::read_alone(const ReadingSpec& aske
                  .where = "at_s",
                  .fix = "ask the sender to start telepalp-server again with --source session:FILE.mcap"};
   return open(spec, true, true);
+}
+
+Result<std::string> SessionShelf::take(const std::string& json) {
+  msg::SessionPart part;
+  if (const Result<void> read = program::read_json(json, part, "sessions", kPartExample); !read) return read.error();
+  const fs::path whole = recordings_ / part.name();
+  const fs::path growing = recordings_ / (part.name() + ".part");
+  if (const Result<void> checked = check(part, whole, growing); !checked) return checked.error();
+  if (const Result<void> written = append(part, growing); !written) return written.error();
+  if (!part.complete()) return list();
+  playback::PlaybackSpec spec;
+  spec.file = growing.string();
+  const auto readable = playback::SessionPlayer::open(spec, true, clock_);
+  std::error_code failed;
+  if (readable) fs::rename(growing, whole, failed);
+  if (readable && !failed) return list();
+  fs::remove(growing, failed);
+  return refused(readable ? "the file cannot be renamed" : "this is no session file: " + readable.error().what,
+                 part.name(), readable ? "try again" : readable.error().fix);
 }
 
 std::string SessionShelf::list() const {

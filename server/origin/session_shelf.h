@@ -40,6 +40,10 @@ class SessionShelf {
   /// opened.
   [[nodiscard]] Result<std::unique_ptr<Origin>> read_alone(const ReadingSpec& asked);
 
+  /// Takes a part of a session file that a reader brings: JSON of a msg::SessionPart. Returns list(). Error: a name
+  /// that is taken or cannot be listed, a part that does not follow the last one, a full disk, or no session file.
+  [[nodiscard]] Result<std::string> take(const std::string& json);
+
   /// The recordings, newest first, as JSON of a msg::SessionList.
   [[nodiscard]] std::string list() const;
 

@@ -83,6 +83,24 @@ test('a recording of the folder is for who may record: it is listed, opened, and
   for (const one of [denied, open, lost]) one.socket.destroy();
 });
 
+test('only who may record brings a session file, and only as whole parts in their order', async () => {
+  const bytes = readFileSync(join(recordings, 'earlier.mcap'));
+  const send = (name, part) => web.ask('/sessions', {method: 'POST', headers: bearer(name), body: JSON.stringify(part)});
+  const part = (from, to, more) => ({name: 'new.mcap', from, data: bytes.subarray(from, to).toString('base64'), ...more});
+  assert.equal((await send('vera', part(0, 10))).status, 403);
+  assert.equal((await send('vera', part(0, 2000))).status, 413, 'a guest cannot send a long body');
+  assert.equal((await send('dora', part(0, 700_000))).status, 200);
+  assert.match((await send('dora', part(800_000, 900_000))).text, /does not follow the part that came last/);
+  for (let from = 700_000; from < bytes.length; from += 700_000) {
+    const to = Math.min(from + 700_000, bytes.length);
+    assert.equal((await send('dora', part(from, to, {complete: to === bytes.length}))).status, 200);
+  }
+  assert.deepEqual(readFileSync(join(recordings, 'new.mcap')), bytes);
+  assert.match((await send('dora', part(0, 10))).text, /has a session of this name already/);
+  for (const name of ['../x.mcap', '.x.mcap', 'x.txt', 'x y.mcap'])
+    assert.match((await send('dora', {name, from: 0, data: 'AAAA'})).text, /this is no name of a session/, name);
+});
+
 test('at most eight sessions are open at a time, and the ninth reader is told', async () => {
   const open = [];
   for (let at = 0; at < 8; ++at) open.push(await watch('vera', `?reading=${id(String(at))}&at_s=1`));

@@ -1,7 +1,7 @@
 // node own_session_test.mjs BIN_DIR VIEWER_FILES: a page opens a recorded session for itself: a shared moment, or one of the list.
 import assert from 'node:assert/strict';
 import {execFile} from 'node:child_process';
-import {copyFileSync, mkdirSync} from 'node:fs';
+import {copyFileSync, mkdirSync, readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
@@ -87,6 +87,24 @@ test('a recording of the list is opened beside the live patient, and a moment of
   await until('of the same moment', async () => (await ownPlayback(page)).shown_s === shown_s);
   assert.equal((await fetch(address(live, 'health'))).status, 200, 'the camera goes on');
   assert.deepEqual(problems, []);
+});
+
+test('a session file that is dropped on the page is sent to the server, checked, and opened for this page', async () => {
+  const {page} = browser;
+  await page.goto(address(live, '?view=qa'));
+  await page.locator('#bring-session').waitFor();
+  const drop = (name, bytes) => page.evaluate(([name, base64]) => {
+    const files = new DataTransfer();
+    files.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], name));
+    window.dispatchEvent(new DragEvent('drop', {dataTransfer: files, bubbles: true, cancelable: true}));
+  }, [name, bytes.toString('base64')]);
+  await drop('wrong.mcap', Buffer.from('this is no session'));
+  await until('a file that is none is refused', async () => /this is no session file/.test(await text('sessions-said')));
+  assert.deepEqual(readdirSync(recordings), ['session_20260301_120000.mcap'], 'nothing is left of it');
+  await drop('brought.mcap', readFileSync(join(recordings, 'session_20260301_120000.mcap')));
+  await until('the page opens it', () => page.url().endsWith('?view=qa&session=brought.mcap'));
+  await untilStatus(page, 'it is drawn', (now) => now.meshVertices > 200);
+  assert.deepEqual(readdirSync(recordings).sort().filter((name) => name.endsWith('.part')), []);
 });
 
 test('what cannot be opened is said, with what to do', async () => {

@@ -49,7 +49,7 @@ constexpr std::array kRows{
     played(origin::kEventsPath, Operation::Watch),
     played(origin::kNetworkPath, Operation::Watch),
     played(origin::kNotesPath, Operation::Play),  // they are kept beside the session, for all
-    played(origin::kComparisonPath, Operation::Watch),
+    played(origin::kComparisonPath, Operation::Record),  // it shows another recording, perhaps of another patient
     recorded(origin::kRecordingPath, Operation::Watch, "only doctors, technicians and QA may record", true),
     recorded(origin::kSessionsPath, Operation::Record, "only doctors, technicians and QA may open recorded sessions",
              false),

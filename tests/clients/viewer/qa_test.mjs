@@ -6,7 +6,7 @@ import {bundled} from './bundled.mjs';
 
 const {addressOfMoment} = await bundled('playback/moment.ts');
 const {momentInAddress, ownSessionIn, queryOf} = await bundled('link/own_session.ts');
-const {readSessions, recordedSays} = await bundled('playback/recorded_sessions.ts');
+const {bring, PART_BYTES, readSessions, recordedSays} = await bundled('playback/recorded_sessions.ts');
 const {snapshotLines} = await bundled('panel/qa/snapshot_words.ts');
 const {EventLog} = await bundled('panel/qa/event_log.ts');
 const {toneOf} = await bundled('words/event_tone.ts');
@@ -43,7 +43,17 @@ test('a recording is listed with its time and size; a server without recordings 
   const [one] = readSessions('{"sessions":[{"name":"a.mcap","bytes":"12500000","written_s":"1772366400"}]}');
   assert.equal(one.name, 'a.mcap');
   assert.equal(recordedSays(one), '2026-03-01 12:00 UTC, 12.5 MB');
-  for (const none of ['{}', '', '[]']) assert.deepEqual(readSessions(none), []);
+  for (const none of ['{}', '', '[]']) assert.equal(readSessions(none), undefined);
+});
+
+test('a file is brought in parts, the last one complete, until one is refused', async () => {
+  const file = new File([new Uint8Array(PART_BYTES + 3).fill(7)], 'a.mcap');
+  const parts = [], shares = [];
+  assert.equal(await bring(file, async (part) => (parts.push(part), ''), (share) => shares.push(share)), '');
+  assert.deepEqual(parts.map(({name, from, complete}) => [name, from, complete]), [['a.mcap', 0, false], ['a.mcap', PART_BYTES, true]]);
+  assert.equal(Buffer.from(parts[1].data, 'base64').toString('hex'), '070707');
+  assert.equal(shares.at(-1), 1);
+  assert.equal(await bring(file, async () => 'no', () => assert.fail('nothing was taken')), 'no');
 });
 
 test('an event is placed by the speed at which the session plays', () => {

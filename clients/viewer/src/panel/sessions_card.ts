@@ -1,7 +1,8 @@
 import {askServer} from '../link/ask_server';
 import {sessionInAddress} from '../link/own_session';
-import {element, made} from '../page/page';
-import {addressOfSession, type Recorded, readSessions, recordedSays} from '../playback/recorded_sessions';
+import {element, made, setText} from '../page/page';
+import {addressOfSession, bring, type Recorded, readSessions, recordedSays} from '../playback/recorded_sessions';
+import {GONE, refusal} from '../playback/timeline_words';
 
 const LOOK_EVERY = 50;  // calls of `show`, which come about ten times a second
 
@@ -12,6 +13,18 @@ export class SessionsCard {
   private readonly list = element('sessions');
   private shows = 0;
   private shown = '';
+  private brings = false;  // a file is on its way
+
+  constructor() {
+    const file = element<HTMLInputElement>('session-file');
+    element('bring-session').addEventListener('click', () => file.click());
+    file.addEventListener('change', () => void this.bring(file.files?.[0]));
+    window.addEventListener('dragover', (event) => event.preventDefault());  // else the browser would leave the page
+    window.addEventListener('drop', (event) => {
+      event.preventDefault();
+      if (!this.card.hidden) void this.bring(event.dataTransfer?.files[0]);
+    });
+  }
 
   /** `role`: of this visitor at the server. A guest may open no recording, and is not asked for. */
   show({connected, role}: {connected: boolean; role: string}): void {
@@ -27,10 +40,28 @@ export class SessionsCard {
     if (answer?.status !== 200) return;
     const sessions = readSessions(answer.text);
     const shown = JSON.stringify(sessions);
-    this.card.hidden = sessions.length === 0;
-    if (shown === this.shown) return;
+    this.card.hidden = sessions === undefined;
+    if (sessions === undefined || shown === this.shown) return;
     this.shown = shown;
     this.list.replaceChildren(...sessions.map((session) => this.line(session)));
+  }
+
+  /** Sends the file to the server, and opens it there for this page alone. */
+  private async bring(file: File | undefined): Promise<void> {
+    if (file === undefined || this.brings) return;
+    this.brings = true;
+    const say = (text: string) => setText(element('sessions-said'), text);
+    say(`${file.name} is sent to the server: 0 %`);
+    const refused = await bring(
+        file,
+        async (part) => {
+          const answer = await this.ask(part);
+          return answer === undefined ? GONE : answer.status === 200 ? '' : refusal(answer.status, answer.text);
+        },
+        (share) => say(`${file.name} is sent to the server: ${Math.floor(100 * share)} %`));
+    this.brings = false;
+    if (refused === '') location.assign(addressOfSession(file.name));
+    else say(refused);
   }
 
   private line(session: Recorded): HTMLElement {

@@ -5,16 +5,45 @@ export interface Recorded {
   written_ms: number;  // since 1970
 }
 
-/** Reads the reply to GET /sessions: no sessions if the server offers none, or if it cannot be read. */
-export function readSessions(text: string): Recorded[] {
+/** A part of a session file: the body of POST /sessions. */
+export interface SessionPart {
+  name: string;
+  from: number;
+  data: string;  // in base64
+  complete: boolean;
+}
+
+export const PART_BYTES = 600_000;
+
+/** Reads the reply to GET and POST /sessions; undefined if the server has no folder for sessions, or it cannot be read. */
+export function readSessions(text: string): Recorded[] | undefined {
   try {
     const {sessions} = JSON.parse(text) as {sessions?: Record<string, unknown>[]};
-    if (!Array.isArray(sessions)) return [];
+    if (!Array.isArray(sessions)) return undefined;
     return sessions.map(({name, bytes, written_s}) =>
         ({name: String(name), bytes: Number(bytes), written_ms: 1000 * Number(written_s)}));
   } catch {
-    return [];
+    return undefined;
   }
+}
+
+/** Sends `file` to the server in parts. `send` resolves with the reason why a part was refused; empty: it was taken. */
+export async function bring(
+    file: File, send: (part: SessionPart) => Promise<string>, told: (share: number) => void): Promise<string> {
+  for (let from = 0; from < file.size; from += PART_BYTES) {
+    const bytes = new Uint8Array(await file.slice(from, from + PART_BYTES).arrayBuffer());
+    const complete = from + bytes.length === file.size;
+    const refused = await send({name: file.name, from, data: base64(bytes), complete});
+    if (refused !== '') return refused;
+    told((from + bytes.length) / file.size);
+  }
+  return file.size === 0 ? 'The file is empty.' : '';
+}
+
+function base64(bytes: Uint8Array): string {
+  let text = '';
+  for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+  return btoa(text);
 }
 
 /** The address that opens the recording for the page alone. */
