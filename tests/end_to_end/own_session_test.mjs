@@ -68,7 +68,7 @@ test('a recording of the list is opened beside the live patient, and a moment of
   await page.screenshot({path: join(place.folder, '..', 'sessions.png')});
   await link.click();
   await untilStatus(page, 'the recording plays', (now) => now.view === 'qa' && now.meshVertices > 200);
-  assert.equal(await page.isVisible('#timeline-own'), true);
+  await page.locator('#timeline-own').waitFor();
   assert.equal(await page.getAttribute('#sessions li', 'aria-current'), 'true');
   await page.locator('#timeline-play').click();
   await until('it stands still', async () => (await ownPlayback(page)).playing === false);
