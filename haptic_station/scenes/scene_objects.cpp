@@ -10,7 +10,7 @@ namespace {
 using solids::Node;
 using solids::Solid;
 
-constexpr double kDisc_m = 0.0005;  // half the thickness of a region of the skin in a picture
+constexpr double kDisc_m = 0.0005;  // half the thickness of a region of the skin or of a membrane in a picture
 
 Node node(std::string_view word, std::array<double, 7> numbers) {
   return {.word = *solids::find_word(word), .numbers = numbers};
@@ -48,6 +48,13 @@ SceneObject region(const msg::RegionsEffect::Region& message) {
                  node("cylindery", {std::max(region.radius_m, kLeast_m), kDisc_m})});
 }
 
+/// A membrane has no edge; the picture shows a part of it.
+SceneObject membrane(const msg::MembraneEffect& message) {
+  constexpr double kShown_m = 0.03;
+  const msg::Vec3& at = message.at_m();
+  return object("membrane", {node("tr", {at.x(), at.y(), at.z()}), node("cylindery", {kShown_m, kDisc_m})});
+}
+
 SceneObject organ(const SceneOrgan& organ) {
   Node mesh = node("mesh", {1.0, organ.shape->spacing_m});
   mesh.file = "organ";
@@ -65,6 +72,7 @@ std::vector<SceneObject> objects_of(const Scene& scene) {
     const std::size_t before = objects.size();
     if (effect.has_cylinder()) objects.push_back(cylinder(effect.cylinder()));
     if (effect.has_sphere()) objects.push_back(sphere(effect.sphere()));
+    if (effect.has_membrane()) objects.push_back(membrane(effect.membrane()));
     for (const msg::RegionsEffect::Region& given : effect.regions().region()) objects.push_back(region(given));
     for (const SceneOrgan& given : scene.organs)
       if (given.effect == index) objects.push_back(organ(given));

@@ -54,8 +54,7 @@ TEST_F(SceneCommand, CheckNamesTheEffects) {
 TEST_F(SceneCommand, BillPricesTheEffectsThatTheSceneNames) {
   const Outcome done = run({"bill", kMass, "--seconds", "3"});
   EXPECT_EQ(done.code, 0) << done.err;
-  for (const char* line : {"control loop, a tick* ", "surface, an image ", "\nskin ", "\nmass ",
-                           "\nall of these "})
+  for (const char* line : {"control loop, a tick ", "surface, an image ", "\nskin ", "\nmass ", "\nall of these "})
     EXPECT_NE(done.out.find(line), std::string::npos) << line << " in\n" << done.out;
   EXPECT_EQ(done.out.find("liver"), std::string::npos) << "an effect that the scene does not name is not priced";
 }

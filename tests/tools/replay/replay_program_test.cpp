@@ -244,6 +244,7 @@ std::pair<int, std::string> keep_journal(const fs::path& folder, const std::stri
                                          const std::string& seconds) {
   const fs::path bin = TELEPALP_BINARY_DIR "/bin";
   const fs::path ready = folder / "ready";
+  fs::remove(ready);  // of a server before
   support::ChildProcess server(bin / "telepalp-server", {"--port", "0", "--ready-file", ready}, folder / "server.log");
   const auto port = support::await_ready(ready, "port");
   if (!port) return {-1, bytes_of(folder / "server.log")};
