@@ -236,7 +236,7 @@ program::Usage usage() {
                         {"threads", "N", "0: one per core; no influence on the results", "0"},
                         {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5%"},
                         {"storm", "SEEDS", "make this many random runs, and check each of them"},
-                        {"journal", "FILE", "compute a live run again; exit code 1 if a force differs"},
+                        {"journal", "FILE", "compute a live run again; fail if a force differs"},
                         {"check", "", "check force, energy and contact as --storm does"},
                         {"out", "DIR", "folder for sessions, reports, tables and heat maps"},
                         {"assert", "LIST", "METRIC<NUMBER,…; exit code 1 if any is false"},
