@@ -58,7 +58,7 @@ void keep_newest(wire::McapReader& reader, std::vector<std::string> topics, std:
   });
 }
 
-/// Time of the last key frame before `from`; nullopt: the file does not tell.
+/// Time of the last key frame before `from`; nullopt: there is none, or the file has no index of key frames.
 std::optional<std::uint64_t> last_key_frame(wire::McapReader& reader, const wire::Topic& topic, std::uint64_t from) {
   const auto last = reader.last_key_frame(topic, session_time(static_cast<std::int64_t>(from)));
   return last ? std::optional(static_cast<std::uint64_t>(to_nanoseconds(*last))) : std::nullopt;

@@ -15,7 +15,8 @@ enum class Standing { Holds, Misses, NotMeasured };
 /// Kinds of causes, in the order in which the report lists them: what a reader needs first comes first.
 enum class Rank { Safety, Depth, Latency, Images, Loop, Clock, Recording, Computer };
 
-/// The samples of which a figure is made, and the limit of each.
+/// Which single samples can miss a figure's budget: the report tells when they did. A p99, for example, is made of such
+/// samples; a count is not (Measurement::None).
 struct Each {
   Measurement sample = Measurement::None;
   double limit = 0.0;  ///< a sample beyond it is a moment at which the budget was missed
