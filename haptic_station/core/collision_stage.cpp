@@ -10,7 +10,7 @@ namespace telepalp::core {
 namespace {
 
 std::shared_ptr<loop::PlaneSnapshot> plane_of(const surface::TouchSample& touch, const surface::SurfaceSnapshot& seen) {
-  auto plane = touch.valid ? std::make_shared<loop::PlaneSnapshot>(touch.foot.m, touch.normal, touch.support)
+  auto plane = touch.valid ? std::make_shared<loop::PlaneSnapshot>(touch.foot.m, touch.normal, touch.coverage)
                            : std::make_shared<loop::PlaneSnapshot>();
   plane->captured = seen.captured;
   plane->sequence = seen.sequence;

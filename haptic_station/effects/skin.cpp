@@ -3,9 +3,9 @@
 namespace telepalp::effects {
 
 void Skin::begin(const EffectInput& in) noexcept {
-  // While the support is below 1, the proxy lies between the surface and the device; the anchor must lie on the
+  // While the coverage is below 1, the proxy lies between the surface and the device; the anchor must lie on the
   // surface.
-  const bool faded = in.contact.support < 1.0;
+  const bool faded = in.contact.coverage < 1.0;
   first_contact_.m = faded ? in.device.m - in.contact.distance_m * in.contact.normal.v : in.contact.proxy.m;
   first_normal_ = in.contact.normal;
   rise_m_ = 0.0;
@@ -34,7 +34,7 @@ Force<HapticBase> Skin::step(const EffectInput& in, double dt_s) noexcept {
   Eigen::Vector3d d = in.device.m - (slides ? in.contact.proxy.m : first_contact_.m + rise_m_ * first_normal_.v);
   const double outwards_m = d.dot(normal);
   if (outwards_m > 0.0) d -= outwards_m * normal;
-  if (!slides) d *= in.contact.support;  // the support already scales the proxy
+  if (!slides) d *= in.contact.coverage;  // the coverage already scales the proxy
   indentation_ = {d};
   return {skin_force_N(law_, d)};
 }

@@ -27,7 +27,7 @@ struct Compensation {
   double unmodelled = 0.0;       ///< 1: the skin moves unusually fast, or the camera was pushed; then falls to 0 in 1 s
   double surface_sigma_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
   double slewed_m = 0.0;         ///< offset that hides the step from one snapshot to the next; decays to 0
-  double support = 0.0;          ///< displayed share of the contact force; 0 at rims and on a stale surface
+  double coverage = 0.0;         ///< displayed share of the contact force; 0 at rims and on a stale surface
 
   // The displayed hand, the energy at the hand and the passivity controller.
   double shown_offset_m = 0.0;  ///< from the tracked hand to the displayed hand (S1 II.E)
@@ -62,7 +62,7 @@ static_assert(std::is_trivially_copyable_v<Compensation>);
   compensation.unmodelled = touch.unmodelled;
   compensation.surface_sigma_m = touch.uncertainty_m;
   compensation.slewed_m = displaced.slewed_m;
-  compensation.support = touch.support;
+  compensation.coverage = touch.coverage;
   compensation.hand_excess_J = out.hand_excess_J;
   compensation.drive_J = out.drive_J;
   compensation.damping_N = out.damping.N.norm();

@@ -36,7 +36,7 @@ ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) 
           .in_body = touch.in_body,
           .valid = touch.valid,
           .surface_speed_m_per_s = touch.surface_velocity_m_per_s,
-          .support = touch.support,
+          .coverage = touch.coverage,
           .measured_above_m = touch.newest_above_m,
           .measured_speed_m_per_s = touch.newest_velocity_m_per_s,
           .anchor_seen = touch.in_body && !anchor_lost_,

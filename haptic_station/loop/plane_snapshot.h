@@ -24,7 +24,7 @@ class PlaneSnapshot final : public surface::SurfaceSnapshot {
     sample.f_m = normal_.dot(query - foot_);
     sample.gradient = normal_;
     sample.normal = normal_;
-    sample.support = coverage_;
+    sample.coverage = coverage_;
     return sample;
   }
   [[nodiscard]] std::optional<surface::Seed> seed(const Eigen::Vector3d& query) const noexcept override {

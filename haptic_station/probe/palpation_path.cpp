@@ -37,12 +37,12 @@ Vector3d middle_of(const std::vector<Vector3d>& points) {
 std::optional<Spot> spot_at(const surface::SurfaceSnapshot& snapshot, const Vector3d& at,
                             const PalpationSettings& settings) {
   const surface::FieldSample here = snapshot.evaluate(at, Vector3d::Zero(), {});
-  if (!here.valid || here.support < 0.99) return std::nullopt;
+  if (!here.valid || here.coverage < 0.99) return std::nullopt;
   const Vector3d side = settings.circle_m * here.normal.unitOrthogonal();
   const Vector3d other = here.normal.cross(side);
   for (const Vector3d& off : {side, other, Vector3d(-side), Vector3d(-other)}) {
     const surface::FieldSample there = snapshot.evaluate(at + off, here.normal, {});
-    if (!there.valid || there.support < 0.9 || there.normal.dot(here.normal) < 0.8) return std::nullopt;
+    if (!there.valid || there.coverage < 0.9 || there.normal.dot(here.normal) < 0.8) return std::nullopt;
   }
   return Spot{at - here.f_m * here.normal, here.normal};
 }

@@ -28,7 +28,7 @@ class SinePlane final : public surface::SurfaceSnapshot {
     const double risen_m = terms_[1] * double{basis.value[1]} + terms_[2] * double{basis.value[2]};
     sample.f_m = z_m_ - risen_m - query.z();
     sample.gradient = sample.normal = -Eigen::Vector3d::UnitZ();
-    sample.support = 1.0;
+    sample.coverage = 1.0;
     sample.velocity_m_per_s = terms_[1] * double{basis.rate[1]} + terms_[2] * double{basis.rate[2]};
     return sample;
   }

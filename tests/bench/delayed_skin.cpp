@@ -37,7 +37,7 @@ surface::FieldSample PlaneSnapshot::evaluate(const Eigen::Vector3d& query, const
   sample.valid = true;
   sample.f_m = query.y() - height_m_ - dot(terms_, basis.value);
   sample.gradient = sample.normal = Eigen::Vector3d::UnitY();
-  sample.support = 1.0;
+  sample.coverage = 1.0;
   sample.velocity_m_per_s = dot(terms_, basis.rate);
   return sample;
 }

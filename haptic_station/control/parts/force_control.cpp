@@ -89,7 +89,7 @@ Vector3d ForceControl::measured_skin_N(const Vector3d& asked_N, double bound_N) 
   if (!shown_.valid || skin == nullptr) return asked_N;
   const Vector3d& normal = shown_.normal.v;
   const Vector3d displayed_m = touching_ ? skin->indentation().v : Vector3d::Zero().eval();
-  const double deeper_m = shown_.support * shown_.measured_above_m - (touching_ ? 0.0 : shown_.distance_m);
+  const double deeper_m = shown_.coverage * shown_.measured_above_m - (touching_ ? 0.0 : shown_.distance_m);
   Vector3d measured_m = displayed_m - deeper_m * normal;
   measured_m -= std::max(0.0, measured_m.dot(normal)) * normal;  // the skin never pulls the hand
   const Vector3d change_N =

@@ -8,7 +8,7 @@ namespace {
 bool is_finite(const ports::SurfaceContact& contact) noexcept {
   return contact.proxy.m.allFinite() && contact.normal.v.allFinite() && std::isfinite(contact.distance_m) &&
          std::isfinite(contact.surface_speed_m_per_s) && std::isfinite(contact.measured_above_m) &&
-         std::isfinite(contact.measured_speed_m_per_s) && std::isfinite(contact.support) &&
+         std::isfinite(contact.measured_speed_m_per_s) && std::isfinite(contact.coverage) &&
          (!contact.anchor_seen || contact.anchor_velocity.v.allFinite());
 }
 

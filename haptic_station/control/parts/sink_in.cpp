@@ -16,14 +16,14 @@ constexpr double kClosesGapOver_s = 0.05;         // slower over the last 7.5 mm
 
 void SinkIn::begin(const ports::SurfaceContact& contact) noexcept {
   lowered_m_ = std::max(0.0, -contact.distance_m);
-  coverage_ = contact.support;
+  coverage_ = contact.coverage;
 }
 
 void SinkIn::step(const ports::SurfaceContact& contact, double dt_s) noexcept {
   const double felt_depth_m = std::max(0.0, -(contact.distance_m + lowered_m_));
-  sank_m_ = contact.support > coverage_ ? (1.0 - coverage_ / contact.support) * felt_depth_m : 0.0;
+  sank_m_ = contact.coverage > coverage_ ? (1.0 - coverage_ / contact.coverage) * felt_depth_m : 0.0;
   lowered_m_ += sank_m_;
-  coverage_ = contact.support;
+  coverage_ = contact.coverage;
   rising_m_per_s_ = 0.0;
   if (lowered_m_ <= 0.0) return;
   const double in_gap_m_per_s = std::min((contact.distance_m + lowered_m_) / kClosesGapOver_s, kFastestInGap_m_per_s);
@@ -39,8 +39,8 @@ void SinkIn::step(const ports::SurfaceContact& contact, double dt_s) noexcept {
 ports::SurfaceContact SinkIn::shown(const ports::SurfaceContact& contact) const noexcept {
   ports::SurfaceContact shown = contact;
   if (lowered_m_ <= 0.0 && rising_m_per_s_ <= 0.0) return shown;
-  // The proxy lies the share `support` of the way from the device to the surface, which is lowered.
-  shown.proxy.m -= contact.support * lowered_m_ * contact.normal.v;
+  // The proxy lies the share `coverage` of the way from the device to the surface, which is lowered.
+  shown.proxy.m -= contact.coverage * lowered_m_ * contact.normal.v;
   shown.distance_m += lowered_m_;
   shown.surface_speed_m_per_s += rising_m_per_s_;
   return shown;

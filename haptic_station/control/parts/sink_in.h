@@ -9,18 +9,18 @@ namespace telepalp::control {
 /// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
 /// along the skin's normal, and rises to its true place at 50 mm/s or less; with a gap between skin and end-effector,
 /// at 150 mm/s or less. The displayed surface also moves towards the measured one; both rises together are 100 mm/s or
-/// less, 150 mm/s in a gap. When the contact's support grows, for example because the camera sees the skin again, the
-/// body is lowered so far that the indentation times the support stays the same: otherwise a skin that stiffens under a
-/// deep hand would give the hand energy. Owner: haptic thread.
+/// less, 150 mm/s in a gap. When the contact's coverage grows, for example because the camera sees the skin again, the
+/// body is lowered so far that the indentation times the coverage stays the same: otherwise a skin that stiffens under
+/// a deep hand would give the hand energy. Owner: haptic thread.
 class SinkIn {
  public:
   /// Begins a contact. `contact`: the contact with the body at its true place, where it is not lowered.
   void begin(const ports::SurfaceContact& contact) noexcept;
-  /// Lowers the displayed body if the support has grown, and lets the body rise towards its true place for one tick.
+  /// Lowers the displayed body if the coverage has grown, and lets the body rise towards its true place for one tick.
   /// `contact`: as in begin().
   void step(const ports::SurfaceContact& contact, double dt_s) noexcept;
 
-  /// How far the last step lowered the displayed body because the support grew [m]; this does no work on the hand.
+  /// How far the last step lowered the displayed body because the coverage grew [m]; this does no work on the hand.
   [[nodiscard]] double sank_m() const noexcept { return sank_m_; }
 
   /// `contact`, converted to the contact with the lowered body.

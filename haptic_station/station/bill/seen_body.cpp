@@ -110,7 +110,7 @@ surface::FieldSample TrueBody::evaluate(const Vector3d& query, const Vector3d&,
   sample.normal = -down.normalized();
   sample.gradient = sample.normal;
   sample.f_m = (z(0, 0, 0) - query.z()) / down.norm();
-  sample.support = 1.0;
+  sample.coverage = 1.0;
   sample.velocity_m_per_s = sample.normal.z() * (z(0, 0, 1e-4) - z(0, 0, -1e-4)) / 2e-4;
   return sample;
 }

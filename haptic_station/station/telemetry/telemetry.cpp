@@ -82,7 +82,7 @@ msg::StationCompensation compensation_message(const loop::Compensation& compensa
   out.set_surface_carried_m(compensation.surface_carried_m);
   out.set_surface_sigma_m(compensation.surface_sigma_m);
   out.set_slewed_m(compensation.slewed_m);
-  out.set_support(compensation.support);
+  out.set_support(compensation.coverage);
   out.set_shown_offset_m(compensation.shown_offset_m);
   out.set_damping_n(compensation.damping_N);
   out.set_hand_excess_j(compensation.hand_excess_J);

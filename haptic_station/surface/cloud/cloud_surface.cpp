@@ -47,9 +47,9 @@ void add(Sums& sums, const Vector3d& offset, const Vector3d& normal, double side
   sums.offset_by += offset * by.transpose();
 }
 
-/// Support at a point, from the sum of weights. A sum below the constant is the outer rim of a single point's support,
-/// where the support fades to 0.
-double support_of(double weight) noexcept {
+/// Coverage at a point, from the sum of weights. A sum below the constant is the outer rim of a single point's support,
+/// where the coverage fades to 0.
+double coverage_of(double weight) noexcept {
   constexpr double kLeast = 0.02;
   constexpr double kWhole = 0.30;
   return smooth_step(kLeast, kWhole, weight);
@@ -57,9 +57,9 @@ double support_of(double weight) noexcept {
 
 FieldSample sample_of(const Sums& sums) noexcept {
   FieldSample out;
-  out.support = support_of(sums.weight);
+  out.coverage = coverage_of(sums.weight);
   const double length = sums.normal.norm();
-  if (out.support <= 0.0 || length < 1e-3 * sums.weight) return {};
+  if (out.coverage <= 0.0 || length < 1e-3 * sums.weight) return {};
   const Vector3d n = sums.normal / length;
   out.valid = true;
   out.normal = n;

@@ -54,7 +54,7 @@ double full_weight(double support_nodes) noexcept {
   return std::numbers::pi * support_nodes * support_nodes * kMeanWeight;
 }
 
-/// Share of full_weight() below which there is no surface, and share from which the support is full.
+/// Share of full_weight() below which there is no surface, and share from which the coverage is full.
 constexpr double kLeastCover = 0.30;
 constexpr double kWholeCover = 0.55;
 
@@ -64,9 +64,9 @@ double coverage_of(double cover) noexcept { return smooth_step(kLeastCover, kWho
 FieldSample sample_of(const NodeSums& sums, const LatticePoint& at, double full_weight) noexcept {
   FieldSample out;
   const WeightedSums& sum = sums.value;
-  out.support = coverage_of(sum.weight / full_weight);
+  out.coverage = coverage_of(sum.weight / full_weight);
   const double length = sum.normal.norm();
-  if (out.support <= 0.0 || length < 1e-3 * sum.weight) return {};
+  if (out.coverage <= 0.0 || length < 1e-3 * sum.weight) return {};
   const Vector3d n = sum.normal / length;
   const double total = sum.plane + n.dot(sum.offset);
   out.valid = true;

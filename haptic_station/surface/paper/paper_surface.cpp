@@ -83,7 +83,7 @@ FieldSample PaperSurface::evaluate(
   out.valid = true;
   out.normal = out.gradient = normal / length;
   out.f_m = out.normal.dot(offset) / weights;
-  out.support = 1.0;
+  out.coverage = 1.0;
   return out;
 }
 

@@ -57,7 +57,7 @@ struct FieldSample {
   double f_m = 0.0;                                    ///< signed distance to first order; negative in the body
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< of f; PaperSurface: the normal replaces it
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< weighted mean of the points' normals, unit
-  double support = 0.0;                                ///< 0 at the rim of the known surface, 1 well inside; C1
+  double coverage = 0.0;                               ///< 0 at the rim of the known surface, 1 well inside; C1
   double velocity_m_per_s = 0.0;  ///< speed of the surface along its normal, out of the body positive
   double deviation_m = 0.0;       ///< standard deviation of f_m at the capture, from the noise of the points
 };

@@ -233,7 +233,7 @@ void Touch::decide(const Vector3d& device) noexcept {
   }
   if (side_ == Side::Inside || sideways_of(device) >= settings_.off_foot_m) return;
   if (side_ == Side::Unknown && !is_seen_near(*snapshot_, device, settings_.deepest_start_m)) return;
-  if (at_foot_.support * freshness() < kLeastShown) return;
+  if (at_foot_.coverage * freshness() < kLeastShown) return;
   side_ = Side::Inside;
   if (!was_in_front && settings_.gentle_start) show_at(device);
 }
@@ -245,7 +245,7 @@ void Touch::show_at(const Vector3d& device) noexcept {
   const Vector3d there = follower_.on_newest(foot_);
   follower_.take_over(device, normal_, there, normal_);
   foot_ = device;
-  held_ = at_foot_.support * freshness();
+  held_ = at_foot_.coverage * freshness();
 }
 
 /// Evaluates the newest surface at the anchor, so that no error accumulates.
@@ -295,14 +295,14 @@ void Touch::follow_anchor(double dt_s) noexcept {
   anchor_speed_ = part_s > 0.0 ? rose_m / part_s : anchor_.rate_m_per_s();
 }
 
-/// The displayed share of the contact follows the support at a bounded rate. Without a surface, the last plane is held
-/// while the contact fades. While the contact gives no force, its share rises to a greater support at once: a share
+/// The displayed share of the contact follows the coverage at a bounded rate. Without a surface, the last plane is held
+/// while the contact fades. While the contact gives no force, its share rises to a greater coverage at once: a share
 /// that grew after the force has begun would stiffen the skin under the hand, and give energy to the hand.
 void Touch::hold(double dt_s, const Vector3d& device, bool felt) noexcept {
   double target = 0.0;
   if (has_foot_ && at_foot_.valid) {
     const double beyond = (sideways_of(device) - settings_.off_foot_m) / (2.0 * settings_.off_foot_m);
-    target = at_foot_.support * freshness() * (1.0 - smooth_step(beyond));
+    target = at_foot_.coverage * freshness() * (1.0 - smooth_step(beyond));
   }
   const double most = dt_s / settings_.let_go_over_s;
   held_ = side_ == Side::Inside ? std::clamp(target, held_ - most, felt ? held_ + most : 1.0) : target;
@@ -355,7 +355,7 @@ TouchSample Touch::answer(const Vector3d& device) const noexcept {
   out.newest_velocity_m_per_s = newest_velocity_;
   if (anchored_) out.anchor_velocity_m_per_s = anchor_speed_ * anchor_.along();
   out.uncertainty_m = std::hypot(at_foot_.deviation_m, snapshot_->motion.spread_m_per_s * out.age_s);
-  out.support = held_;
+  out.coverage = held_;
   if (out.in_body) out.proxy.m = device + held_ * (foot_ - device);
   return out;
 }

@@ -27,7 +27,7 @@ struct TouchSettings {
 struct TouchSample {
   bool valid = false;        ///< false: no surface in reach, or a stale one; there is no contact and no distance
   bool in_body = false;      ///< the device is below the displayed surface, and not behind a rim or a sheet
-  Point<DepthCamera> proxy;  ///< in the body: device + support · (foot − device); else: the device. So a spring
+  Point<DepthCamera> proxy;  ///< in the body: device + coverage · (foot − device); else: the device. So a spring
                              ///< k·(proxy − device) fades at rims, over holes and with age
   Point<DepthCamera> foot;   ///< the surface point nearest to the device; the device itself when not valid
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of the body, at the foot; zero when not valid
@@ -37,7 +37,7 @@ struct TouchSample {
   double newest_velocity_m_per_s = 0.0;  ///< speed of the newest surface at the foot, along the normal
   Eigen::Vector3d anchor_velocity_m_per_s = Eigen::Vector3d::Zero();  ///< of the displayed skin where contact began
   double uncertainty_m = 0.0;  ///< standard deviation of the surface's position, from noise, fit and prediction
-  double support = 0.0;        ///< factor on the contact's force: 1 well inside, 0 where the surface ends or is stale
+  double coverage = 0.0;       ///< factor on the contact's force: 1 well inside, 0 where the surface ends or is stale
   double unmodelled = 0.0;     ///< MotionModel::unmodelled of the snapshot, 0 to 1
   double age_s = 0.0;          ///< time since the snapshot's capture or its adoption, whichever is longer
 };
@@ -70,7 +70,7 @@ class Touch {
   void release() noexcept;
   /// The touch at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives an empty
   /// sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far counts. `felt`: the skin
-  /// gave force at the last tick; if not, the support may rise at once, and a contact below deepest_start_m ends.
+  /// gave force at the last tick; if not, the coverage may rise at once, and a contact below deepest_start_m ends.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s,
                                  bool felt = true) noexcept;
 
@@ -128,7 +128,7 @@ class Touch {
   double anchor_looked_s_ = 0.0;           // time since the surface was evaluated at the anchor
   double anchor_speed_ = 0.0;              // mean speed of anchor_ along its line over the last step [m/s]
   double slide_ = 1.0;                     // share of the tangential step towards the device that the curvature allows
-  double held_ = 0.0;  // factor on the contact, 0 to 1: the support, changed gradually; TouchSample::support
+  double held_ = 0.0;  // factor on the contact, 0 to 1: the coverage, changed gradually; TouchSample::coverage
   std::uint64_t out_of_order_ = 0;
 };
 

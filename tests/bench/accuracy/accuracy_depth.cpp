@@ -88,7 +88,8 @@ std::vector<std::optional<Vector3d>> forces_of(const surface::SurfaceSnapshot& s
       const double share = std::min(1.0, static_cast<double>(i) / kSteps);
       last = touch.step({press.from + share * (press.to - press.from)}, snapshot.captured, 0.0005);
     }
-    const bool whole = last.in_body && last.support > 0.99;  // at a rim, holes determine the force instead of the codec
+    const bool whole =
+        last.in_body && last.coverage > 0.99;  // at a rim, holes determine the force instead of the codec
     forces.push_back(whole ? std::optional<Vector3d>(kStiffness_N_per_m * (last.proxy.m - press.to)) : std::nullopt);
   }
   return forces;

@@ -34,7 +34,7 @@ TEST(CollisionThread, AfterTheSessionClockStepsBackNewImagesAreFelt) {
     for (int tries = 0; tries < 10'000; ++tries, std::this_thread::sleep_for(1ms)) {
       if (!planes.take() || planes.current().snapshot->captured != captured) continue;
       const auto plane = planes.current().snapshot->evaluate(finger, -Eigen::Vector3d::UnitZ(), {});
-      if (plane.valid && plane.support > 0.9) return true;
+      if (plane.valid && plane.coverage > 0.9) return true;
     }
     return false;
   };

@@ -142,7 +142,7 @@ TEST(TouchProperties, ResultsAreFiniteForAnyImageAndAnyDevicePosition) {
                                  : Vector3d(anything(random), anything(random), anything(random));
         const TouchSample felt = touch.step({at}, at_s(t + tick * kTick_s), anything(random));
         ASSERT_TRUE(felt.proxy.m.allFinite() || !at.allFinite()) << "seed " << seed;
-        ASSERT_TRUE(felt.normal.allFinite() && std::isfinite(felt.uncertainty_m) && std::isfinite(felt.support))
+        ASSERT_TRUE(felt.normal.allFinite() && std::isfinite(felt.uncertainty_m) && std::isfinite(felt.coverage))
             << "seed " << seed;
         ASSERT_FALSE(std::isnan(felt.distance_m)) << "seed " << seed;
         const FieldSample sample = snapshot->evaluate(at, Vector3d::Zero(), {});

@@ -72,7 +72,7 @@ TEST(Touch, AContactThatBeginsInTheBodyHasItsWholeShareWhileItsDepthIsZero) {
   ASSERT_TRUE(first.in_body);
   EXPECT_NEAR(first.distance_m, 0.0, 1e-9);
   EXPECT_GT(first.newest_above_m, 0.03);
-  EXPECT_GT(first.support, 0.99);
+  EXPECT_GT(first.coverage, 0.99);
 }
 
 /// Support of a contact that begins on a snapshot 1.3 s old: on the tick at which the contact begins, and one tick
@@ -96,7 +96,7 @@ ShareOnReturn share_on_return(bool felt) {
   const TouchSample before = step_at(0.001, 1.3);
   EXPECT_TRUE(before.in_body);
   touch.adopt(*newest, newest->captured);
-  return {.before = before.support, .after = step_at(0.001, 1.3005).support};
+  return {.before = before.coverage, .after = step_at(0.001, 1.3005).coverage};
 }
 
 TEST(Touch, AContactThatIsNotFeltHasItsWholeShareOnceImagesReturn) {

@@ -205,7 +205,7 @@ AssertionResult back_in_the_skin() {
                  below_mJ("energy given", felt.energy_out_J, 1.0)});
 }
 
-/// Images stop at 0.5 s. The station releases the hand at 1.5 s. Without new images, the skin's support would reach 0
+/// Images stop at 0.5 s. The station releases the hand at 1.5 s. Without new images, the skin's coverage would reach 0
 /// at 2 s. The hand enters the skin at 1.8 s, and goes on to a depth of 80 mm. The first new image comes at 1.9 s,
 /// while the hand is 40 mm deep.
 AssertionResult images_return_over_a_hand_in_the_skin() {
@@ -224,7 +224,7 @@ AssertionResult images_return_over_a_hand_in_the_skin() {
   double least_J = 0.0;
   scene.watch = [&](const loop::TickOut& act, double, const auto&, const auto&) {
     if (control::is_inside(act.control.phase) && !control::is_inside(act.control.previous))
-      began_with = act.contact.support;
+      began_with = act.contact.coverage;
     least_J = std::min(least_J, act.control.passivity_J);
   };
   const Felt felt = feel(scene);

@@ -19,7 +19,7 @@ class MovingSkin final : public surface::SurfaceSnapshot {
     double per_m = 0.0;  ///< slope of height over x
     double flat_m_per_s = 0.0;
     double turns_per_s = 0.0;  ///< slope of the speed over x
-    double ends_at_x_m = 1e3;  ///< support falls from 1 to 0 over the last 10 mm
+    double ends_at_x_m = 1e3;  ///< coverage falls from 1 to 0 over the last 10 mm
   };
   MovingSkin(const Shape& shape, SessionTime when) : shape_(shape) {
     captured = when;
@@ -29,8 +29,8 @@ class MovingSkin final : public surface::SurfaceSnapshot {
                                               const surface::MotionBasis& basis) const noexcept override {
     surface::FieldSample sample;
     const double share = std::clamp((shape_.ends_at_x_m - query.x()) / 0.01, 0.0, 1.0);
-    sample.support = share * share * (3.0 - 2.0 * share);
-    if (sample.support <= 0.0) return {};
+    sample.coverage = share * share * (3.0 - 2.0 * share);
+    if (sample.coverage <= 0.0) return {};
     sample.valid = true;
     const double risen_s = static_cast<double>(basis.value[0]);
     const double slope = shape_.per_m + shape_.turns_per_s * risen_s;

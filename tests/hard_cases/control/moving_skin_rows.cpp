@@ -116,7 +116,7 @@ AssertionResult off_the_rim() {
   scene.watch = [&](const loop::TickOut& act, double now_s) {
     const double push_N = act.contact.in_body ? act.force.N.norm() : 0.0;
     if (now_s > 2.0 && now_s < 2.5) on_it_N = std::max(on_it_N, push_N);
-    if (act.contact.support < 0.5 && act.contact.in_body) beyond_N = std::max(beyond_N, push_N);
+    if (act.contact.coverage < 0.5 && act.contact.in_body) beyond_N = std::max(beyond_N, push_N);
   };
   const Felt felt = feel(scene);
   return all_of({above("on it", on_it_N, 0.3, 1.0, "N"),
@@ -137,15 +137,15 @@ AssertionResult hidden_while_the_hand_goes_deeper() {
       aim.at.m.y() -= 0.04 * std::clamp((view.time_s - 3.0) / 0.3, 0.0, 1.0);
       return aim;
     };
-    double least_support = 1.0, least_J = 0.0, off = 0.0;
+    double least_coverage = 1.0, least_J = 0.0, off = 0.0;
     scene.watch = [&](const loop::TickOut& act, double now_s) {
-      if (now_s > 3.0 && act.contact.in_body) least_support = std::min(least_support, act.contact.support);
+      if (now_s > 3.0 && act.contact.in_body) least_coverage = std::min(least_coverage, act.contact.coverage);
       if (now_s > 2.5) least_J = std::min(least_J, act.control.passivity_J);
       if (now_s > 6.0) off = std::max(off, std::abs(act.force.N.y() / (150.0 * -act.sample.device[1]) - 1.0));
     };
     const Felt felt = feel(scene);
     anchors.push_back(
-        all_of({below("the support fell to", least_support, 0.5, 1.0, ""),
+        all_of({below("the coverage fell to", least_coverage, 0.5, 1.0, ""),
                 above("display's ledger", least_J, -0.001, 1e3, "mJ"),
                 below("off the law after 3 s", off, 0.05, 100.0, "%"), below_N("step", felt.worst_step_N, 0.1)}));
   }
@@ -200,7 +200,7 @@ std::vector<HardCase> moving_skin_rows() {
       {"default skin rubbed off a rim", "the anchor is far from the rim", "fades with the known surface", off_the_rim},
       {"2 s without frames, then 20 mm up", "the contact ended at depth", "felt in 1.5 s, law in 3 s, both anchors",
        gap_in_contact},
-      {"hidden while the hand goes deeper", "the skin's support grows under a deep hand", "no energy of the display",
+      {"hidden while the hand goes deeper", "the skin's coverage grows under a deep hand", "no energy of the display",
        hidden_while_the_hand_goes_deeper},
   };
 }

@@ -21,7 +21,7 @@ class MovingPlane final : public SurfaceSnapshot {
     sample.valid = true;
     sample.f_m = z_m_ - speed_m_per_s_ * static_cast<double>(basis.value[0]) - query.z();
     sample.gradient = sample.normal = -Vector3d::UnitZ();
-    sample.support = 1.0;
+    sample.coverage = 1.0;
     sample.velocity_m_per_s = speed_m_per_s_ * static_cast<double>(basis.rate[0]);
     return sample;
   }

@@ -48,13 +48,13 @@ AssertionResult rim_of_support() {
   double worst = 0.0;
   double last = 0.0;
   for (int i = 0; i < 4000; ++i) {
-    const double support = half->evaluate({-0.02 + 1e-5 * i, 0.0, 0.8}, Vector3d::Zero(), {}).support;
-    if (i > 0) worst = std::max(worst, std::abs(support - last));
-    last = support;
+    const double coverage = half->evaluate({-0.02 + 1e-5 * i, 0.0, 0.8}, Vector3d::Zero(), {}).coverage;
+    if (i > 0) worst = std::max(worst, std::abs(coverage - last));
+    last = coverage;
   }
   return all_of({{drove.finite && drove.touched && !drove.last.in_body, "contact ends beyond the rim"},
                  below_N("without a step", drove.worst_step_N, kMostForceStep_N),
-                 {worst < 0.01, "support fades smoothly"}});
+                 {worst < 0.01, "coverage fades smoothly"}});
 }
 
 AssertionResult shadow_of_an_arm() {

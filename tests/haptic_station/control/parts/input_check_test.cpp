@@ -30,7 +30,7 @@ TEST(InputCheck, EveryNumberOfAContactAndOfTheObjectsInTheBodyIsChecked) {
   const std::function<void(ControlInput&)> spoilers[] = {
       [](ControlInput& in) { in.contact.normal.v.z() = kNaN; },
       [](ControlInput& in) { in.contact.distance_m = kNaN; },
-      [](ControlInput& in) { in.contact.support = kNaN; },
+      [](ControlInput& in) { in.contact.coverage = kNaN; },
       [](ControlInput& in) { in.contact.surface_speed_m_per_s = kNaN; },
       [](ControlInput& in) { in.contact.measured_above_m = kNaN; },
       [](ControlInput& in) { in.contact.measured_speed_m_per_s = kNaN; },

@@ -77,36 +77,36 @@ TEST(SinkIn, TheEffectsSeeADeviceThatIsAsDeepAsTheHandFeels) {
   EXPECT_NEAR(felt.device_velocity.v.y(), -shown.surface_speed_m_per_s, 1e-15);
 }
 
-/// The support grows when the skin comes back into sight. Measured from the true skin, the indentation would grow by a
+/// The coverage grows when the skin comes back into sight. Measured from the true skin, the indentation would grow by a
 /// share of the whole depth, and the hand would get energy.
 TEST(SinkIn, ASupportThatGrowsOverADeepHandDoesNotIndentTheSkin) {
   constexpr double kDepth_m = 0.14;
   SinkIn sink_in;
   sink_in.begin(at_depth(kDepth_m));
-  for (const double support : {0.2, 0.9, 0.95, 1.0}) {
+  for (const double coverage : {0.2, 0.9, 0.95, 1.0}) {
     ports::SurfaceContact contact = at_depth(kDepth_m);
-    contact.support = support;
-    contact.proxy.m.y() = -(1.0 - support) * kDepth_m;
+    contact.coverage = coverage;
+    contact.proxy.m.y() = -(1.0 - coverage) * kDepth_m;
     const Point<HapticBase> device{{0.0, -kDepth_m, 0.0}};
     const effects::EffectInput felt = sink_in.in_body_frame(device, {}, sink_in.shown(contact));
-    EXPECT_NEAR(felt.device.m.y() - felt.contact.proxy.m.y(), 0.0, 1e-12) << support;
+    EXPECT_NEAR(felt.device.m.y() - felt.contact.proxy.m.y(), 0.0, 1e-12) << coverage;
   }
 }
 
-/// The camera sees the skin again, over a hand that went to 80 mm deep while the skin was hidden. The support grows at
+/// The camera sees the skin again, over a hand that went to 80 mm deep while the skin was hidden. The coverage grows at
 /// its greatest rate, 2 per second.
 TEST(SinkIn, ASupportThatGrowsInAContactDoesNotStiffenTheSkin) {
   SinkIn sink_in;
   sink_in.begin(at_depth(0.0));
   ports::SurfaceContact contact = at_depth(0.08);
-  contact.support = 0.2;
+  contact.coverage = 0.2;
   sink_in.step(contact, kTick_s);
   EXPECT_EQ(sink_in.shown(contact).distance_m, -0.08);
-  while (contact.support < 1.0) {
-    const double before_m = contact.support * sink_in.shown(contact).distance_m;
-    contact.support = std::min(1.0, contact.support + 2.0 * kTick_s);
+  while (contact.coverage < 1.0) {
+    const double before_m = contact.coverage * sink_in.shown(contact).distance_m;
+    contact.coverage = std::min(1.0, contact.coverage + 2.0 * kTick_s);
     sink_in.step(contact, kTick_s);
-    ASSERT_GE(contact.support * sink_in.shown(contact).distance_m, before_m - 0.05 * kTick_s)
+    ASSERT_GE(contact.coverage * sink_in.shown(contact).distance_m, before_m - 0.05 * kTick_s)
         << "the spring is compressed only by the body's rise";
   }
   for (int tick = 0; tick < 4000; ++tick) sink_in.step(contact, kTick_s);
