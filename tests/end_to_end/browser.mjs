@@ -34,6 +34,7 @@ export const status = (page) => page.evaluate(() => window.telepalp);
 
 /** The playback of the page's own session; without values until the page has opened it. */
 export const ownPlayback = (page) => page.evaluate(async () => {
+  if (!window.telepalp?.connected) return {};  // the server does not know the session yet, and a 404 is a problem of the page
   const reply = await fetch(`playback${globalThis.telepalpOwnQuery}`);
   return reply.ok ? reply.json() : {};
 });
