@@ -48,7 +48,7 @@ test('smooth skin that shows no slide is told of once, in the details, with what
   const still = {stampNs: 0n, support: 1, slewedM: 0, dampingN: 0};
   const object = {effect: 1, unseen: false, slideUnseen: true};
   const rows = compensationRows({...still, objects: [object, object]}, undefined).filter(({name}) => name === 'Inner objects');
-  assert.deepEqual(rows.map(({value, level}) => [value, level]), [['follow up and down', undefined]]);
+  assert.deepEqual(rows.map(({value, level}) => [value, level]), [['up and down only', undefined]]);
   assert.match(rows[0].says, /smooth skin.*sideways/);
   for (const objects of [[], [{...object, slideUnseen: false}], [{...object, unseen: true}]])
     assert.equal(valueOf(compensationRows({...still, objects}, undefined), 'Inner objects'), undefined);

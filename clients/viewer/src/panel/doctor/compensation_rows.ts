@@ -65,7 +65,7 @@ export function compensationRows(
   if (compensation.objects.some(({unseen, slideUnseen}) => slideUnseen && !unseen))
     rows.push({
       name: 'Inner objects',
-      value: 'follow up and down',
+      value: 'up and down only',
       says: 'Depth does not show whether smooth skin, such as a belly’s, slides along itself. If the patient moves ' +
           'sideways, the objects below this skin are felt where they lay before.',
     });
