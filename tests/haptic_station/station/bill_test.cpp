@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "haptic_station/station/bill/receiving.h"
 #include "haptic_station/station/bill/thread_time.h"
 #include "haptic_station/surface/build/mark_tracker.h"
@@ -137,24 +139,28 @@ double least_ns(const Work& work) {
   return least;
 }
 
-double tick_ns(effects::EffectBank bank) {
+/// The least processor time of a tick [ns] with each of the banks, their runs in turn: a slow moment meets all of them.
+std::array<double, 3> ticks_ns(std::array<effects::EffectBank, 3> banks) {
   effects::EffectInput in;
   in.device = {{0.0, -0.035, 0.0}};
   in.contact = {.proxy = {}, .normal = {Vector3d::UnitY()}, .distance_m = -0.035, .in_body = true, .valid = true};
-  bank.begin(in);
+  for (effects::EffectBank& bank : banks) bank.begin(in);
   constexpr int kTicks = 2000;
-  return least_ns([&] {
-           for (int i = 0; i < kTicks; ++i) (void)bank.step(in, 0.0005, 10.0);
-         }) /
-         kTicks;
+  std::array<double, 3> least{1e12, 1e12, 1e12};
+  for (int run = 0; run < 50; ++run)
+    for (std::size_t i = 0; i < banks.size(); ++i) {
+      const std::int64_t before = thread_ns();
+      for (int tick = 0; tick < kTicks; ++tick) (void)banks[i].step(in, 0.0005, 10.0);
+      least[i] = std::min(least[i], static_cast<double>(thread_ns() - before) / kTicks);
+    }
+  return least;
 }
 
 TEST(Bill, AnEffectThatTheSceneDoesNotNameTakesNoTimeInATick) {
-  const double none = tick_ns(cut("palpation", 0).effects);
-  const double skin = tick_ns(cut("palpation", 1).effects);
-  const double both = tick_ns(scene_named("palpation").effects);
-  EXPECT_LT(none, 15.0);
-  EXPECT_LT(skin + 3.0, both);
+  const auto [none, skin, both] =
+      ticks_ns({cut("palpation", 0).effects, cut("palpation", 1).effects, scene_named("palpation").effects});
+  EXPECT_LT(none, 0.5 * skin);
+  EXPECT_LT(skin, 0.5 * both) << "the skin alone, without the liver";
 }
 
 TEST(Bill, AnObjectThatTheSceneDoesNotNameTakesNoTimeAtTheSurface) {
