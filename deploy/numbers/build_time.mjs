@@ -19,22 +19,26 @@ function build_s(tree) {
     if (status !== 0) throw new Error(`a build failed: ${readFileSync(log, 'utf8').trim().split('\n').slice(-5).join(' | ')}`);
     return stdout;
   };
-  const settings = ['-DCMAKE_BUILD_TYPE=Release', '-DTELEPALP_NPM=OFF', '-DCCACHE=CCACHE-NOTFOUND'];
+  // OFF, not NOTFOUND: CMake would look for the program again, and find it.
+  const settings = ['-DCMAKE_BUILD_TYPE=Release', '-DNPM=OFF', '-DTELEPALP_NPM=OFF', '-DCCACHE=OFF'];
   run('cmake -S "$2" -B "$3" -G Ninja "${@:4}" >"$1" 2>&1', tree, build, ...settings);
   const said = run('TIMEFORMAT="%U %S"; { time CCACHE_DISABLE=1 cmake --build "$2" --parallel "$3" >"$1" 2>&1; } 2>&1', build, String(jobs()));
   const [user_s, system_s] = said.trim().split(/\s+/).slice(-2).map(Number);
   return user_s + system_s;
 }
 
-/** The row of the ratio, and one for each commit. `base` and `head`: full names of commits. */
-export async function buildRows(checkout, base, head, notes) {
+/**
+ * The row of the ratio, and one for each commit. `base` and `head`: full names of commits. Prints each build's time when
+ * it is known, because a later build may fail after hours.
+ */
+export async function buildRows(checkout, base, head) {
   const sums = {[base]: 0, [head]: 0};
   for (let round = 1; round <= ROUNDS; ++round)
     for (const commit of [base, head]) {
       process.stderr.write(`deploy/size: building ${commit.slice(0, 8)}, round ${round} of ${ROUNDS}\n`);
       const spent_s = await withTree(checkout, commit, build_s);
       sums[commit] += spent_s;
-      notes.push(`build of ${commit.slice(0, 8)}, round ${round}: ${spent_s.toFixed(1)} s of processor time`);
+      process.stderr.write(`deploy/size: ${commit.slice(0, 8)} took ${spent_s.toFixed(1)} s of processor time\n`);
     }
   return [
     atMost("processor time of a build, of the base's", Number((sums[head] / sums[base]).toFixed(3)), 'x', 0.6),

@@ -63,7 +63,7 @@ async function rowsFor(checkout, {base: name, apart, build, packages}, notes) {
   const rows = [];
   if (!build) notes.push('skipped: the processor time of a build. fix: give --build, and hours');
   else if (base === undefined) notes.push('skipped: the processor time of a build, because there is no commit to compare with');
-  else rows.push(...await buildRows(checkout, base, commitOf(checkout, 'HEAD'), notes));
+  else rows.push(...await buildRows(checkout, base, commitOf(checkout, 'HEAD')));
   const product = productOf(checkout);
   if (base === undefined) notes.push('skipped: the lines removed, because there is no commit to compare with. fix: give --base COMMIT');
   else {

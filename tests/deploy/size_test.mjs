@@ -175,6 +175,11 @@ test('what cannot be measured here is skipped and said', () => {
 test('the build row is the ratio of processor times of the two commits', () => {
   const project = (work) => ({...classes, 'CMakeLists.txt': `cmake_minimum_required(VERSION 3.25)
 project(small NONE)
+find_program(CCACHE NAMES ccache sh)
+find_program(NPM NAMES npm sh)
+if(CCACHE OR NPM OR TELEPALP_NPM)
+  message(FATAL_ERROR "a measured build has neither ccache nor npm")
+endif()
 add_custom_target(work ALL COMMAND sh -c "i=0; while [ $i -lt ${work} ]; do i=$((i+1)); done" VERBATIM)
 `});
   const folder = repository(project(600000), project(60000));
