@@ -7,6 +7,8 @@ import {bundled} from './bundled.mjs';
 
 const {ViewerState} = await bundled('state/viewer_state.ts');
 const {forcesOf} = await bundled('present/instant.ts');
+const {ringRadius_m} = await bundled('scene/torque_ring.ts');
+const {BALL_RADIUS_M} = await bundled('scene/drawn_sizes.ts');
 
 const CAPTURED_MS = 1000;
 const instantAt = (captured_ms) => ({
@@ -51,6 +53,22 @@ test('picture, hand and numbers change together, when the instant comes to the s
   state.news = {...heard, stationHeard_ms: 2105, at_ms: 2110};
   state.shown({...instantAt(2100), picture: undefined, station: stationAt(2100), hand: 'none'}, 2110);
   assert.deepEqual(instants(state.read(2110)), [1000, undefined, 2100]);
+});
+
+test('a torque is known only of a device that gives one', () => {
+  const state = new ViewerState();
+  state.news = heard;
+  state.shown({...instantAt(1000), station: stationAt(1002), hand: 'new'}, 1020);
+  assert.equal(state.read(1020).torque_N_m, undefined);
+  state.shown({...instantAt(1033), station: {...stationAt(1035), torqueCameraNM: {x: 0.3, y: 0, z: -0.4}}, hand: 'new'}, 1050);
+  assert.equal(state.read(1050).torque_N_m, 0.5);
+});
+
+test('the ring of a torque lies around the ball, and grows with the torque', () => {
+  assert.equal(ringRadius_m(0), 0);
+  assert.equal(ringRadius_m(0.004), 0, 'nobody feels it');
+  assert.ok(ringRadius_m(0.01) > 1.1 * BALL_RADIUS_M);
+  assert.ok(ringRadius_m(0.5) > ringRadius_m(0.1) + 0.02);
 });
 
 test('values that are not known are shown as not known, and not as a station that is away', () => {

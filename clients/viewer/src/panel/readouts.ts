@@ -92,10 +92,12 @@ export class Readouts {
     for (const eye of this.eyes) write(eye, line);
   }
 
-  private showTouch({force_N, drive_N, indentation_mm, limited}: Reading): void {
+  private showTouch({force_N, torque_N_m, drive_N, indentation_mm, limited}: Reading): void {
     setText('force', force_N === undefined ? '–' : force_N.toFixed(1));
     setText('indentation', indentation_mm === undefined ? '–' : indentation_mm.toFixed(0));
     element('force').style.color = force_N === undefined || force_N < LEAST_N ? '' : forceColor(force_N).getStyle();
+    element('torque').hidden = torque_N_m === undefined;  // most devices give none
+    setText('torque', `torque ${(torque_N_m ?? 0).toFixed(2)} N m`);
     element('drive').hidden = (drive_N ?? 0) < LEAST_N;
     setText('drive', `drive ${(drive_N ?? 0).toFixed(1)} N, not contact`);
     element('limited').hidden = !limited || (force_N ?? 0) < LEAST_N;  // a scene without force has the limit 0 N

@@ -27,6 +27,7 @@ const AWAY_MS = 2500;     // a server sends a message each second
 export interface Reading extends Health {
   force_N: number | undefined;  // of the contact; 0 while the device is driven
   drive_N: number | undefined;  // of the drive; 0 in contact
+  torque_N_m: number | undefined;  // on the hand; undefined: the device gives none
   indentation_mm: number | undefined;
   limited: boolean;
   numbersOld: boolean;  // nothing newer has come from the station since the picture became stale
@@ -257,9 +258,11 @@ function presenceOf(news: News | undefined, now_ms: number): Presence {
 
 function touchOf(station: StationState | undefined) {
   const forces = station && forcesOf(station);
+  const torque = station?.torqueCameraNM;
   return {
     force_N: forces?.force_N,
     drive_N: forces?.drive_N,
+    torque_N_m: torque && Math.hypot(torque.x, torque.y, torque.z),
     indentation_mm: station && 1000 * station.indentationM,
     limited: station?.limited ?? false,
     yields_s: station && station.yieldsInS > 0 && Number.isFinite(station.yieldsInS) ? station.yieldsInS : undefined,

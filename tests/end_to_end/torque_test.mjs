@@ -1,0 +1,82 @@
+// node torque_test.mjs SCENES BIN_DIR VIEWER_FILES: a needle on a device with six degrees of freedom presses a membrane with
+// its tip, 50 mm beside the hand: the page shows the torque as a ring around the device's ball, and as a number. With
+// TELEPALP_PICTURES=DIR the picture torque.png is written there.
+import assert from 'node:assert/strict';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+
+import {openBrowser, status, untilStatus} from './browser.mjs';
+import {NeedleDevice} from './needle_device.mjs';
+import {until, Workplace} from './running_program.mjs';
+
+const [scenes, binDir, viewer] = process.argv.slice(2);
+const LEVER_M = 0.05;
+const place = new Workplace('torque');
+let browser, device, page, station;
+
+before(async () => {
+  const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic:torso,motion=hold', '--viewer', viewer]);
+  device = await NeedleDevice.open();
+  const scene = join(place.folder, 'needle.scene.textproto');
+  const shipped = readFileSync(join(scenes, 'membrane.scene.textproto'), 'utf8');
+  writeFileSync(scene, shipped.replace('tears_at_N: 2.5', `tears_at_N: 15 tip_m { x: ${LEVER_M} }`) +
+    'age_limits { device_s: 1 surface_s: 10 tracker_s: 10 }\n');  // this device and the browser share a processor
+  station = place.start(join(binDir, 'telepalp-station'), ['--connect', `127.0.0.1:${port}`, '--scene', scene, '--control', 'none',
+    '--device', `udp:127.0.0.1:${device.port}`, '--tracker', 'held']);
+  browser = await openBrowser(place.folder);
+  page = browser.page;
+  await page.goto(`http://127.0.0.1:${http_port}/?view=doctor`);
+  await untilStatus(page, 'the page is connected', (now) => now.connected);
+  await until('the station has a surface', () => /touchable/.test(station.heard));
+});
+after(async () => {
+  await browser?.context.close();
+  device?.close();
+  await place.end();
+});
+
+/** Number of pixels of the page that have the ring's colour. */
+async function ringPixels() {
+  const png = await page.screenshot();
+  const context = await browser.context.newPage();
+  try {
+    return await context.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const picture = await createImageBitmap(new Blob([bytes], {type: 'image/png'}));
+      const canvas = new OffscreenCanvas(picture.width, picture.height);
+      const drawing = canvas.getContext('2d');
+      drawing.drawImage(picture, 0, 0);
+      const {data} = drawing.getImageData(picture.width / 4, picture.height / 4, picture.width / 2, picture.height / 2);
+      let found = 0;
+      for (let at = 0; at < data.length; at += 4)
+        if (Math.abs(data[at] - 0xd9) < 24 && Math.abs(data[at + 1] - 0x8c) < 24 && data[at + 2] > 0xe0) ++found;
+      return found;
+    }, png.toString('base64'));
+  } finally {
+    await context.close();
+  }
+}
+
+/** undefined below 0.05 N m. */
+async function shownTorque_N_m() {
+  const shown = /^torque ([\d.]+) N m$/.exec(await page.textContent('#torque'))?.[1];
+  return Number(shown ?? 0) > 0.05 ? Number(shown) : undefined;
+}
+
+test('without contact there is neither ring nor torque', async () => {
+  await device.move([0, 0.03, 0]);
+  assert.equal(await shownTorque_N_m(), undefined);
+  assert.ok((await ringPixels()) < 20);
+});
+
+test('a needle that presses beside the hand gives a torque: a ring, and its number', async () => {
+  await device.move([0, -0.028, 0]);
+  const torque_N_m = await until('the page shows a torque', shownTorque_N_m)
+      .catch(async (late) => assert.fail(`${late.message}; ${JSON.stringify([await status(page), device.wrench])} ${station.heard}`));
+  const [x, y, z] = device.wrench.torque_N_m;
+  assert.ok(Math.hypot(x, y) < 0.05 * z, 'the lever along x and the force along y turn about z');
+  assert.ok(torque_N_m <= LEVER_M * 10 && torque_N_m > 0.05, String(torque_N_m));
+  await until('the ring is drawn', async () => (await ringPixels()) > 150);
+  if (process.env.TELEPALP_PICTURES) await page.screenshot({path: join(process.env.TELEPALP_PICTURES, 'torque.png')});
+});
