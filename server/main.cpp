@@ -21,7 +21,6 @@
 #include "support/program/files/ready_file.h"
 #include "support/program/files/shipped.h"
 #include "support/program/log.h"
-#include "support/program/message_json.h"
 #include "support/program/options.h"
 #include "support/program/version.h"
 
@@ -230,13 +229,11 @@ std::string own_address(const std::string& bind, std::uint16_t port) {
 
 /// Lets the gateway's visitors begin and end recordings.
 origin::Resource recording_resource(recording::SessionRecorder& recorder) {
-  return {.state = [&recorder] { return program::to_json(recorder.state()); },
-          .change = [&recorder](const std::string& json, const std::string&) -> Result<std::string> {
+  return {.state = [&recorder] { return origin::state_message(recorder.state()); },
+          .change = [&recorder](const std::string& json, const std::string&) -> Result<void> {
             const Result<msg::RecordingCommand> command = recording::read_command(json);
             if (!command) return command.error();
-            if (const Result<void> applied = recorder.apply(*command, std::chrono::system_clock::now()); !applied)
-              return applied.error();
-            return program::to_json(recorder.state());
+            return recorder.apply(*command, std::chrono::system_clock::now());
           }};
 }
 
@@ -246,9 +243,9 @@ void offer(gateway::GatewayOptions& options, origin::Origin& origin, origin::Ses
   options.offer = origin.offer();
   options.open_session = [&shelf](const origin::ReadingSpec& asked) { return shelf.read_alone(asked); };
   if (recorder == nullptr) return;
-  options.offer.resources[origin::kRecordingPath] = recording_resource(*recorder);
-  options.offer.resources[origin::kSessionsPath] = {
-      .state = [&shelf] { return shelf.list(); },
+  options.resources[origin::kRecording.topic.name] = recording_resource(*recorder);
+  options.resources[origin::kSessions.topic.name] = {
+      .state = [&shelf] { return origin::state_message(shelf.list()); },
       .change = [&shelf](const std::string& json, const std::string&) { return shelf.take(json); }};
 }
 

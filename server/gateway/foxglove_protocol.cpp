@@ -6,6 +6,7 @@
 #include "proto/wire/mcap/format/schemas.h"
 #include "proto/words/demand.h"
 #include "server/gateway/foxglove/playback_control.h"
+#include "server/origin/resources.h"
 #include "server/views/view_topics.h"
 #include "support/program/message_json.h"
 
@@ -27,9 +28,19 @@ Error refused(std::string what) {
           .fix = "send subscribe, unsubscribe, advertise or unadvertise, as JSON"};
 }
 
-void add_channel(texts::Advertise& advertise, const wire::Topic& topic, const google::protobuf::Descriptor& type) {
+/// Calls `use` with the number, the topic and the message type of each channel.
+template <class Use>
+void for_each_channel(Use use) {
+  std::uint32_t channel = 0;
+  for (const wire::Topic& topic : wire::kTopics) use(++channel, topic, *wire::descriptor_of(topic));
+  for (const wire::Topic& topic : views::kViewTopics) use(++channel, topic, *views::descriptor_of_view(topic));
+  for (const auto& [topic, every] : origin::kStateTopics) use(++channel, topic, *origin::descriptor_of_state(topic));
+}
+
+void add_channel(texts::Advertise& advertise, std::uint32_t id, const wire::Topic& topic,
+                 const google::protobuf::Descriptor& type) {
   texts::Advertise::Channel& channel = *advertise.add_channels();
-  channel.set_id(static_cast<std::uint32_t>(advertise.channels_size()));
+  channel.set_id(id);
   channel.set_topic(std::string(topic.name));
   channel.set_encoding("protobuf");
   channel.set_schemaname(std::string(topic.schema));
@@ -65,13 +76,17 @@ std::optional<std::string_view> choose_subprotocol(std::string_view offered) {
 }
 
 std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
-  if (channel == 0 || channel > wire::kTopics.size() + views::kViewTopics.size()) return std::nullopt;
-  return channel <= wire::kTopics.size() ? wire::kTopics[channel - 1]
-                                         : views::kViewTopics[channel - 1 - wire::kTopics.size()];
+  std::size_t at = std::size_t{channel} - 1;  // wraps for channel 0, which then is behind each table's end
+  if (at < wire::kTopics.size()) return wire::kTopics[at];
+  at -= wire::kTopics.size();
+  if (at < views::kViewTopics.size()) return views::kViewTopics[at];
+  at -= views::kViewTopics.size();
+  if (at < origin::kStateTopics.size()) return origin::kStateTopics[at].topic;
+  return std::nullopt;
 }
 
 std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer, std::string_view role,
-                        const std::optional<msg::PlaybackState>& played) {
+                        const std::optional<msg::PlaybackState>& played, std::string_view may) {
   texts::ServerInfo info;
   info.set_op("serverInfo");
   info.set_name(std::string(name));
@@ -80,6 +95,7 @@ std::string server_info(std::string_view name, std::string_view session_id, std:
   info.set_sessionid(std::string(session_id));
   (*info.mutable_metadata())["viewer"] = std::to_string(viewer);
   (*info.mutable_metadata())["role"] = std::string(role);
+  (*info.mutable_metadata())["may"] = std::string(may);
   if (played) {
     info.add_capabilities("playbackControl");
     *info.mutable_datastarttime() = time_of(played->begin_ns());
@@ -88,12 +104,22 @@ std::string server_info(std::string_view name, std::string_view session_id, std:
   return our_json(info);
 }
 
-std::string advertise_all_topics() {
+std::string advertise(const Chosen& chosen) {
   texts::Advertise advertise;
   advertise.set_op("advertise");
-  for (const wire::Topic& topic : wire::kTopics) add_channel(advertise, topic, *wire::descriptor_of(topic));
-  for (const wire::Topic& topic : views::kViewTopics) add_channel(advertise, topic, *views::descriptor_of_view(topic));
+  for_each_channel([&](std::uint32_t id, const wire::Topic& topic, const google::protobuf::Descriptor& type) {
+    if (chosen(topic)) add_channel(advertise, id, topic, type);
+  });
   return our_json(advertise);
+}
+
+std::string unadvertise(const Chosen& chosen) {
+  texts::Unadvertise unadvertise;
+  unadvertise.set_op("unadvertise");
+  for_each_channel([&](std::uint32_t id, const wire::Topic& topic, const google::protobuf::Descriptor&) {
+    if (chosen(topic)) unadvertise.add_channelids(id);
+  });
+  return our_json(unadvertise);
 }
 
 std::string status(Level level, std::string_view text) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,15 +23,21 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 /// The first supported subprotocol in the client's Sec-WebSocket-Protocol header; nullopt if there is none.
 [[nodiscard]] std::optional<std::string_view> choose_subprotocol(std::string_view offered);
 
-/// The topic of a channel. Channel ids count the entries of wire::kTopics, then of kViewTopics (view_topics.h), from 1.
+/// The topic of a channel. Channel ids count the entries of wire::kTopics, then of kViewTopics (view_topics.h), then of
+/// kStateTopics (resources.h), from 1.
 [[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
 
 /// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client. `role`
 /// is the name of the client's role; telepalp's viewer shows the view for this role, and leaves out what the role may
-/// not do. `played`: the session whose playback the client may control; nullopt: none.
+/// not do. `played`: the session whose playback the client may control; nullopt: none. `may`: the paths of the
+/// resources to which the client may POST commands, with commas between them.
 [[nodiscard]] std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer,
-                                      std::string_view role, const std::optional<msg::PlaybackState>& played = {});
-[[nodiscard]] std::string advertise_all_topics();
+                                      std::string_view role, const std::optional<msg::PlaybackState>& played = {},
+                                      std::string_view may = {});
+using Chosen = std::function<bool(const wire::Topic&)>;
+/// The chosen ones of all topics.
+[[nodiscard]] std::string advertise(const Chosen& chosen);
+[[nodiscard]] std::string unadvertise(const Chosen& chosen);
 enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };
 [[nodiscard]] std::string status(Level level, std::string_view text);
 

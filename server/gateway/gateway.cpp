@@ -52,9 +52,12 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, hub::Hub& h
   auto acceptor = listen(io, options);
   if (!acceptor) return acceptor.error();
   for (const std::string& host : options.access->hosts()) options.policy.allowed_hosts.push_back(host);
+  options.offer.resources.insert(options.resources.begin(), options.resources.end());
   const std::string session_id = std::to_string(to_nanoseconds(now()));
-  auto context = std::make_shared<GatewayContext>(
-      GatewayContext{hub, options, std::move(files), std::move(now), session_id, {io, options.open_session}, {}});
+  auto context = std::make_shared<GatewayContext>(GatewayContext{
+      hub, options, std::move(files), now, session_id, {io, options.open_session, options.resources, now}, {}});
+  context->states =
+      std::make_unique<origin::StatePublisher>(context->views, context->options.offer.resources, std::move(now));
   context->view_maker = std::make_unique<views::ViewMaker>(
       io, hub, context->views, context->options.log ? context->options.log : [](const std::string&) {});
   return std::unique_ptr<Gateway>(new Gateway(std::move(acceptor).value(), std::move(context)));
@@ -64,10 +67,12 @@ Gateway::Gateway(tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context
     : acceptor_(std::move(acceptor)),
       accept_again_(acceptor_.get_executor()),
       second_(acceptor_.get_executor()),
+      look_(acceptor_.get_executor()),
       context_(std::move(context)),
       port_(acceptor_.local_endpoint().port()) {
   accept();
   look_after_connections_every_second();
+  look_at_states();
 }
 
 Gateway::~Gateway() {
@@ -94,6 +99,15 @@ void Gateway::look_after_connections_every_second() {
   second_.expires_after(std::chrono::seconds(1));
   second_.async_wait([this](boost::system::error_code cancelled) {
     if (!cancelled) look_after_connections_every_second();
+  });
+}
+
+void Gateway::look_at_states() {
+  context_->states->look();
+  for (Connection* const connection : context_->connections) connection->look_at_own_states();
+  look_.expires_after(origin::StatePublisher::kLook);
+  look_.async_wait([this](boost::system::error_code cancelled) {
+    if (!cancelled) look_at_states();
   });
 }
 

@@ -23,6 +23,7 @@
 #include "server/hub/server_stats.h"
 #include "server/origin/origin.h"
 #include "server/origin/reading.h"
+#include "server/origin/state_publisher.h"
 #include "server/views/view_maker.h"
 
 namespace telepalp::gateway {
@@ -37,6 +38,7 @@ struct GatewayOptions {
   std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
   std::function<hub::DatagramCounts()> datagrams{};  ///< counts of datagrams that arrived at the UDP port
   origin::Offer offer{};                             ///< what visitors may see of the server's origin, and change in it
+  origin::Resources resources{};                     ///< those of the server itself
   origin::Readings::Open open_session{};  ///< opens a recorded session for one reader; unset: none can be opened
   std::function<void(const std::string&)> log{};  ///< log lines for the technician about refused viewers
   std::size_t max_connections = 64;
@@ -57,8 +59,9 @@ struct GatewayContext {
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
   WebSessions sessions{};
-  hub::Hub views{};                                ///< topics of server/views/view_topics.h, for viewers alone
-  std::unique_ptr<views::ViewMaker> view_maker{};  ///< null after the gateway's destruction
+  hub::Hub views{};  ///< topics for viewers alone: views (server/views/view_topics.h) and states of resources
+  std::unique_ptr<views::ViewMaker> view_maker{};    ///< null after the gateway's destruction
+  std::unique_ptr<origin::StatePublisher> states{};  ///< publishes at `views`
 };
 
 /// One accepted socket. Pending reads and writes keep the object alive.
@@ -74,6 +77,8 @@ class Connection {
   virtual void check_access() {}
   /// Sends the client the state of the played session; called each second.
   virtual void send_playback_state() {}
+  /// Publishes the states that this client alone sees; called each StatePublisher::kLook.
+  virtual void look_at_own_states() {}
   /// True when the connection is a viewer that has subscribed to nothing and does not control the viewer hand, so that
   /// it may be closed to make room for a new connection.
   [[nodiscard]] virtual bool is_idle() const { return false; }
@@ -109,11 +114,13 @@ class Gateway {
   void accept();
   void make_room();
   void look_after_connections_every_second();
+  void look_at_states();
   void refuse(boost::asio::ip::tcp::socket socket);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer accept_again_;
   boost::asio::steady_timer second_;
+  boost::asio::steady_timer look_;
   std::shared_ptr<GatewayContext> context_;  // shared with the connections
   std::uint16_t port_ = 0;
   std::chrono::steady_clock::time_point refusal_noted_{};

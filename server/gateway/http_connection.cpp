@@ -76,7 +76,8 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
   /// Only who may bring a session file may send a long body.
   void read_body() {
     const HttpRequest& head = parser_->get();
-    const bool is_part = head.method() == http::verb::post && path_of(view(head.target())) == origin::kSessionsPath;
+    const bool is_part =
+        head.method() == http::verb::post && path_of(view(head.target())) == origin::kSessions.topic.name;
     if (!is_part || !Visit(*context(), head, peer_.address()).may(keys::Operation::Record)) {
       if (parser_->content_length().value_or(0) > kMaxBodyBytes) return refuse_unreadable(http::error::body_limit);
       parser_->body_limit(kMaxBodyBytes);

@@ -79,6 +79,10 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (controls_playback_ && subscriber_) say_binary(foxglove::playback_state(offer().playback.state()));
   }
 
+  void look_at_own_states() override {
+    if (reading_) reading_->states().look();
+  }
+
   void close() override {
     leave();
     beast::error_code ignored;
@@ -92,11 +96,26 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   hub::Hub& hub() { return reading_ ? reading_->hub() : context()->hub; }
   hub::Hub& views() { return reading_ ? reading_->views() : context()->views; }
   const origin::Offer& offer() { return reading_ ? reading_->offer() : context()->options.offer; }
+  origin::StatePublisher& states() { return reading_ ? reading_->states() : *context()->states; }
+
+  bool may(keys::Operation operation) {
+    return visitor_ && context()->options.access->may(visitor_->who, operation).ok();
+  }
 
   /// Moving a played session changes what all viewers see; a reading is its reader's own.
-  bool may_move() {
-    const keys::Operation needed = reading_ ? keys::Operation::Watch : keys::Operation::Play;
-    return visitor_ && context()->options.access->may(visitor_->who, needed).ok();
+  bool may_change(const ResourceRow& row) { return may(reading_ ? row.change_own : row.change); }
+
+  std::string paths_to_change() {
+    std::string paths;
+    for (const ResourceRow& row : all_resources())
+      if (may_change(row)) paths += (paths.empty() ? "" : ",") + std::string(row.path);
+    return paths;
+  }
+
+  /// Each topic but the states of resources that the server does not have, or that this visitor may not read.
+  bool is_offered(const wire::Topic& topic) {
+    const ResourceRow* const row = resource_at(topic.name);
+    return row == nullptr || (may(row->read) && offer().resources.contains(topic.name));
   }
 
   void subscriptions_changed() {
@@ -123,10 +142,11 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     number_ = *subscriber_;
     views_subscriber_ = views().join(std::string(kSubscriberName), peer, [this] { write_next(); });
     const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
-    controls_playback_ = speaks_playback_ && offer().playback && may_move();
+    controls_playback_ = speaks_playback_ && offer().playback && may_change(*resource_at(origin::kPlayback.topic.name));
     const auto played = controls_playback_ ? std::optional(offer().playback.state()) : std::nullopt;
-    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role, played));
-    say(foxglove::advertise_all_topics());
+    say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role, played,
+                              paths_to_change()));
+    say(foxglove::advertise([this](const wire::Topic& topic) { return is_offered(topic); }));
     if (!unopened_.empty()) warn(std::string(kUnopened) + unopened_);
     send_playback_state();
     read();
@@ -154,6 +174,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       if (const Result<void> taken = commands_.advertise(channel); !taken) warn(to_string(taken.error()));
     std::vector<std::string> topics;
     for (const auto& [id, topic] : subscriptions_) topics.emplace_back(topic);
+    states().expect_subscriber(topics);
     hub().subscribe(*subscriber_, topics);
     views().subscribe(views_subscriber_, topics);
     subscriptions_changed();
@@ -168,6 +189,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!request) return warn(to_string(request.error()));
     const Result<void> moved = port.move(foxglove::command_of(*request, before));
     if (!moved) return warn(to_string(moved.error()));
+    states().commanded();
     say_binary(foxglove::playback_reply(before, *request));
   }
 
@@ -257,7 +279,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void subscribe(const foxglove::Request::Subscription& wanted) {
     const std::optional<wire::Topic> topic = foxglove::topic_of_channel(wanted.channel);
-    if (!topic)
+    if (!topic || !is_offered(*topic))
       return warn("there is no channel " + std::to_string(wanted.channel) +
                   ". fix: subscribe to an advertised channel");
     if (subscriptions_.size() >= kMaxSubscriptions)
@@ -349,7 +371,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   std::optional<hub::SubscriberId> subscriber_;  // set from the handshake until the end
   hub::SubscriberId views_subscriber_ = 0;       // valid while subscriber_ is set
   bool view_is_next_ = false;
-  std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in wire::kTopics or kViewTopics
+  std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in one of the tables of topics
   ViewerCommands commands_;
   std::optional<SessionTime> untaken_warned_;
   std::deque<Said> said_;  // replies and playback states, to write before messages of topics

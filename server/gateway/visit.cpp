@@ -8,6 +8,7 @@
 #include "server/gateway/request/reading_request.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in.h"
+#include "support/program/message_json.h"
 
 namespace telepalp::gateway {
 namespace {
@@ -51,15 +52,24 @@ HttpReply json_reply(const HttpRequest& request, const std::string& json) {
   return reply;
 }
 
-/// GET answers the state; POST carries out a command and answers the state after it.
-HttpReply answer_state(const HttpRequest& request, const origin::Resource& resource, const std::string& who) {
-  if (request.method() == http::verb::get) return json_reply(request, resource.state());
+/// Session time at which the state after a command was published on the topic of the command's path [ns]; 0: nobody has
+/// subscribed to it. A page that shows the topic waits for this state.
+constexpr const char* kStatePublished = "State-Published";
+
+/// GET answers the state; POST carries out a command and answers the state after it, which `states` publishes.
+HttpReply answer_state(const HttpRequest& request, std::string_view path, const origin::Resource& resource,
+                       origin::StatePublisher& states, const std::string& who) {
+  if (request.method() == http::verb::get) return json_reply(request, program::to_json(*resource.state()));
   if (!resource.change) return refuse(request, http::status::method_not_allowed, "this address answers only GET");
   if (request.method() != http::verb::post)
     return refuse(request, http::status::method_not_allowed,
                   "this address answers only GET (the state) and POST (a command)");
-  const Result<std::string> after = resource.change(request.body(), who);
-  return after ? json_reply(request, *after) : refuse(request, http::status::bad_request, to_string(after.error()));
+  const Result<void> changed = resource.change(request.body(), who);
+  if (!changed) return refuse(request, http::status::bad_request, to_string(changed.error()));
+  states.commanded();
+  HttpReply reply = json_reply(request, program::to_json(*resource.state()));
+  reply.set(kStatePublished, std::to_string(to_nanoseconds(states.published_at(path))));
+  return reply;
 }
 
 constexpr std::string_view kReadingIsOver =
@@ -177,7 +187,8 @@ HttpReply Visit::resource(const HttpRequest& request, const ResourceRow& row) co
   if (commands && row.is_audited)
     note(access::AuditEvent::Records,
          "who=" + describe(visitor_->who) + " asked=" + access::audit_text(request.body()));
-  return answer_state(request, found->second, describe(visitor_->who));
+  return answer_state(request, row.path, found->second, reading ? reading->states() : *context_.states,
+                      describe(visitor_->who));
 }
 
 /// Who may watch sees each moment of the session that the server plays. A recording of the server's folder may be of

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <string_view>
 
@@ -11,25 +10,9 @@
 #include "messages/playback.pb.h"
 #include "proto/wire/message.h"
 #include "proto/words/result.h"
+#include "server/origin/resources.h"
 
 namespace telepalp::origin {
-
-/// A state that visitors read, and change by commands. The bodies are Protobuf messages as JSON.
-struct Resource {
-  std::function<std::string()> state{};
-  /// Carries out `command` for the person `who`, and returns the new state. Unset: the state is only read.
-  std::function<Result<std::string>(const std::string& command, const std::string& who)> change{};
-};
-using Resources = std::map<std::string_view, Resource>;  ///< by path, such as "/playback"
-
-// Paths of the resources.
-inline constexpr std::string_view kPlaybackPath = "/playback";         ///< msg::PlaybackState, msg::PlaybackCommand
-inline constexpr std::string_view kEventsPath = "/playback/events";    ///< msg::SessionEvents; only read
-inline constexpr std::string_view kNetworkPath = "/playback/network";  ///< msg::NetworkState, msg::NetworkCommand
-inline constexpr std::string_view kNotesPath = "/playback/notes";      ///< msg::SessionNotes, msg::NoteCommand
-inline constexpr std::string_view kComparisonPath = "/playback/comparison";  ///< msg::ComparisonState, …Command
-inline constexpr std::string_view kRecordingPath = "/recording";             ///< msg::RecordingState, …Command
-inline constexpr std::string_view kSessionsPath = "/sessions";               ///< msg::SessionList, msg::SessionPart
 
 /// Access to a session that is played: reads its state, carries out a command. Both are unset if none is played.
 struct PlaybackPort {

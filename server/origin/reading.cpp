@@ -13,10 +13,14 @@ constexpr std::chrono::milliseconds kLooksAgain{1100};       // a paused player 
 
 }  // namespace
 
-Reading::Reading(boost::asio::io_context& network, std::unique_ptr<Origin> origin)
-    : timer_(network), origin_(std::move(origin)) {
+Reading::Reading(boost::asio::io_context& network, std::unique_ptr<Origin> origin, const Resources& common,
+                 std::function<SessionTime()> now)
+    : timer_(network),
+      origin_(std::move(origin)),
+      offer_(origin_ ? origin_->offer() : Offer{}),
+      states_(views_, offer_.resources, std::move(now)) {
+  offer_.resources.insert(common.begin(), common.end());
   if (!origin_) return;
-  offer_ = origin_->offer();
   hub_.on_key_frame_request([this](std::string_view) {
     if (started_ && !stopped_) origin_->show_again();
   });
@@ -52,7 +56,7 @@ void Reading::stop() {
 
 /// The last holder's release ends the origin. Its messages that wait in the io_context come before the deletion.
 std::shared_ptr<Reading> Readings::shared(std::unique_ptr<Origin> origin) {
-  return {new Reading(network_, std::move(origin)), [&network = network_](Reading* ended) {
+  return {new Reading(network_, std::move(origin), common_, now_), [&network = network_](Reading* ended) {
             ended->stop();
             boost::asio::post(network, [kept = std::unique_ptr<Reading>(ended)] {});
           }};

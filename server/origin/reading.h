@@ -10,6 +10,7 @@
 
 #include "server/hub/hub.h"
 #include "server/origin/origin.h"
+#include "server/origin/state_publisher.h"
 
 namespace telepalp::origin {
 
@@ -23,13 +24,17 @@ struct ReadingSpec {
 /// Owner: the network thread.
 class Reading {
  public:
-  /// `origin`: null for a reading that could not be opened, which publishes nothing.
-  Reading(boost::asio::io_context& network, std::unique_ptr<Origin> origin);
+  /// `origin`: null for a reading that could not be opened, which publishes nothing. `common`: resources of the server
+  /// itself, which this reader sees, too. `now` reads the session clock.
+  Reading(boost::asio::io_context& network, std::unique_ptr<Origin> origin, const Resources& common,
+          std::function<SessionTime()> now);
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
 
   [[nodiscard]] hub::Hub& hub() noexcept { return hub_; }
-  [[nodiscard]] hub::Hub& views() noexcept { return views_; }  ///< of the topics for Foxglove; nobody publishes there
+  /// Of the topics for viewers alone: states() publishes there, and nobody makes views.
+  [[nodiscard]] hub::Hub& views() noexcept { return views_; }
+  [[nodiscard]] StatePublisher& states() noexcept { return states_; }
   [[nodiscard]] const Offer& offer() const noexcept { return offer_; }
 
   /// Call it after the reader has subscribed.
@@ -44,6 +49,7 @@ class Reading {
   boost::asio::steady_timer timer_;
   std::unique_ptr<Origin> origin_;
   Offer offer_;
+  StatePublisher states_;
   bool started_ = false;
   bool stopped_ = false;
 };
@@ -54,8 +60,9 @@ class Readings {
   using Open = std::function<Result<std::unique_ptr<Origin>>(const ReadingSpec&)>;
   static constexpr std::size_t kMost = 8;  ///< each has a thread, and sends what a camera sends
 
-  /// `open`: unset: this server opens no session for a reader.
-  Readings(boost::asio::io_context& network, Open open) : network_(network), open_(std::move(open)) {}
+  /// `open`: unset: this server opens no session for a reader. `common`, `now`: as for Reading.
+  Readings(boost::asio::io_context& network, Open open, Resources common, std::function<SessionTime()> now)
+      : network_(network), open_(std::move(open)), common_(std::move(common)), now_(std::move(now)) {}
 
   /// The reading with the number `id`, which its reader made up at random; opens `asked` if there is none. Error: it
   /// cannot be opened, or kMost are open.
@@ -70,6 +77,8 @@ class Readings {
 
   boost::asio::io_context& network_;
   Open open_;
+  Resources common_;
+  std::function<SessionTime()> now_;
   std::map<std::string, std::weak_ptr<Reading>> readings_;  // by id
 };
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "server/playback/playback_command.h"
-#include "support/program/message_json.h"
 
 namespace telepalp::origin {
 
@@ -43,43 +42,32 @@ Result<void> SessionOrigin::move(msg::PlaybackCommand command) {
 }
 
 Resource SessionOrigin::playback() {
-  return {.state = [this] { return program::to_json(parts_.player->state()); },
-          .change = [this](const std::string& json, const std::string&) -> Result<std::string> {
+  return {.state = [this] { return state_message(parts_.player->state()); },
+          .change = [this](const std::string& json, const std::string&) -> Result<void> {
             const Result<msg::PlaybackCommand> command = playback::read_command(json);
-            if (!command) return command.error();
-            if (const Result<void> moved = move(*command); !moved) return moved.error();
-            return program::to_json(parts_.player->state());
+            return command ? move(*command) : command.error();
           }};
-}
-
-/// Without a folder of other sessions the state is empty, because a browser would log a missing page as an error.
-Resource SessionOrigin::comparison() {
-  if (!parts_.comparison)
-    return {.state = [] { return std::string("{}"); },
-            .change = [](const std::string&, const std::string&) -> Result<std::string> {
-              return Error{.what = "this server compares no sessions",
-                           .where = "playback/comparison",
-                           .fix = "start telepalp-server with --compare-dir DIR"};
-            }};
-  return {.state = [this] { return parts_.comparison->json(); },
-          .change = [this](const std::string& json, const std::string&) { return parts_.comparison->apply(json); }};
 }
 
 Offer SessionOrigin::offer() {
   Offer offer;
   offer.playback = {.state = [this] { return parts_.player->state(); },
                     .move = [this](const msg::PlaybackCommand& command) { return move(command); }};
-  offer.resources[kPlaybackPath] = playback();
-  offer.resources[kComparisonPath] = comparison();
-  offer.resources[kEventsPath] = {.state = [this] { return program::to_json(parts_.survey->events.events()); }};
-  offer.resources[kNetworkPath] = {
-      .state = [this] { return network_.state(); },
+  offer.resources[kPlayback.topic.name] = playback();
+  offer.resources[kEvents.topic.name] = {.state = [this] { return state_message(parts_.survey->events.events()); }};
+  offer.resources[kNetwork.topic.name] = {
+      .state = [this] { return state_message(network_.state()); },
       .change = [this](const std::string& json, const std::string&) { return network_.apply(json); }};
-  offer.resources[kNotesPath] = {.state = [this] { return parts_.survey->notes.json(); },
-                                 .change =
-                                     [this](const std::string& json, const std::string& who) {
-                                       return parts_.survey->notes.apply(json, who, std::chrono::system_clock::now());
-                                     }};
+  offer.resources[kNotes.topic.name] = {.state = [this] { return state_message(parts_.survey->notes.all()); },
+                                        .change =
+                                            [this](const std::string& json, const std::string& who) {
+                                              return parts_.survey->notes.apply(json, who,
+                                                                                std::chrono::system_clock::now());
+                                            }};
+  if (parts_.comparison)
+    offer.resources[kComparison.topic.name] = {
+        .state = [this] { return state_message(parts_.comparison->state()); },
+        .change = [this](const std::string& json, const std::string&) { return parts_.comparison->apply(json); }};
   return offer;
 }
 

@@ -44,7 +44,6 @@ class SessionOrigin final : public Origin {
  private:
   [[nodiscard]] Result<void> move(msg::PlaybackCommand command);
   [[nodiscard]] Resource playback();
-  [[nodiscard]] Resource comparison();
 
   boost::asio::io_context& io_;
   Handlers handlers_;

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "messages/recording.pb.h"
 #include "server/origin/session_origin.h"
 #include "support/program/message_json.h"
 
@@ -155,26 +154,26 @@ Result<std::unique_ptr<Origin>> SessionShelf::read_alone(const ReadingSpec& aske
   return open(spec, true, true);
 }
 
-Result<std::string> SessionShelf::take(const std::string& json) {
+Result<void> SessionShelf::take(const std::string& json) {
   msg::SessionPart part;
   if (const Result<void> read = program::read_json(json, part, "sessions", kPartExample); !read) return read.error();
   const fs::path whole = recordings_ / part.name();
   const fs::path growing = recordings_ / (part.name() + ".part");
   if (const Result<void> checked = check(part, whole, growing); !checked) return checked.error();
   if (const Result<void> written = append(part, growing); !written) return written.error();
-  if (!part.complete()) return list();
+  if (!part.complete()) return {};
   playback::PlaybackSpec spec;
   spec.file = growing.string();
   const auto readable = playback::SessionPlayer::open(spec, true, clock_);
   std::error_code failed;
   if (readable) fs::rename(growing, whole, failed);
-  if (readable && !failed) return list();
+  if (readable && !failed) return {};
   fs::remove(growing, failed);
   return refused(readable ? "the file cannot be renamed" : "this is no session file: " + readable.error().what,
                  part.name(), readable ? "try again" : readable.error().fix);
 }
 
-std::string SessionShelf::list() const {
+msg::SessionList SessionShelf::list() const {
   msg::SessionList list;
   const std::vector<Listed> found = recordings_.empty() ? std::vector<Listed>{} : sessions_of(recordings_);
   for (const Listed& one : found) {
@@ -184,7 +183,7 @@ std::string SessionShelf::list() const {
     session.set_bytes(one.bytes);
     session.set_written_s(utc_s(one.written));
   }
-  return program::to_json(list);
+  return list;
 }
 
 }  // namespace telepalp::origin

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "messages/recording.pb.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "server/origin/origin.h"
@@ -40,12 +41,12 @@ class SessionShelf {
   /// opened.
   [[nodiscard]] Result<std::unique_ptr<Origin>> read_alone(const ReadingSpec& asked);
 
-  /// Takes a part of a session file that a reader brings: JSON of a msg::SessionPart. Returns list(). Error: a name
+  /// Takes a part of a session file that a reader brings: JSON of a msg::SessionPart. Error: a name
   /// that is taken or cannot be listed, a part that does not follow the last one, a full disk, or no session file.
-  [[nodiscard]] Result<std::string> take(const std::string& json);
+  [[nodiscard]] Result<void> take(const std::string& json);
 
-  /// The recordings, newest first, as JSON of a msg::SessionList.
-  [[nodiscard]] std::string list() const;
+  /// The recordings, newest first.
+  [[nodiscard]] msg::SessionList list() const;
 
  private:
   [[nodiscard]] Result<std::unique_ptr<Origin>> open(const playback::PlaybackSpec& spec, bool loop, bool is_endless);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "support/program/message_json.h"
-
 namespace telepalp::playback {
 namespace {
 
@@ -25,7 +23,7 @@ void SessionNetwork::send(wire::Message message) {
   pump();
 }
 
-Result<std::string> SessionNetwork::apply(const std::string& json) {
+Result<void> SessionNetwork::apply(const std::string& json) {
   const Result<msg::NetworkCommand> command = read_network_command(json);
   if (!command) return command.error();
   Result<ChosenNetwork> chosen = after_command(chosen_, *command);
@@ -40,7 +38,7 @@ Result<std::string> SessionNetwork::apply(const std::string& json) {
     path_.emplace(clock_.now(), chosen_.network, kSeed);
   }
   begin_counts();
-  return state();
+  return {};
 }
 
 void SessionNetwork::begin_counts() {
@@ -50,7 +48,7 @@ void SessionNetwork::begin_counts() {
   images_arrived_ = 0;
 }
 
-std::string SessionNetwork::state() const {
+msg::NetworkState SessionNetwork::state() const {
   msg::NetworkState state = state_of(chosen_);
   const impaired::LinkStatistics packets = path_ ? path_->statistics() : impaired::LinkStatistics{};
   state.set_packets_sent(packets.sent - packets_before_.sent);
@@ -64,7 +62,7 @@ std::string SessionNetwork::state() const {
   state.set_images_late(late);
   state.set_images_lost(decided - std::min(decided, images_arrived_ + late));
   state.set_image_delay_ms(to_milliseconds(image_delay_));
-  return program::to_json(state);
+  return state;
 }
 
 void SessionNetwork::pump() {

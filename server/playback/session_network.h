@@ -23,9 +23,9 @@ class SessionNetwork {
   SessionNetwork(boost::asio::io_context& io, wire::SessionClock clock, std::function<void(wire::Message)> publish);
 
   void send(wire::Message message);
-  /// Carries out the JSON of a msg::NetworkCommand, and returns the new state as JSON. Error: the command is wrong.
-  [[nodiscard]] Result<std::string> apply(const std::string& json);
-  [[nodiscard]] std::string state() const;  ///< msg::NetworkState as JSON
+  /// Carries out the JSON of a msg::NetworkCommand. Error: the command is wrong.
+  [[nodiscard]] Result<void> apply(const std::string& json);
+  [[nodiscard]] msg::NetworkState state() const;
   void stop();
 
  private:

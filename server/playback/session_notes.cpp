@@ -71,13 +71,13 @@ Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
   return {};
 }
 
-Result<std::string> SessionNotes::apply(const std::string& json, const std::string& who,
-                                        std::chrono::system_clock::time_point now) {
+Result<void> SessionNotes::apply(const std::string& json, const std::string& who,
+                                 std::chrono::system_clock::time_point now) {
   msg::NoteCommand command;
   if (const Result<void> read = program::read_json(json, command, "playback/notes", kExample); !read)
     return read.error();
   if (const Result<void> checked = check(command); !checked) return checked.error();
-  if (!command.has_remove() && !command.has_at_s()) return this->json();
+  if (!command.has_remove() && !command.has_at_s()) return {};
   msg::SessionNotes changed = notes_;
   if (command.has_remove()) changed.mutable_notes()->DeleteSubrange(*place_of(changed, command.remove()), 1);
   if (command.has_at_s()) {
@@ -97,9 +97,7 @@ Result<std::string> SessionNotes::apply(const std::string& json, const std::stri
   const Result<void> written = program::write_whole_file(file_, text, program::Readers::Group);
   if (!written) return written.error();
   notes_ = std::move(changed);
-  return this->json();
+  return {};
 }
-
-std::string SessionNotes::json() const { return program::to_json(notes_); }
 
 }  // namespace telepalp::playback

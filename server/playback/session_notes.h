@@ -20,12 +20,12 @@ class SessionNotes {
   /// cannot be read, has too many notes, or a note with an impossible time.
   [[nodiscard]] static Result<SessionNotes> open(const std::filesystem::path& session, double duration_s);
 
-  /// Carries out the JSON of a msg::NoteCommand, writes the file, and returns all notes as JSON. A command without
-  /// fields changes nothing. `who`: the writer. `now`: the date of the note. Error: the command is wrong, or the file
-  /// cannot be written; the notes are then as before.
-  [[nodiscard]] Result<std::string> apply(const std::string& json, const std::string& who,
-                                          std::chrono::system_clock::time_point now);
-  [[nodiscard]] std::string json() const;  ///< msg::SessionNotes as JSON
+  /// Carries out the JSON of a msg::NoteCommand, and writes the file. A command without fields changes nothing. `who`:
+  /// the writer. `now`: the date of the note. Error: the command is wrong, or the file cannot be written; the notes are
+  /// then as before.
+  [[nodiscard]] Result<void> apply(const std::string& json, const std::string& who,
+                                   std::chrono::system_clock::time_point now);
+  [[nodiscard]] const msg::SessionNotes& all() const noexcept { return notes_; }
 
  private:
   SessionNotes(std::filesystem::path file, double duration_s, msg::SessionNotes notes);

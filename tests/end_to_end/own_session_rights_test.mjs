@@ -83,6 +83,21 @@ test('a recording of the folder is for who may record: it is listed, opened, and
   for (const one of [denied, open, lost]) one.socket.destroy();
 });
 
+test('a topic is offered to those alone who may read the state', async () => {
+  const [guest, doctor] = [await watch('vera', ''), await watch('dora', '')];
+  const offers = (one, topic) => one.bytes.includes(`"topic":"${topic}"`);
+  await until('the session is offered to both', () => offers(guest, '/playback/notes') && offers(doctor, '/playback/notes'));
+  await until('the list is offered to the doctor', () => offers(doctor, '/sessions'));
+  assert.equal(offers(guest, '/sessions'), false);
+  const channel = /"id":(\d+),"topic":"\/sessions"/.exec(doctor.bytes.toString('latin1'))[1];
+  const subscribe = frame(1, Buffer.from(`{"op":"subscribe","subscriptions":[{"id":99,"channelId":${channel}}]}`));
+  for (const one of [guest, doctor]) one.socket.write(subscribe);
+  await until('a guest who asks all the same is told', () => guest.bytes.includes(`there is no channel ${channel}`));
+  await until('the doctor gets the list', () => doctor.bytes.includes('earlier.mcap'));
+  assert.equal(guest.bytes.includes('earlier.mcap'), false);
+  for (const one of [guest, doctor]) one.socket.destroy();
+});
+
 test('only who may record brings a session file, and only as whole parts in their order', async () => {
   const bytes = readFileSync(join(recordings, 'earlier.mcap'));
   const send = (name, part) => web.ask('/sessions', {method: 'POST', headers: bearer(name), body: JSON.stringify(part)});

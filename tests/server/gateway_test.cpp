@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
@@ -15,6 +16,9 @@
 #include <chrono>
 #include <future>
 #include <thread>
+
+#include "messages/recording.pb.h"
+#include "server/views/view_topics.h"
 
 namespace telepalp::server {
 namespace {
@@ -167,6 +171,7 @@ std::string answer_to(std::uint16_t port, const std::string& request) {
 constexpr int kColorChannel = 1;
 constexpr int kDepthChannel = 2;
 constexpr int kClockChannel = 5;
+constexpr int kRecordingChannel = static_cast<int>(wire::kTopics.size() + views::kViewTopics.size()) + 6;
 
 TEST(Gateway, AViewerIsGreetedAndGetsWhatItAsksForWithTimeAndSubscription) {
   Running server;
@@ -180,6 +185,61 @@ TEST(Gateway, AViewerIsGreetedAndGetsWhatItAsksForWithTimeAndSubscription) {
   server.publish(wire::kCameraDepth, "not asked for");
   server.publish(wire::kClock, "tick", 0x0102);
   EXPECT_EQ(viewer.read(), std::string("\x01\x09\0\0\0\x02\x01\0\0\0\0\0\0tick", 17));
+}
+
+/// Options with the recording's state, whose file is named by `number`.
+gateway::GatewayOptions with_recording(std::shared_ptr<std::atomic<int>> number) {
+  gateway::GatewayOptions options;
+  options.resources[origin::kRecording.topic.name] = {
+      .state =
+          [number] {
+            msg::RecordingState state;
+            state.set_file(std::to_string(*number));
+            return origin::state_message(state);
+          },
+      .change = [number](const std::string&, const std::string&) -> Result<void> {
+        ++*number;
+        return {};
+      }};
+  return options;
+}
+
+TEST(Gateway, StatesAreTopicsThatANewcomerGetsAtOnceAndAnotherSeesChangeWithin300ms) {
+  const auto number = std::make_shared<std::atomic<int>>(1);
+  Running server(with_recording(number));
+  Viewer first(server.port());
+  (void)first.read();
+  const std::string advertised = first.read();
+  EXPECT_NE(advertised.find(R"("topic":"/recording")"), std::string::npos);
+  EXPECT_EQ(advertised.find(R"("topic":"/playback")"), std::string::npos) << "this server plays no session";
+  const std::string wanted =
+      R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":)" + std::to_string(kRecordingChannel) + "}]}";
+  first.send(wanted);
+  EXPECT_NE(first.read().find("\x12\x01"
+                              "1"),
+            std::string::npos);
+  const auto posted = std::chrono::steady_clock::now();
+  const std::string answer = answer_to(server.port(),
+                                       "POST /recording HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n"
+                                       "Content-Length: 2\r\n\r\n{}");
+  EXPECT_NE(answer.find("State-Published: 42"), std::string::npos) << answer;
+  EXPECT_NE(first.read().find("\x12\x01"
+                              "2"),
+            std::string::npos);
+  EXPECT_LT(std::chrono::steady_clock::now() - posted, 300ms);
+  *number = 3;  // without a command
+  const auto changed = std::chrono::steady_clock::now();
+  Viewer second(server.port());
+  (void)second.read();
+  (void)second.read();
+  second.send(wanted);
+  EXPECT_NE(second.read().find("\x12\x01"
+                               "3"),
+            std::string::npos);
+  EXPECT_NE(first.read().find("\x12\x01"
+                              "3"),
+            std::string::npos);
+  EXPECT_LT(std::chrono::steady_clock::now() - changed, 300ms);
 }
 
 TEST(Gateway, TheNewerSubprotocolIsSpokenToo) {

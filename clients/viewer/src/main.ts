@@ -3,7 +3,7 @@ import {ViewerHandInput} from './touch/viewer_hand';
 import {offerHeadset} from './headset_button';
 import {measureHeight} from './page/layout';
 import {browserStore} from './page/page';
-import {askServer} from './link/ask_server';
+import {ServerResources} from './link/server_resources';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './site/site_link';
 import type {Extra} from './site/worker_messages';
@@ -13,10 +13,14 @@ import {element} from './page/page';
 import {SessionsCard} from './panel/sessions_card';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
-import {PlaybackLink} from './playback/playback_link';
-import {PlayedPart} from './playback/played_part';
-import {type Note, type NoteCommand, readNotes} from './playback/session_notes';
+import {readRecording, type RecordingCommand, type RecordingState} from './panel/technician/recording_state';
+import {type ComparisonCommand, type ComparisonState, readComparison} from './playback/comparison_state';
+import {joined, type NetworkCommand, type NetworkState, readNetwork} from './playback/network_state';
 import {OverviewBand} from './playback/overview_band';
+import {PLAYBACK} from './playback/playback_state';
+import {readSessions} from './playback/recorded_sessions';
+import {type Note, type NoteCommand, readNotes} from './playback/session_notes';
+import {readOverview} from './playback/session_overview';
 import {TimelineBar} from './playback/timeline_bar';
 import {InsideView} from './inside/inside_view';
 import type {Instant} from './present/instant';
@@ -39,8 +43,8 @@ const EXTRA: Record<View, Extra> = {
     topics: ['/station/compensation', '/station/surface', '/station/ultrasound', '/station/inside'],
     light: false,
   },
-  technician: {topics: [], light: true},
-  qa: {topics: ['/station/events'], light: false},
+  technician: {topics: ['/recording', '/sessions'], light: true},
+  qa: {topics: ['/station/events', '/playback/network', '/playback/comparison', '/sessions'], light: false},
 };
 
 /** No new picture, and no values: those of a station that is silent are not shown. */
@@ -72,8 +76,15 @@ let drawing: Instant | undefined;  // being drawn
 let last: Instant | undefined;     // drawn last
 let withHand = false;  // the first drawings have no hand: its shape and shaders take 0.3 s without a graphics card
 
-const playback = new PlaybackLink(askServer('playback'));
-const notes = new PlayedPart<Note[], NoteCommand>(askServer('playback/notes'), readNotes, () => undefined);
+const resources = new ServerResources();
+const playback = resources.at('/playback', PLAYBACK);
+const parts = {
+  notes: resources.at<'/playback/notes', Note[], NoteCommand>('/playback/notes', {read: readNotes}),
+  network: resources.at<'/playback/network', NetworkState, NetworkCommand>('/playback/network', {read: readNetwork, join: joined}),
+  comparison: resources.at<'/playback/comparison', ComparisonState, ComparisonCommand>(
+      '/playback/comparison', {read: readComparison, join: (_, next) => next}),
+};
+const recording = resources.at<'/recording', RecordingState, RecordingCommand>('/recording', {read: readRecording});
 const link = new SiteLink({
   instant: (instant) => {
     coming = instant;
@@ -83,6 +94,8 @@ const link = new SiteLink({
   },
   news: (news) => {
     const changed = state.newsCame(news);
+    resources.connected(news.connected);
+    resources.changed(news.states, news.may);
     viewerHand.showHolder(news.holder, news.viewer);
     if (changed) showReadings();
   },
@@ -137,12 +150,15 @@ const status = publishStatus(() => ({
   innerTriangles: view.inner.triangles,
 }));
 
-const technician = new TechnicianPanel(view, canvas, (place) => link.takePlace(place));
+const technician = new TechnicianPanel(view, canvas, recording, (place) => link.takePlace(place));
 const sessions = new SessionsCard();
+const whole = new OverviewBand(playback, parts.notes);
+resources.on('/sessions', (newest) => sessions.know(newest && readSessions(newest.message)));
+resources.on('/playback/events', (newest) => whole.know(newest && readOverview(newest.message)));
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {
   doctor: [new DoctorPanel()],
-  technician: [technician, sessions],
-  qa: [sessions, new QaPanel(playback, new OverviewBand(playback, notes), notes, view, () => coming ?? drawing ?? last)],
+  technician: [technician],
+  qa: [new QaPanel(playback, whole, parts, view, () => coming ?? drawing ?? last)],
 };
 const layout = new KeptLayout(browserStore());
 const [cards, details] = [new FoldingCards(layout), new Details(layout)];
@@ -152,7 +168,7 @@ const views = new ViewSwitch((chosen) => {
   details.show(chosen);
 });
 wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards});
-new TimelineBar(read, playback);
+new TimelineBar(playback);
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');

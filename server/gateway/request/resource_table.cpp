@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "server/origin/origin.h"
+#include "server/origin/resources.h"
 
 namespace telepalp::gateway {
 namespace {
@@ -16,24 +16,29 @@ constexpr std::string_view kPlaysNoForeignPage =
 constexpr std::string_view kRecordsNoForeignPage =
     "this web page is from another site, which may not record. fix: allow the page's scheme and host: telepalp-server "
     "--allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kComparesNothing =
+    "this server compares no sessions. fix: start telepalp-server with --source session:FILE.mcap and --compare-dir "
+    "DIR";
 constexpr std::string_view kRecordsNothing =
     "recording from the web page is off on this server. fix: start telepalp-server with --record-dir DIR";
 
 /// A part of a played session. Moving, impairing or noting on it changes what all viewers see.
-constexpr ResourceRow played(std::string_view path, Operation change_own) {
-  return {.path = path,
+constexpr ResourceRow played(const origin::StateTopic& state, Operation change_own,
+                             std::string_view absent = kNoSession) {
+  return {.path = state.topic.name,
           .read = Operation::Watch,
           .change = Operation::Play,
           .change_own = change_own,
           .people = kOnlyForPlayers,
           .pages = kPlaysNoForeignPage,
-          .absent = kNoSession,
+          .absent = absent,
           .empty_if_absent = false,
           .is_audited = false};
 }
 
-constexpr ResourceRow recorded(std::string_view path, Operation read, std::string_view people, bool is_audited) {
-  return {.path = path,
+constexpr ResourceRow recorded(const origin::StateTopic& state, Operation read, std::string_view people,
+                               bool is_audited) {
+  return {.path = state.topic.name,
           .read = read,
           .change = Operation::Record,
           .change_own = Operation::Record,
@@ -45,17 +50,26 @@ constexpr ResourceRow recorded(std::string_view path, Operation read, std::strin
 }
 
 constexpr std::array kRows{
-    played(origin::kPlaybackPath, Operation::Watch),
-    played(origin::kEventsPath, Operation::Watch),
-    played(origin::kNetworkPath, Operation::Watch),
-    played(origin::kNotesPath, Operation::Play),  // they are kept beside the session, for all
-    played(origin::kComparisonPath, Operation::Record),  // it shows another recording, perhaps of another patient
-    recorded(origin::kRecordingPath, Operation::Watch, "only doctors, technicians and QA may record", true),
-    recorded(origin::kSessionsPath, Operation::Record, "only doctors, technicians and QA may open recorded sessions",
+    played(origin::kPlayback, Operation::Watch),
+    played(origin::kEvents, Operation::Watch),
+    played(origin::kNetwork, Operation::Watch),
+    played(origin::kNotes, Operation::Play),  // they are kept beside the session, for all
+    played(origin::kComparison, Operation::Record,
+           kComparesNothing),  // it shows another recording, perhaps of another patient
+    recorded(origin::kRecording, Operation::Watch, "only doctors, technicians and QA may record", true),
+    recorded(origin::kSessions, Operation::Record, "only doctors, technicians and QA may open recorded sessions",
              false),
 };
 
+constexpr bool has_row(const origin::StateTopic& state) {
+  return std::ranges::find(kRows, state.topic.name, &ResourceRow::path) != kRows.end();
+}
+static_assert(std::ranges::all_of(origin::kStateTopics, has_row) && kRows.size() == origin::kStateTopics.size(),
+              "each state of a resource has its rights here");
+
 }  // namespace
+
+std::span<const ResourceRow> all_resources() noexcept { return kRows; }
 
 const ResourceRow* resource_at(std::string_view path) noexcept {
   const auto found = std::ranges::find(kRows, path, &ResourceRow::path);

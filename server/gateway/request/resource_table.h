@@ -1,15 +1,17 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "proto/keys/role.h"
 
 namespace telepalp::gateway {
 
-/// A resource of the server: where browsers GET and POST it, who may, and what the others are told.
+/// A resource of the server: where browsers POST its commands, who may, and what the others are told. Its state is a
+/// latched topic, and GET answers it as well.
 struct ResourceRow {
-  std::string_view path;
-  keys::Operation read;        ///< right to GET the state
+  std::string_view path;       ///< also the topic's name
+  keys::Operation read;        ///< right to subscribe to the state, and to GET it
   keys::Operation change;      ///< right to POST a command, which changes something for all visitors
   keys::Operation change_own;  ///< right to POST a command in a reading, which nobody else sees
   std::string_view people;     ///< "only … may …": reply to a visitor without the right
@@ -23,6 +25,8 @@ struct ResourceRow {
 inline constexpr std::string_view kNoSession =
     "this server plays no session. fix: start telepalp-server with --source session:FILE.mcap";
 inline constexpr std::string_view kOnlyForPlayers = "only technicians and QA may control a played session";
+
+[[nodiscard]] std::span<const ResourceRow> all_resources() noexcept;
 
 /// The resource at `path`; nullptr: there is none.
 [[nodiscard]] const ResourceRow* resource_at(std::string_view path) noexcept;

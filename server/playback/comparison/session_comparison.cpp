@@ -59,17 +59,17 @@ std::vector<std::string> SessionComparison::sessions() const {
   return names;
 }
 
-Result<std::string> SessionComparison::apply(const std::string& json) {
+Result<void> SessionComparison::apply(const std::string& json) {
   msg::ComparisonCommand command;
   if (const Result<void> read = program::read_json(json, command, kWhere, kExample); !read) return read.error();
-  if (!command.has_with()) return this->json();
+  if (!command.has_with()) return {};
   const std::vector<std::string> known = sessions();
   if (!command.with().empty() && std::ranges::find(known, command.with()) == known.end())
     return Error{.what = "the folder of --compare-dir holds no session with the name that the request gives",
                  .where = kWhere,
                  .fix = kExample};
   begin(command.with());
-  return this->json();
+  return {};
 }
 
 void SessionComparison::begin(const std::string& with) {
@@ -98,14 +98,14 @@ void SessionComparison::compare(const fs::path& other) {
   state_ = std::move(state);
 }
 
-std::string SessionComparison::json() const {
+msg::ComparisonState SessionComparison::state() const {
   msg::ComparisonState state;
   {
     const std::scoped_lock lock(mutex_);
     state = state_;
   }
   for (const std::string& name : sessions()) state.add_sessions(name);
-  return program::to_json(state);
+  return state;
 }
 
 }  // namespace telepalp::playback

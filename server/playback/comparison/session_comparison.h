@@ -18,7 +18,7 @@ namespace telepalp::playback {
 /// result, which the network thread copies. Owner: the network thread.
 class SessionComparison {
  public:
-  static constexpr std::size_t kMostSessions = 200;  ///< largest number of the folder's sessions that json() lists
+  static constexpr std::size_t kMostSessions = 200;  ///< largest number of the folder's sessions that state() lists
 
   using Say = std::function<void(const std::string& line)>;
 
@@ -30,10 +30,10 @@ class SessionComparison {
   SessionComparison(const SessionComparison&) = delete;
   SessionComparison& operator=(const SessionComparison&) = delete;
 
-  /// Carries out the JSON of a msg::ComparisonCommand, and returns the state as JSON. Error: the command is wrong, or
-  /// names a file that is not in the folder.
-  [[nodiscard]] Result<std::string> apply(const std::string& json);
-  [[nodiscard]] std::string json() const;  ///< msg::ComparisonState as JSON
+  /// Carries out the JSON of a msg::ComparisonCommand. Error: the command is wrong, or names a file that is not in the
+  /// folder.
+  [[nodiscard]] Result<void> apply(const std::string& json);
+  [[nodiscard]] msg::ComparisonState state() const;
 
  private:
   SessionComparison(std::filesystem::path played, std::filesystem::path folder, Say say)
@@ -47,7 +47,7 @@ class SessionComparison {
   std::filesystem::path folder_;
   Say say_;
   mutable std::mutex mutex_;
-  msg::ComparisonState state_;  // without `sessions`, which each json() lists anew
+  msg::ComparisonState state_;  // without `sessions`, which each state() lists again
   std::atomic<bool> stopping_{false};
   std::thread thread_;  // last member: the thread uses the others
 };

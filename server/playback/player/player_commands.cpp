@@ -36,7 +36,9 @@ void PlayerCommands::stop() {
 
 msg::PlaybackState PlayerCommands::state() const {
   const std::scoped_lock lock(mutex_);
-  return state_;
+  msg::PlaybackState state = state_;
+  state.set_pending(carrying_out_ || !commands_.empty());
+  return state;
 }
 
 bool PlayerCommands::is_stopping() const {
@@ -47,12 +49,14 @@ bool PlayerCommands::is_stopping() const {
 std::optional<PlayerCommands::Taken> PlayerCommands::take() {
   const std::scoped_lock lock(mutex_);
   if (stopping_) return std::nullopt;
+  carrying_out_ = carrying_out_ || !commands_.empty();
   return Taken{.commands = std::exchange(commands_, {}), .again = std::exchange(again_, false)};
 }
 
 void PlayerCommands::show(msg::PlaybackState state) {
   const std::scoped_lock lock(mutex_);
   state_ = std::move(state);
+  carrying_out_ = false;
 }
 
 bool PlayerCommands::wait_for(Nanoseconds patience) {

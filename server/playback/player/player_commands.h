@@ -24,7 +24,7 @@ class PlayerCommands {
   [[nodiscard]] Result<void> add(const msg::PlaybackCommand& command);
   void ask_again();  ///< asks for the present picture once more
   void stop();
-  [[nodiscard]] msg::PlaybackState state() const;
+  [[nodiscard]] msg::PlaybackState state() const;  ///< PlaybackState.pending: add() was called since the last show()
   [[nodiscard]] bool is_stopping() const;
 
   // The player's thread.
@@ -46,6 +46,7 @@ class PlayerCommands {
   std::condition_variable changed_;
   std::vector<msg::PlaybackCommand> commands_;
   msg::PlaybackState state_;
+  bool carrying_out_ = false;  // what take() gave
   bool again_ = false;
   bool over_ = false;
   bool stopping_ = false;

@@ -4,111 +4,23 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {PlayedPart} = await bundled('playback/played_part.ts');
 const {joined, networkRows, placeOf, readNetwork, SLIDERS, textOf} = await bundled('playback/network_state.ts');
 const {keyOf, noteInAddress, readNotes} = await bundled('playback/session_notes.ts');
 const {addressOfMoment} = await bundled('playback/moment.ts');
 const {shownMoment} = await bundled('playback/shown_moment.ts');
 
 const STATE = {
-  profile: 'lte', changed: false, delay_ms: 25, jitter_ms: 8, loss_percent: 0.5, burst_packets: 3, rate_Mbit_per_s: 40,
-  packets_sent: '1000', packets_delivered: '990', packets_lost: '8', images_arrived: '90', images_late: '4', images_lost: '6',
-  image_delay_ms: 31.4,
+  profile: 'lte', changed: false, delayMs: 25, jitterMs: 8, lossPercent: 0.5, burstPackets: 3, rateMbitPerS: 40,
+  packetsSent: 1000n, packetsDelivered: 990n, packetsLost: 8n, imagesArrived: 90n, imagesLate: 4n, imagesLost: 6n,
+  imageDelayMs: 31.4,
 };
-const state = (changes = {}) => readNetwork(JSON.stringify({...STATE, ...changes}));
+const state = (changes = {}) => readNetwork({...STATE, ...changes});
 const slider = (field) => SLIDERS.find((one) => one.field === field);
-
-/** A part whose server answers only when told to. */
-function slowPart(join = (first, then) => ({...first, ...then})) {
-  const asked = [];
-  const answers = [];
-  const part = new PlayedPart((command) => {
-    asked.push(command);
-    return new Promise((answer) => answers.push(answer));
-  }, (text) => (text === '' ? undefined : text), join);
-  const answer = async (reply) => {
-    answers.shift()(reply);
-    await new Promise((wake) => setTimeout(wake));
-  };
-  return {part, asked, answer};
-}
-
-test('while a command is on its way, later ones become one', async () => {
-  const {part, asked, answer} = slowPart();
-  const first = part.command({delay: 1});
-  void part.command({delay: 2});
-  void part.command({delay: 3, loss: 1});
-  assert.deepEqual(asked, [{delay: 1}]);
-  await answer({status: 200, text: 'one'});
-  assert.deepEqual(asked, [{delay: 1}, {delay: 3, loss: 1}]);
-  await answer({status: 200, text: 'three'});
-  assert.equal(await first, true);
-  assert.equal(part.state, 'three');
-});
-
-test('commands that cannot be joined are sent one after the other, and each is told its own answer', async () => {
-  const {part, asked, answer} = slowPart(() => undefined);
-  const answers = [1, 2, 3].map((remove) => part.command({remove}));
-  assert.deepEqual(asked, [{remove: 1}]);
-  await answer({status: 200, text: 'two and three'});
-  await answer({status: 400, text: 'there is no note 2'});
-  await answer({status: 200, text: 'none'});
-  assert.deepEqual(asked, [{remove: 1}, {remove: 2}, {remove: 3}]);
-  assert.deepEqual(await Promise.all(answers), [true, false, true]);
-  assert.equal(part.state, 'none');
-});
-
-test('a state that was asked for before a command is not shown after it', async () => {
-  const {part, answer} = slowPart();
-  void part.look();
-  void part.command({delay: 1});
-  await answer({status: 200, text: 'old'});
-  assert.equal(part.state, undefined);
-  await answer({status: 200, text: 'new'});
-  assert.equal(part.state, 'new');
-});
-
-test('a refused command and a server that is away are explained, and the state stays', async () => {
-  const {part, answer} = slowPart();
-  const refused = part.command({delay: 1});
-  await answer({status: 400, text: 'delay_ms is not from 0 to 1000'});
-  assert.equal(await refused, false);
-  assert.match(part.problem, /delay_ms is not from 0 to 1000/);
-  void part.command({delay: 1});
-  await answer(undefined);
-  assert.match(part.problem, /does not answer/);
-  void part.command({delay: 1});
-  await answer({status: 200, text: 'well'});
-  assert.equal(part.problem, '');
-});
-
-test('once the server answers again, the sentence that it does not answer goes; a refusal stays', async () => {
-  const {part, answer} = slowPart();
-  void part.command({delay: 1});
-  await answer(undefined);
-  void part.look();
-  await answer(undefined);
-  assert.match(part.problem, /does not answer/);
-  void part.look();
-  await answer({status: 200, text: 'well'});
-  assert.equal(part.problem, '');
-  void part.command({delay: 1});
-  await answer({status: 400, text: 'too long'});
-  void part.look();
-  await answer({status: 200, text: 'well'});
-  assert.match(part.problem, /too long/);
-});
 
 test('the notes of another session are other notes, though they have the same numbers', () => {
   const note = {number: 1, at_s: 1, text: 'x', who: 'Ada', written: '2026-03-01T12:00:00Z'};
   assert.equal(keyOf([note]), keyOf([{...note}]));
   assert.notEqual(keyOf([note]), keyOf([{...note, written: '2026-03-01T12:00:01Z'}]));
-});
-
-test('a reply that is none is none', () => {
-  for (const text of ['', '[]', 'null', '{}', '{"profile": 3}', JSON.stringify({...STATE, delay_ms: 'x'})])
-    assert.equal(readNetwork(text), undefined, text);
-  for (const text of ['', '{}', 'null', '{"notes": 3}']) assert.equal(readNotes(text), undefined, text);
 });
 
 test('the card says what is in effect and what it did', () => {
@@ -117,7 +29,7 @@ test('the card says what is in effect and what it did', () => {
                               'too late: 4', 'lost: 6', 'Image delay: 31 ms']);
   assert.equal(said({changed: true})[0], 'In effect: lte, changed');
   assert.deepEqual(said({profile: 'none'}), ['In effect: none, as recorded']);
-  assert.equal(said({packets_sent: 0, packets_lost: 0})[1], 'Packets: 0, 0 % lost');
+  assert.equal(said({packetsSent: 0n, packetsLost: 0n})[1], 'Packets: 0, 0 % lost');
 });
 
 test('a slider stands at the nearest of its values and says it with its unit', () => {
@@ -139,7 +51,7 @@ test('an address names a moment and a note', () => {
   assert.equal(search, '?view=qa&at_s=5.00&note=17');
   assert.equal(noteInAddress(search), 17);
   for (const wrong of ['', '?note=', '?note=-1', '?note=x', '?note=1e3']) assert.equal(noteInAddress(wrong), undefined, wrong);
-  const [note] = readNotes('{"notes":[{"number":"3","at_s":1.5,"text":"<b>","who":"Ada","written":"2026-03-01T12:00:00Z"}]}');
+  const [note] = readNotes({notes: [{number: 3n, atS: 1.5, text: '<b>', who: 'Ada', written: '2026-03-01T12:00:00Z'}]});
   assert.deepEqual(note, {number: 3, at_s: 1.5, text: '<b>', who: 'Ada', written: '2026-03-01T12:00:00Z'});
 });
 

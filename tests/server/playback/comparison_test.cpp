@@ -8,7 +8,6 @@
 
 #include "server/playback/comparison/compare_tracks.h"
 #include "server/playback/comparison/session_comparison.h"
-#include "support/program/message_json.h"
 #include "tests/proto/mcap_samples.h"
 
 namespace telepalp::playback {
@@ -122,11 +121,7 @@ class Comparison : public testing::Test {
     comparison_.reset();
     std::filesystem::remove_all(folder_);
   }
-  [[nodiscard]] msg::ComparisonState state() const {
-    msg::ComparisonState state;
-    EXPECT_TRUE(program::read_json(comparison_->json(), state, "test", ""));
-    return state;
-  }
+  [[nodiscard]] msg::ComparisonState state() const { return comparison_->state(); }
   msg::ComparisonState complete() const {
     while (!state().complete()) std::this_thread::yield();
     return state();

@@ -7,6 +7,7 @@
 
 #include "proto/wire/mcap/notes_file.h"
 #include "server/playback/session_notes.h"
+#include "support/program/message_json.h"
 
 namespace telepalp::playback {
 namespace {
@@ -34,8 +35,8 @@ TEST_F(Notes, AreInOrderOfTimeAndOpenAgainFromTheFile) {
   EXPECT_FALSE(std::filesystem::exists(file)) << "looking writes nothing";
   ASSERT_TRUE(notes.apply(R"({"at_s": 12.5, "text": "rebound here"})", "\"Ada\" (qa)", kNow));
   ASSERT_TRUE(notes.apply(R"({"at_s": 3, "text": "<b>5 \u00b5m</b>"})", "Bo", kNow));
-  const std::string json = open().json();
-  EXPECT_EQ(json, notes.json());
+  const std::string json = program::to_json(open().all());
+  EXPECT_EQ(json, program::to_json(notes.all()));
   EXPECT_LT(json.find("5 µm"), json.find("rebound"));
   EXPECT_NE(json.find(R"("written":"2026-03-01T12:00:00Z")"), std::string::npos) << json;
   EXPECT_NE(json.find("Ada"), std::string::npos);
@@ -47,7 +48,7 @@ TEST_F(Notes, ARemovedNotesNumberIsNotGivenAgain) {
   ASSERT_TRUE(notes.apply(R"({"at_s": 2, "text": "two"})", "", kNow));
   ASSERT_TRUE(notes.apply(R"({"remove": 2})", "", kNow));
   ASSERT_TRUE(open().apply(R"({"at_s": 2, "text": "three"})", "", kNow));
-  const std::string json = open().json();
+  const std::string json = program::to_json(open().all());
   EXPECT_EQ(json.find("two"), std::string::npos);
   EXPECT_NE(json.find(R"("number":"3")"), std::string::npos) << json;
 }
@@ -91,9 +92,9 @@ TEST_F(Notes, AFileThatHoldsNoNotesIsNamedAndNotOverwritten) {
 TEST_F(Notes, AnUnwritableFolderLeavesTheNotesAsTheyWere) {
   auto notes = SessionNotes::open(folder / "missing" / "a.mcap", 60.0);
   ASSERT_TRUE(notes);
-  const std::string before = notes->json();
+  const std::string before = program::to_json(notes->all());
   EXPECT_FALSE(notes->apply(R"({"at_s": 1, "text": "one"})", "", kNow));
-  EXPECT_EQ(notes->json(), before);
+  EXPECT_EQ(program::to_json(notes->all()), before);
 }
 
 }  // namespace

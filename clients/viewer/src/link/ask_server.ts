@@ -1,16 +1,19 @@
 import {ownQuery} from './own_session';
 
-/** The server's answer; undefined: it did not answer. */
-export type Answer = {status: number; text: string} | undefined;
+/**
+ * The server's answer; undefined: it did not answer. `published_ns`: session time at which the state after a command was
+ * published on the topic of the path; 0n: it was not.
+ */
+export type Answer = {status: number; text: string; published_ns: bigint} | undefined;
 
 const PATIENCE_MS = 3000;
 
-/** Sends the page's server a GET for the state at `path`, or a POST of `command`. `playback…` is of the page's own session. */
-export const askServer = (path: string) => async (command?: object): Promise<Answer> => {
-  const options = command === undefined ? {} : {method: 'POST', body: JSON.stringify(command)};
+/** Sends the page's server a POST of `command` to the resource at `path`. `/playback…` is of the page's own session. */
+export const askServer = (path: string) => async (command: object): Promise<Answer> => {
+  const address = path.slice(1) + (path.startsWith('/playback') ? ownQuery() : '');
   try {
-    const reply = await fetch(path.startsWith('playback') ? path + ownQuery() : path, {...options, cache: 'no-store', signal: AbortSignal.timeout(PATIENCE_MS)});
-    return {status: reply.status, text: await reply.text()};
+    const reply = await fetch(address, {method: 'POST', body: JSON.stringify(command), cache: 'no-store', signal: AbortSignal.timeout(PATIENCE_MS)});
+    return {status: reply.status, text: await reply.text(), published_ns: BigInt(reply.headers.get('State-Published') ?? 0)};
   } catch {
     return undefined;
   }

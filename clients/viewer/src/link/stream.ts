@@ -14,6 +14,7 @@ type Handlers = {[Topic in keyof Topics]?: (message: Topics[Topic], published_ns
 interface Listeners {
   connected(): void;
   warned(text: string): void;
+  withdrawn(topic: string): void;     // the server no longer offers this topic
   heard(published_ns: bigint): void;  // a message of any topic, before it is handled
 }
 
@@ -46,6 +47,8 @@ export class Stream {
   viewer = 0n;
   /** The name of this visitor's role at the server; empty until the server has sent it. */
   role = '';
+  /** The paths of the resources that this visitor may change. */
+  may: readonly string[] = [];
 
   private readonly subscriptions = new Map<SubscriptionId, Subscription>();
   private readonly publications = new Map<string, Publication>();
@@ -112,6 +115,7 @@ export class Stream {
     client.on('serverInfo', ({metadata}) => {
       this.viewer = BigInt(metadata?.viewer ?? 0);
       this.role = metadata?.role ?? '';
+      this.may = (metadata?.may ?? '').split(',');
       this.connected = true;
       this.retry_ms = FIRST_RETRY_MS;
       this.on.connected();
@@ -121,6 +125,7 @@ export class Stream {
       this.subscribe(client, channel);
       this.offer(client, channel);
     }));
+    client.on('unadvertise', (channels) => channels.forEach((channel) => this.withdraw(client, channel)));
     client.on('message', ({subscriptionId, timestamp, data}) => {
       this.heard_ms = performance.now();
       this.on.heard(timestamp);
@@ -142,6 +147,18 @@ export class Stream {
     } catch (problem) {
       console.error(`${channel.topic}: ${String(problem)}`);
     }
+  }
+
+  private withdraw(client: FoxgloveClient, channel: number): void {
+    const gone = [...this.channels.values()].find(({id}) => id === channel);
+    if (gone === undefined) return;
+    this.channels.delete(gone.topic);
+    for (const [id, {topic}] of this.subscriptions) {
+      if (topic !== gone.topic) continue;
+      client.unsubscribe(id);
+      this.subscriptions.delete(id);
+    }
+    this.on.withdrawn(gone.topic);
   }
 
   /** The server advertises the schema of each topic, also of those that viewers publish. */

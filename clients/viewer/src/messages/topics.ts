@@ -1,5 +1,6 @@
 import type {
-  CameraCalibration, CaptureStatus, Clock, CompressedImage, DepthImage, HandHolder, InnerStructures, ServerStats,
+  CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, DepthImage, HandHolder, InnerStructures,
+  NetworkState, PlaybackState, RecordingState, ServerStats, SessionEvents, SessionList, SessionNotes,
   StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand,
 } from './generated';
 
@@ -20,8 +21,31 @@ export interface OwnTopics {
   '/viewer/hand': HandSample | LetGo | HandOver | Rearm;
 }
 
+/** The states of the server's resources: path of the resource, which is the topic's name -> fields of its messages. */
+export interface StateTopics {
+  '/playback': PlaybackState;
+  '/playback/events': SessionEvents;
+  '/playback/network': NetworkState;
+  '/playback/notes': SessionNotes;
+  '/playback/comparison': ComparisonState;
+  '/recording': RecordingState;
+  '/sessions': SessionList;
+}
+export type StateTopic = keyof StateTopics;
+export const STATE_TOPICS = [
+  '/playback', '/playback/events', '/playback/network', '/playback/notes', '/playback/comparison', '/recording', '/sessions',
+] as const satisfies readonly StateTopic[];
+
+/** A state as it came. */
+export interface Published<Message> {
+  message: Message;
+  published_ns: bigint;
+}
+/** The states that have changed; undefined: the server does not have this resource, or it is not for this visitor. */
+export type ChangedStates = {[Topic in StateTopic]?: Published<StateTopics[Topic]> | undefined};
+
 /** Topic name -> fields of its messages. */
-export interface Topics {
+export interface Topics extends StateTopics {
   '/clock': Clock;
   '/camera/depth': DepthImage;
   '/camera/color': CompressedImage;

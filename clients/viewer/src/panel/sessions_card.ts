@@ -1,18 +1,14 @@
 import {askServer} from '../link/ask_server';
+import {GONE, refusal} from '../link/refusal';
 import {sessionInAddress} from '../link/own_session';
 import {element, made, setText} from '../page/page';
-import {addressOfSession, bring, type Recorded, readSessions, recordedSays} from '../playback/recorded_sessions';
-import {GONE, refusal} from '../playback/timeline_words';
-
-const LOOK_EVERY = 50;  // calls of `show`, which come about ten times a second
+import {addressOfSession, bring, type Recorded, recordedSays} from '../playback/recorded_sessions';
 
 /** The recordings on the server's machine. A press opens one for this page alone. */
 export class SessionsCard {
-  private readonly ask = askServer('sessions');
+  private readonly ask = askServer('/sessions');
   private readonly card = element('sessions-card');
   private readonly list = element('sessions');
-  private shows = 0;
-  private shown = '';
   private brings = false;  // a file is on its way
 
   constructor() {
@@ -26,24 +22,10 @@ export class SessionsCard {
     });
   }
 
-  /** `role`: of this visitor at the server. A guest may open no recording, and is not asked for. */
-  show({connected, role}: {connected: boolean; role: string}): void {
-    if (!connected || role === '' || role === 'viewer') {
-      this.shows = 0;
-      return;
-    }
-    if (this.shows++ % LOOK_EVERY === 0) void this.look();
-  }
-
-  private async look(): Promise<void> {
-    const answer = await this.ask();
-    if (answer?.status !== 200) return;
-    const sessions = readSessions(answer.text);
-    const shown = JSON.stringify(sessions);
+  /** undefined: the server has no folder of recordings, or it is not for this visitor. */
+  know(sessions: readonly Recorded[] | undefined): void {
     this.card.hidden = sessions === undefined;
-    if (sessions === undefined || shown === this.shown) return;
-    this.shown = shown;
-    this.list.replaceChildren(...sessions.map((session) => this.line(session)));
+    this.list.replaceChildren(...(sessions ?? []).map((session) => this.line(session)));
   }
 
   /** Sends the file to the server, and opens it there for this page alone. */

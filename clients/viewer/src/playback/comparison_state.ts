@@ -1,5 +1,4 @@
-import type {Phase} from '../messages/generated';
-import {phaseNamed} from './session_overview';
+import type {ComparisonState as ComparisonMessage, ComparisonState_Run, Phase} from '../messages/generated';
 
 /** The body of POST /playback/comparison; `with` is empty to end the comparison. */
 export interface ComparisonCommand {
@@ -31,7 +30,7 @@ export interface ComparedRuns {
   first: FirstDifference | undefined;
 }
 
-/** The reply to GET and POST /playback/comparison. */
+/** What the server compares the played session with. */
 export interface ComparisonState {
   sessions: readonly string[];
   with: string;
@@ -40,15 +39,8 @@ export interface ComparisonState {
   runs: ComparedRuns | undefined;  // undefined: nothing is compared, or not yet
 }
 
-const numbers = (list: unknown) => (Array.isArray(list) ? list.map(Number) : []);
-
-function readRun(run: Record<string, unknown> | undefined): ComparedRun {
-  return {
-    force_N: numbers(run?.['force_N']),
-    indentation_mm: numbers(run?.['indentation_mm']),
-    phase: Array.isArray(run?.['phase']) ? run['phase'].map(phaseNamed) : [],
-  };
-}
+const runOf = (run: ComparisonState_Run | undefined): ComparedRun =>
+    ({force_N: run?.forceN ?? [], indentation_mm: run?.indentationMm ?? [], phase: run?.phase ?? []});
 
 /** From state to state: they come each 10 ms, two may be missing. Bins of a short session are shorter than that. */
 const LONGEST_GAP_S = 0.035;
@@ -71,32 +63,21 @@ function withoutGaps({force_N, indentation_mm, phase}: ComparedRun, bin_s: numbe
   return {force_N: shown(force_N), indentation_mm: shown(indentation_mm), phase: held.map((bin) => phase[bin] ?? 0)};
 }
 
-function readRuns(json: Record<string, unknown>): ComparedRuns | undefined {
-  const apart_N = numbers(json['apart_N']);
-  if (apart_N.length === 0) return undefined;
-  const [begin_s, bin_s] = [Number(json['begin_s']), Number(json['bin_s'])];
-  const [own, other] = [json['a'], json['b']].map((run) => readRun(run as Record<string, unknown>)) as [ComparedRun, ComparedRun];
-  const [a, b] = [withoutGaps(own, bin_s), withoutGaps(other, bin_s)];
+function readRuns({a: runA, b: runB, apartN, beginS, binS, sameTime, first}: ComparisonMessage): ComparedRuns | undefined {
+  if (apartN.length === 0) return undefined;
+  const [own, other] = [runOf(runA), runOf(runB)];
+  const [a, b] = [withoutGaps(own, binS), withoutGaps(other, binS)];
   return {
-    at_s: apart_N.map((_, bin) => begin_s + (bin + 0.5) * bin_s),
+    at_s: apartN.map((_, bin) => beginS + (bin + 0.5) * binS),
     a,
     b,
-    apart_N: heldBins(own.phase, bin_s).map((bin, at) => (a.phase[at] && b.phase[at] ? apart_N[bin] ?? 0 : null)),
-    same_time: json['same_time'] === true,
-    first: json['first'] === undefined || json['first'] === null ? undefined : json['first'] as FirstDifference,
+    apart_N: heldBins(own.phase, binS).map((bin, at) => (a.phase[at] && b.phase[at] ? apartN[bin] ?? 0 : null)),
+    same_time: sameTime,
+    first: first && {at_s: first.atS, force_a_N: first.forceAN, force_b_N: first.forceBN, apart_N: first.apartN},
   };
 }
 
-/** Reads the server's reply; undefined if this server compares nothing, or the reply cannot be read. */
-export function readComparison(text: string): ComparisonState | undefined {
-  try {
-    const json = JSON.parse(text) as Record<string, unknown>;
-    if (!Array.isArray(json['sessions'])) return undefined;
-    return {
-      sessions: json['sessions'].map(String), with: String(json['with']), complete: json['complete'] === true,
-      problem: String(json['problem']), runs: readRuns(json),
-    };
-  } catch {
-    return undefined;
-  }
+export function readComparison(message: ComparisonMessage): ComparisonState {
+  const {sessions, with: other, complete, problem} = message;
+  return {sessions, with: other, complete, problem, runs: readRuns(message)};
 }

@@ -1,6 +1,7 @@
+import type {NetworkState as NetworkMessage} from '../messages/generated';
 import type {Row} from '../page/rows';
 
-/** The network between the played session and its receivers: the reply to GET and POST /playback/network. */
+/** The network between the played session and its receivers. */
 export interface NetworkState extends Record<NetworkNumber, number> {
   profile: string;
   changed: boolean;
@@ -37,20 +38,14 @@ export const SLIDERS: readonly NetworkSlider[] = [
   {field: 'rate_Mbit_per_s', name: 'Rate', unit: 'Mbit/s', values: [0.5, 1, 2, 5, 10, 15, 20, 30, 40, 50, 60, 100, 200, 1000, 0]},
 ];
 
-const NUMBERS = [...SLIDERS.map(({field}) => field), 'packets_sent', 'packets_lost', 'images_arrived', 'images_late',
-                 'images_lost', 'image_delay_ms'] as const;
-
-/** Reads the server's reply; undefined when it is none. Counts come as text in Protobuf's JSON. */
-export function readNetwork(text: string): NetworkState | undefined {
-  try {
-    const json = JSON.parse(text) as Record<string, unknown>;
-    if (typeof json['profile'] !== 'string') return undefined;
-    const numbers = NUMBERS.map((name) => [name, Number(json[name])] as const);
-    if (!numbers.every(([, value]) => Number.isFinite(value))) return undefined;
-    return {...Object.fromEntries(numbers), profile: json['profile'], changed: json['changed'] === true} as NetworkState;
-  } catch {
-    return undefined;
-  }
+export function readNetwork(message: NetworkMessage): NetworkState {
+  return {
+    profile: message.profile, changed: message.changed, delay_ms: message.delayMs, jitter_ms: message.jitterMs,
+    loss_percent: message.lossPercent, burst_packets: message.burstPackets, rate_Mbit_per_s: message.rateMbitPerS,
+    packets_sent: Number(message.packetsSent), packets_lost: Number(message.packetsLost),
+    images_arrived: Number(message.imagesArrived), images_late: Number(message.imagesLate),
+    images_lost: Number(message.imagesLost), image_delay_ms: message.imageDelayMs,
+  };
 }
 
 /** What two commands do one after the other, as one. */

@@ -1,15 +1,10 @@
 import {element, made} from '../page/page';
 import {toneOf} from '../words/event_tone';
 import {lookOf} from '../words/phases';
-import {askServer} from '../link/ask_server';
-import type {PlayedPart} from './played_part';
-import type {PlaybackLink} from './playback_link';
-import {seekTo} from './playback_state';
-import {keyOf, type Note} from './session_notes';
-import {marksOf, readOverview, type SessionOverview, spansOf} from './session_overview';
+import {type Playback, seekTo} from './playback_state';
+import {keyOf, type Notes} from './session_notes';
+import {marksOf, type SessionOverview, spansOf} from './session_overview';
 import {clock} from './timeline_words';
-
-const ASK_EVERY_MS = 1000;
 
 /**
  * The played session above the timeline's slider: phases as a band; faults, missed deadlines, heat, link and notes as
@@ -20,25 +15,23 @@ export class OverviewBand {
 
   private readonly band = element('overview');
   private drawn = '';
-  private session = '';  // the session that `overview` describes
 
-  constructor(private readonly link: PlaybackLink, private readonly notes: Pick<PlayedPart<Note[], object>, 'state'>) {
+  constructor(private readonly playback: Playback, private readonly notes: Notes) {
     this.band.addEventListener('click', (event) => this.seek(event));
-    window.setInterval(() => void this.look(), ASK_EVERY_MS);
+    playback.onChange(() => this.draw());
+    notes.onChange(() => this.draw());
   }
 
-  private async look(): Promise<void> {
-    const {state} = this.link;
-    if (state?.session !== this.session) this.overview = undefined;
-    this.session = state?.session ?? '';
-    if (state !== undefined && this.overview?.complete !== true) this.overview = (await ask()) ?? this.overview;
+  /** undefined: no session is played. */
+  know(overview: SessionOverview | undefined): void {
+    this.overview = overview;
     this.draw();
   }
 
-  draw(): void {
-    const duration_s = this.link.state?.duration_s ?? 0;
+  private draw(): void {
+    const duration_s = this.playback.state?.duration_s ?? 0;
     const notes = duration_s > 0 ? this.notes.state ?? [] : [];
-    const drawn = `${this.session} ${this.overview?.events.length ?? 0} in ${duration_s}, ${keyOf(notes)}`;
+    const drawn = `${this.playback.state?.session} ${this.overview?.events.length ?? 0} in ${duration_s}, ${keyOf(notes)}`;
     if (drawn === this.drawn) return;
     this.drawn = drawn;
     const spans = this.overview === undefined || duration_s <= 0 ? [] : spansOf(this.overview, duration_s);
@@ -70,17 +63,10 @@ export class OverviewBand {
   }
 
   private seek({clientX}: MouseEvent): void {
-    const {state} = this.link;
+    const {state} = this.playback;
     const {left, width} = this.band.getBoundingClientRect();
     if (state === undefined || width === 0) return;
     const share = Math.min(1, Math.max(0, (clientX - left) / width));
-    void this.link.command(seekTo(state, share * state.duration_s));
+    void this.playback.command(seekTo(state, share * state.duration_s));
   }
-}
-
-const askEvents = askServer('playback/events');
-
-async function ask(): Promise<SessionOverview | undefined> {
-  const answer = await askEvents();
-  return answer?.status === 200 ? readOverview(answer.text) : undefined;
 }

@@ -1,4 +1,6 @@
+import type {Resource} from '../link/resource';
 import {milliseconds} from '../link/session_clock';
+import type {PlaybackState as PlaybackMessage} from '../messages/generated';
 
 /** The instant of the depth image that the player published last, or of the last message in a session without images. */
 export interface PublishedInstant {
@@ -7,7 +9,7 @@ export interface PublishedInstant {
   speed: number;  // playback speed at which it was published; 2: twice as fast
 }
 
-/** How the server plays a session: the reply to GET and POST /playback. Positions count from the session's beginning. */
+/** How the server plays a session. Positions count from the session's beginning. */
 export interface PlaybackState {
   position_s: number;
   duration_s: number;
@@ -29,30 +31,15 @@ export interface PlaybackCommand {
   play?: boolean;
 }
 
-/** The state in the JSON `text`; undefined if a value is missing, of another type or not finite. */
-export function readState(text: string): PlaybackState | undefined {
-  let json: Partial<Record<keyof PlaybackState | 'file' | 'begin_ns' | keyof ShownJson, unknown>> | null;
-  try {
-    json = JSON.parse(text);
-  } catch {
-    return undefined;
-  }
-  const {position_s, duration_s, speed, loop, playing, file, begin_ns} = json ?? {};
-  if (!isNumber(position_s) || !isNumber(duration_s) || !isNumber(speed)) return undefined;
-  if (typeof loop !== 'boolean' || typeof playing !== 'boolean') return undefined;
-  const shown = readShown(json as ShownJson);
-  return {position_s, duration_s, speed, loop, playing, shown, begin_ms: Number(begin_ns) / 1e6, session: `${String(file)} ${String(begin_ns)}`};
-}
-
-interface ShownJson {
-  shown_ns?: unknown;  // 64-bit integers come as text in Protobuf's JSON
-  shown_s?: unknown;
-  shown_speed?: unknown;
-}
-
-function readShown({shown_ns, shown_s, shown_speed}: ShownJson): PublishedInstant | undefined {
-  if (!/^[1-9]\d*$/.test(String(shown_ns)) || !isNumber(shown_s) || !isNumber(shown_speed)) return undefined;
-  return {at_ms: milliseconds(BigInt(String(shown_ns))), at_s: shown_s, speed: shown_speed};
+/** undefined: the player has not carried out the last command yet. */
+export function readState(message: PlaybackMessage): PlaybackState | undefined {
+  if (message.pending) return undefined;
+  const {positionS, durationS, speed, loop, playing, file, beginNs, shownNs, shownS, shownSpeed} = message;
+  return {
+    position_s: positionS, duration_s: durationS, speed, loop, playing, begin_ms: Number(beginNs) / 1e6,
+    session: `${file} ${beginNs}`,
+    shown: shownNs === 0n ? undefined : {at_ms: milliseconds(shownNs), at_s: shownS, speed: shownSpeed},
+  };
 }
 
 /** The state that `command` will lead to: shown at once, because the server replies with the state before it. */
@@ -74,4 +61,7 @@ export function seekTo(state: PlaybackState, position_s: number): PlaybackComman
   return {seek_s: Math.min(Math.max(position_s, 0), state.duration_s)};
 }
 
-const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
+/** The played session; its state is undefined if there is none, or this visitor may not move it. */
+export type Playback = Resource<PlaybackMessage, PlaybackState, PlaybackCommand>;
+
+export const PLAYBACK = {read: readState, after: afterCommand, mostWaiting: 4};

@@ -1,3 +1,5 @@
+import type {SessionList} from '../messages/generated';
+
 /** A recorded session in the server's folder. */
 export interface Recorded {
   name: string;
@@ -15,17 +17,8 @@ export interface SessionPart {
 
 export const PART_BYTES = 600_000;
 
-/** Reads the reply to GET and POST /sessions; undefined if the server has no folder for sessions, or it cannot be read. */
-export function readSessions(text: string): Recorded[] | undefined {
-  try {
-    const {sessions} = JSON.parse(text) as {sessions?: Record<string, unknown>[]};
-    if (!Array.isArray(sessions)) return undefined;
-    return sessions.map(({name, bytes, written_s}) =>
-        ({name: String(name), bytes: Number(bytes), written_ms: 1000 * Number(written_s)}));
-  } catch {
-    return undefined;
-  }
-}
+export const readSessions = ({sessions}: SessionList): Recorded[] =>
+    sessions.map(({name, bytes, writtenS}) => ({name, bytes: Number(bytes), written_ms: 1000 * Number(writtenS)}));
 
 /** Sends `file` to the server in parts. `send` resolves with the reason why a part was refused; empty: it was taken. */
 export async function bring(

@@ -1,3 +1,6 @@
+import type {Resource} from '../link/resource';
+import type {SessionNotes} from '../messages/generated';
+
 /** A note at a moment of the played session. */
 export interface Note {
   number: number;
@@ -10,17 +13,11 @@ export interface Note {
 /** The body of POST /playback/notes. */
 export type NoteCommand = {at_s: number; text: string} | {remove: number};
 
-/** Reads the reply to GET and POST /playback/notes; undefined when it is none. */
-export function readNotes(text: string): Note[] | undefined {
-  try {
-    const {notes} = JSON.parse(text) as {notes?: Record<string, unknown>[]};
-    if (!Array.isArray(notes)) return undefined;
-    return notes.map(({number, at_s, text: says, who, written}) =>
-        ({number: Number(number), at_s: Number(at_s), text: String(says), who: String(who), written: String(written)}));
-  } catch {
-    return undefined;
-  }
-}
+/** The played session's notes. */
+export type Notes = Resource<SessionNotes, Note[], NoteCommand>;
+
+export const readNotes = ({notes}: SessionNotes): Note[] =>
+    notes.map(({number, atS, text, who, written}) => ({number: Number(number), at_s: atS, text, who, written}));
 
 /** A text that changes when the notes change. The numbers alone do not suffice: each session counts its notes from 1. */
 export const keyOf = (notes: readonly Note[]) => notes.map(({number, written}) => `${number} ${written}`).join();

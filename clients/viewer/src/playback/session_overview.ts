@@ -1,4 +1,4 @@
-import {EventKind, Phase} from '../messages/generated';
+import {EventKind, type Phase, type SessionEvents} from '../messages/generated';
 import {changeInWords} from '../words/phases';
 
 /** An event of the whole session, at seconds from its beginning. */
@@ -21,31 +21,12 @@ export interface OverviewSpan {
   to_s: number;
 }
 
-/** The number of an enum value, which Protobuf's JSON gives by name; 0 for a name that only a newer server has. */
-function numberOf(values: Record<string, number | string>, prefix: string, name: unknown): number {
-  const number = typeof name === 'string' && name.startsWith(prefix) ? values[name.slice(prefix.length)] : undefined;
-  return typeof number === 'number' ? number : 0;
-}
-
-/** The phase that Protobuf's JSON calls `name`. */
-export const phaseNamed = (name: unknown): Phase => numberOf(Phase, 'PHASE_', name);
-
-/** Reads the reply to GET /playback/events; undefined if it cannot be read. */
-export function readOverview(text: string): SessionOverview | undefined {
-  try {
-    const {events, complete} = JSON.parse(text) as {events?: Record<string, unknown>[]; complete?: boolean};
-    if (!Array.isArray(events)) return undefined;
-    return {
-      complete: complete === true,
-      events: events.map(({at_s, kind: name, text: says, from, to}) => {
-        const kind = numberOf(EventKind, 'EVENT_KIND_', name);
-        const text = kind === EventKind.PHASE ? changeInWords(phaseNamed(from), phaseNamed(to)) : String(says);
-        return {at_s: Number(at_s), kind, text, to: phaseNamed(to)};
-      }),
-    };
-  } catch {
-    return undefined;
-  }
+export function readOverview({events, complete}: SessionEvents): SessionOverview {
+  return {
+    complete,
+    events: events.map(({atS, kind, text, from, to}) =>
+        ({at_s: atS, kind, text: kind === EventKind.PHASE ? changeInWords(from, to) : text, to})),
+  };
 }
 
 /** The phases from the first phase change to the session's end. No span covers the unknown phase before. */

@@ -1,13 +1,9 @@
 import {measureHeight} from '../page/layout';
 import {ownQuery} from '../link/own_session';
 import {element, setText} from '../page/page';
-import type {Reading} from '../state/viewer_state';
 import {type Focus, commandForKey} from './playback_keys';
-import type {PlaybackLink} from './playback_link';
-import {type PlaybackCommand, seekTo} from './playback_state';
+import {type Playback, type PlaybackCommand, seekTo} from './playback_state';
 import {clock, timelineLook} from './timeline_words';
-
-const LOOK_EVERY_MS = 500;
 
 /** The bar that moves a played session. It is hidden unless the server plays one that this visitor may move. */
 export class TimelineBar {
@@ -21,7 +17,7 @@ export class TimelineBar {
   private readonly problem = element('timeline-problem');
   private dragged = false;
 
-  constructor(private readonly read: () => Pick<Reading, 'connected' | 'capture'>, private readonly link: PlaybackLink) {
+  constructor(private readonly link: Playback) {
     this.play.addEventListener('click', () => this.send({play: this.link.state?.playing === false}));
     this.step.addEventListener('click', () => this.send({step: 1}));
     this.loop.addEventListener('click', () => this.send({loop: this.link.state?.loop === false}));
@@ -33,22 +29,12 @@ export class TimelineBar {
       window.addEventListener(ended, () => window.setTimeout(() => (this.dragged = false)));
     window.addEventListener('keydown', (event) => this.takeKey(event), {capture: true});
     measureHeight('timeline', '--floor');
-    window.setInterval(() => void this.look(), LOOK_EVERY_MS);
-  }
-
-  private async look(): Promise<void> {
-    if (document.hidden) return;
-    const {connected, capture} = this.read();
-    const looked = this.link.look({connected, playsSession: capture?.source.startsWith('session:') ?? false});
-    this.show();
-    await looked;
-    this.show();
+    link.onChange(() => this.show());
   }
 
   private send(command: PlaybackCommand): void {
-    const sent = this.link.command(command);
+    void this.link.command(command);
     this.show();
-    void sent.then(() => this.show());
   }
 
   /** The seek is sent when the slider is let go: a seek on each pixel would make all viewers jump. */

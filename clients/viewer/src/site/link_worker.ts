@@ -11,6 +11,7 @@ import {SilenceWatch} from '../link/silence_watch';
 import {Stream} from '../link/stream';
 import {isAtRest} from '../messages/capture_rest';
 import type {CompressedImage, StationState} from '../messages/generated';
+import type {StateTopic, StateTopics} from '../messages/topics';
 import {DeviceWatch} from '../present/device_watch';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
@@ -109,6 +110,13 @@ function stationCame(state: StationState): void {
   instants.stationCame(state);
 }
 
+let toldStates = false;  // since the page's last request
+function stateCame<Topic extends StateTopic>(topic: Topic, message: StateTopics[Topic], published_ns: bigint): void {
+  facts.stateCame(topic, message, published_ns);
+  if (!toldStates) post({news: news()});
+  toldStates = true;
+}
+
 const stream = new Stream(
     `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream${self.name}`,  // the page gave its own session as the worker's name
     {
@@ -149,10 +157,20 @@ const stream = new Stream(
       '/viewer/hand_holder': (holder) => {
         facts.holder = holder;
       },
+      '/playback': (state, at_ns) => stateCame('/playback', state, at_ns),
+      '/playback/events': (state, at_ns) => stateCame('/playback/events', state, at_ns),
+      '/playback/network': (state, at_ns) => stateCame('/playback/network', state, at_ns),
+      '/playback/notes': (state, at_ns) => stateCame('/playback/notes', state, at_ns),
+      '/playback/comparison': (state, at_ns) => stateCame('/playback/comparison', state, at_ns),
+      '/recording': (state, at_ns) => stateCame('/recording', state, at_ns),
+      '/sessions': (state, at_ns) => stateCame('/sessions', state, at_ns),
     },
     {
       publishes: ['/viewer/hand'],
-      onRequest: ['/station/compensation', '/station/surface', '/station/events', '/station/ultrasound', '/station/inside'],
+      onRequest: [
+        '/station/compensation', '/station/surface', '/station/events', '/station/ultrasound', '/station/inside',
+        '/playback/network', '/playback/comparison', '/recording', '/sessions',
+      ],
     },
     {
       connected: () => {
@@ -170,6 +188,7 @@ const stream = new Stream(
         if (text.startsWith(UNOPENED)) facts.unopened = text.slice(UNOPENED.length).trim();
         if (text.includes('follows the hand of a viewer')) facts.untaken_ms = now_ms();
       },
+      withdrawn: (topic) => facts.topicWent(topic),
       heard: (published_ns) => facts.came(local_ms(published_ns), now_ms()),
     });
 
@@ -181,6 +200,8 @@ function news(): News {
     retryAt_ms: stream.retryAt_ms,
     viewer: stream.viewer,
     role: stream.role,
+    may: stream.may,
+    states: facts.takeStates(),
     light: lightMeter?.light,
     taking: taker.inUse && taker.taking,
     offset_ms: clock.offset_ms,
@@ -206,7 +227,10 @@ onmessage = ({data}: MessageEvent<ToWorker>) => {
   else if ('takePlace' in data) taker.take(data.takePlace);
   else if (data.ask === 'instant') instants.ask();
   else if (data.ask === 'probe') probeImages.ask();
-  else post({news: news()});
+  else {
+    toldStates = false;
+    post({news: news()});
+  }
 };
 
 clock.start();

@@ -4,6 +4,7 @@ import {
   type SurfaceReport,
 } from '../messages/generated';
 import {NOBODY} from '../messages/nobody';
+import {type ChangedStates, STATE_TOPICS, type StateTopic, type StateTopics} from '../messages/topics';
 import type {News} from './worker_messages';
 
 const LINK_SMOOTHING = 0.1;
@@ -23,6 +24,7 @@ export class SiteFacts {
   surfaceReport: SurfaceReport | undefined;
   events: StationEvent[] = [];
 
+  private states: ChangedStates = {};
   private everConnected = false;
   private depth: DepthFidelity | undefined;
   private dropped = 0;
@@ -40,6 +42,24 @@ export class SiteFacts {
     this.station = this.stationHeard_ms = this.link_ms = this.heard = this.heardAny_ms = this.stats = this.surfaceReport = undefined;
     this.unopened = undefined;
     this.events = [];
+    for (const topic of STATE_TOPICS) this.states[topic] = undefined;  // the server may be another one
+  }
+
+  stateCame<Topic extends StateTopic>(topic: Topic, message: StateTopics[Topic], published_ns: bigint): void {
+    (this.states as {[Topic in StateTopic]?: unknown})[topic] = {message, published_ns};
+  }
+
+  /** The server no longer offers a topic to this visitor. */
+  topicWent(topic: string): void {
+    const state = STATE_TOPICS.find((one) => one === topic);
+    if (state !== undefined) this.states[state] = undefined;
+  }
+
+  /** The states that have changed since the last call. */
+  takeStates(): ChangedStates {
+    const {states} = this;
+    this.states = {};
+    return states;
   }
 
   /** A message of any topic came. `published_ms` on this computer's clock; undefined while the session clock is unknown. */

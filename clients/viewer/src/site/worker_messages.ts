@@ -1,5 +1,6 @@
 // Messages between page and link worker. The worker sends one message for each request of the page, so that no messages
-// queue up for a busy page. Besides, it sends its news at once when the images stop, and when they come again.
+// queue up for a busy page. Besides, it sends its news at once when the images stop or come
+// again, and when a state of the server changes, but then at most once between two requests.
 
 import type {Touch} from '../calibration/offset_fit';
 import type {Taking} from '../calibration/touch_taker';
@@ -7,7 +8,7 @@ import type {DepthFidelity} from '../depth/depth_fidelity';
 import type {
   CaptureStatus, HandHolder, InnerStructures, Phase, ServerStats, StationEvent, SurfaceReport,
 } from '../messages/generated';
-import type {OwnTopics, Topics} from '../messages/topics';
+import type {ChangedStates, OwnTopics, Topics} from '../messages/topics';
 import type {DeviceMotion} from '../present/device_watch';
 import type {Instant, Light} from '../present/instant';
 import type {ProbeView} from '../present/probe_view';
@@ -41,6 +42,8 @@ export interface News {
   holder: HandHolder;
   viewer: bigint;      // this page's number at the server; 0n until the server has sent it
   role: string;        // of this visitor at the server; empty until the server has sent it
+  may: readonly string[];  // paths of the server's resources that this visitor may change
+  states: ChangedStates;   // of the server's resources, since the news before
   stats: ServerStats | undefined;
   touching: number;    // number of the station whose state came last; 0: none
   surfaceReport: SurfaceReport | undefined;

@@ -1,32 +1,28 @@
-import {askServer} from '../../link/ask_server';
+import type {Resource} from '../../link/resource';
+import type {NetworkState as NetworkMessage} from '../../messages/generated';
 import {element, made, setText} from '../../page/page';
 import {
-  joined, networkRows, type NetworkCommand, type NetworkSlider, type NetworkState, placeOf, PROFILES, readNetwork, SLIDERS, textOf,
+  networkRows, type NetworkCommand, type NetworkSlider, type NetworkState, placeOf, PROFILES, SLIDERS, textOf,
 } from '../../playback/network_state';
-import {PlayedPart} from '../../playback/played_part';
 import {RowList} from '../../page/rows';
 
-const LOOK_EVERY = 10;  // calls of `show`, which come about ten times a second
+export type ImpairedNetwork = Resource<NetworkMessage, NetworkState, NetworkCommand>;
 
 /** QA's card that impairs a played session as a network would: a profile, sliders, and what they do. */
 export class NetworkCard {
-  private readonly part =
-      new PlayedPart<NetworkState, NetworkCommand>(askServer('playback/network'), readNetwork, joined);
   private readonly card = element('impaired');
   private readonly profile = element<HTMLSelectElement>('impaired-profile');
   private readonly rows = new RowList(element('impaired-rows'));
   private readonly sliders = SLIDERS.map((slider) => this.made(slider));
-  private shows = 0;
 
-  constructor() {
+  constructor(private readonly network: ImpairedNetwork) {
+    network.onChange(() => this.write());
     this.profile.replaceChildren(...PROFILES.map((name) => new Option(name, name)));
-    this.profile.addEventListener('change', () => void this.send({profile: this.profile.value}));
+    this.profile.addEventListener('change', () => void this.network.command({profile: this.profile.value}));
   }
 
   show(plays: boolean): void {
-    this.card.hidden = !plays || this.part.state === undefined;
-    if (!plays) return this.part.forget();
-    if (this.shows++ % LOOK_EVERY === 0) void this.part.look().then(() => this.write());
+    this.card.hidden = !plays || this.network.state === undefined;
   }
 
   private made(slider: NetworkSlider) {
@@ -37,20 +33,15 @@ export class NetworkCard {
     input.addEventListener('input', () => {
       const value = slider.values[Number(input.value)]!;
       this.say(slider, input, output, value);
-      void this.send({[slider.field]: value});
+      void this.network.command({[slider.field]: value});
     });
     label.append(input, output);
     element('impaired-sliders').append(label);
     return {slider, input, output};
   }
 
-  private async send(command: NetworkCommand): Promise<void> {
-    await this.part.command(command);
-    this.write();
-  }
-
   private write(): void {
-    const {state, problem} = this.part;
+    const {state, problem} = this.network;
     setText(element('impaired-said'), problem);
     if (state === undefined) return;
     this.rows.show(networkRows(state));

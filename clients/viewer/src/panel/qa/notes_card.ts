@@ -1,14 +1,9 @@
 import {element, made, oneLine, setText} from '../../page/page';
-import type {PlaybackLink} from '../../playback/playback_link';
-import {seekTo} from '../../playback/playback_state';
-import type {PlayedPart} from '../../playback/played_part';
-import {keyOf, type Note, type NoteCommand, noteInAddress} from '../../playback/session_notes';
+import {type Playback, seekTo} from '../../playback/playback_state';
+import {keyOf, type Note, noteInAddress, type Notes} from '../../playback/session_notes';
 import {clock} from '../../playback/timeline_words';
 
-const LOOK_EVERY = 30;  // calls of `show`, which come about ten times a second
-const SAME_S = 0.006;   // an address rounds moments to 0.01 s
-
-export type Notes = PlayedPart<Note[], NoteCommand>;
+const SAME_S = 0.006;  // an address rounds moments to 0.01 s
 
 /** QA's notes on the played session: written at the shown moment, listed, and pressed to go there. */
 export class NotesCard {
@@ -18,11 +13,11 @@ export class NotesCard {
   private readonly list = element('notes');
   private chosen = noteInAddress(location.search);
   private noted_s: number | undefined;  // the moment at which the writing began
-  private shows = 0;
   private shown = '';
   private moment_s = 0;  // of the shown picture
 
-  constructor(private readonly playback: PlaybackLink, private readonly notes: Notes, private readonly redrawn: () => void) {
+  constructor(private readonly playback: Playback, private readonly notes: Notes) {
+    notes.onChange(() => this.write());
     this.text.addEventListener('input', () => {
       if (this.text.value === '') this.noted_s = undefined;
       else this.noted_s ??= this.moment_s;
@@ -38,8 +33,6 @@ export class NotesCard {
     const {state} = this.playback;
     this.moment_s = moment_s;
     this.card.hidden = state === undefined || this.notes.state === undefined;
-    if (state === undefined) return this.notes.forget();
-    if (this.shows++ % LOOK_EVERY === 0) void this.notes.look().then(() => this.write());
     setText(element('note-at'), clock(this.noted_s ?? moment_s));
   }
 
@@ -59,12 +52,10 @@ export class NotesCard {
       this.text.value = text;
       this.noted_s = at_s;
     }
-    this.write();
   }
 
   private write(): void {
     setText(element('notes-said'), this.notes.problem);
-    this.redrawn();
     const notes = this.notes.state ?? [];
     const shown = `${this.chosen} ${keyOf(notes)}`;
     if (shown === this.shown) return;
@@ -88,7 +79,7 @@ export class NotesCard {
     remove.title = 'Remove the note';
     remove.addEventListener('click', ({detail}) => {
       if (detail > 1) return;  // the second press of a double click would remove the note that moves up
-      void this.notes.command({remove: number}).then(() => this.write());
+      void this.notes.command({remove: number});
     });
     line.append(go, remove);
     return line;

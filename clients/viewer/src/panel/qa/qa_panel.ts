@@ -3,18 +3,18 @@ import {element, made, setText} from '../../page/page';
 import {saveFile} from '../../page/save_file';
 import {addressOfMoment} from '../../playback/moment';
 import type {OverviewBand} from '../../playback/overview_band';
-import type {PlaybackLink} from '../../playback/playback_link';
-import {seekTo} from '../../playback/playback_state';
+import {type Playback, seekTo} from '../../playback/playback_state';
+import type {Notes} from '../../playback/session_notes';
 import {type ShownMoment, shownMoment} from '../../playback/shown_moment';
 import {clock} from '../../playback/timeline_words';
 import {forcesOf, type Instant} from '../../present/instant';
 import type {SceneView} from '../../scene/scene_view';
 import type {Reading} from '../../state/viewer_state';
 import {toneOf} from '../../words/event_tone';
-import {ComparisonCard} from './comparison/comparison_card';
+import {type Comparison, ComparisonCard} from './comparison/comparison_card';
 import {EventLog, type LoggedEvent} from './event_log';
-import {NetworkCard} from './network_card';
-import {type Notes, NotesCard} from './notes_card';
+import {type ImpairedNetwork, NetworkCard} from './network_card';
+import {NotesCard} from './notes_card';
 import {withText} from './snapshot';
 import {type SnapshotFacts, snapshotLines} from './snapshot_words';
 
@@ -28,7 +28,7 @@ export class QaPanel {
   private readonly log = new EventLog();
   private readonly list = element('events');
   private readonly said = element('moment-said');
-  private readonly network = new NetworkCard();
+  private readonly network: NetworkCard;
   private readonly notesCard: NotesCard;
   private readonly comparison: ComparisonCard;
   private shown: LoggedEvent | undefined;  // the newest event in the list
@@ -36,10 +36,12 @@ export class QaPanel {
   private moment: ShownMoment | undefined;  // undefined: no session can be moved
 
   constructor(
-      private readonly playback: PlaybackLink, private readonly whole: OverviewBand, notes: Notes,
+      private readonly playback: Playback, private readonly whole: OverviewBand,
+      parts: {notes: Notes; network: ImpairedNetwork; comparison: Comparison},
       private readonly view: SceneView, private readonly inScene: () => Instant | undefined) {
-    this.notesCard = new NotesCard(playback, notes, () => whole.draw());
-    this.comparison = new ComparisonCard(playback);
+    this.network = new NetworkCard(parts.network);
+    this.notesCard = new NotesCard(playback, parts.notes);
+    this.comparison = new ComparisonCard(playback, parts.comparison);
     element('share').addEventListener('click', () => void this.share());
     element('snapshot').addEventListener('click', () => void this.snapshot());
   }

@@ -9,6 +9,7 @@ import {NetworkRates, subscriberRows} from './network_rows';
 import {pictureRows} from './picture_problems';
 import {PointReadout} from './point_readout';
 import {RecordingCard} from './recording_card';
+import type {Recording} from './recording_state';
 
 /**
  * The technician's cards: picture quality, depth under the pointer, depth range and histogram, calibration, recording,
@@ -19,13 +20,14 @@ export class TechnicianPanel {
   private readonly network = new RowList(element('network'));
   private readonly subscribers = new RowList(element('subscribers'));
   private readonly rates = new NetworkRates();
-  private readonly recording = new RecordingCard();
+  private readonly recording: RecordingCard;
   private readonly range: DepthRange;
   private readonly point: PointReadout;
 
   private readonly calibration: CalibrationCard;
 
-  constructor(view: SceneView, canvas: HTMLCanvasElement, takePlace: (place: number | undefined) => void) {
+  constructor(view: SceneView, canvas: HTMLCanvasElement, recording: Recording, takePlace: (place: number | undefined) => void) {
+    this.recording = new RecordingCard(recording);
     this.calibration = new CalibrationCard(takePlace);
     this.range = new DepthRange(view);
     this.point = new PointReadout(view, canvas);
@@ -36,7 +38,7 @@ export class TechnicianPanel {
     this.calibration.add(touches);
   }
 
-  show({summary, light, capture, cameraFrames_per_s, presence, connected, role, taking}: Reading): void {
+  show({summary, light, capture, cameraFrames_per_s, presence, role, taking}: Reading): void {
     if (summary !== undefined) {
       const plays = capture?.source.startsWith('session:') ?? false;
       this.picture.show(pictureRows(summary, light, plays ? undefined : cameraFrames_per_s));
@@ -44,7 +46,7 @@ export class TechnicianPanel {
     }
     this.point.show();
     this.calibration.show(taking);
-    this.recording.show(connected, role);
+    this.recording.show(role);
     this.network.show(this.rates.show(presence.stats));
     this.subscribers.show(subscriberRows(presence.stats));
   }

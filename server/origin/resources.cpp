@@ -1,0 +1,19 @@
+#include "server/origin/resources.h"
+
+#include "messages/playback.pb.h"
+#include "messages/recording.pb.h"
+#include "proto/words/demand.h"
+
+namespace telepalp::origin {
+
+const google::protobuf::Descriptor* descriptor_of_state(const wire::Topic& topic) {
+  for (const google::protobuf::Descriptor* type :
+       {msg::PlaybackState::descriptor(), msg::SessionEvents::descriptor(), msg::NetworkState::descriptor(),
+        msg::SessionNotes::descriptor(), msg::ComparisonState::descriptor(), msg::RecordingState::descriptor(),
+        msg::SessionList::descriptor()})
+    if (type->full_name() == topic.schema) return type;
+  demand(false, "the message type of each resource's state is listed in this file");
+  return nullptr;
+}
+
+}  // namespace telepalp::origin
