@@ -16,6 +16,7 @@ struct Study {
 };
 
 [[nodiscard]] std::vector<Study> skin_felt_again();
+[[nodiscard]] std::vector<Study> colleague();
 [[nodiscard]] std::vector<Study> step_response();
 [[nodiscard]] std::vector<Study> excess_work();
 [[nodiscard]] std::vector<Study> anchor_drift();

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "server/capture/synthetic/motion/breathing.h"
+#include "server/capture/synthetic/shape/colleague_hand.h"
 
 namespace telepalp::capture {
 
@@ -15,6 +17,7 @@ struct PatientPose {
   double rise_m_per_s = 0.0;
   double tilt = 0.0;  ///< of a patient who sits up: metres of rise per metre from the hips to the head
   double tilt_per_s = 0.0;
+  std::optional<ColleagueHand> colleague = {};  ///< another person's hand in the picture; no part of the true surface
 
   [[nodiscard]] bool slides() const noexcept { return !slide_m.isZero(); }
   [[nodiscard]] bool rises() const noexcept { return rise_m != 0.0 || tilt != 0.0; }

@@ -21,7 +21,7 @@ sensor::DepthSensorSettings sensor_of(const SyntheticSettings& settings) {
 }  // namespace
 
 SensorModel::SensorModel(std::shared_ptr<const RestShape> rest_shape, const SyntheticSettings& settings)
-    : rest_(std::move(rest_shape)), sensor_(sensor_of(settings)) {
+    : rest_(std::move(rest_shape)), holes_(settings.holes), sensor_(sensor_of(settings)) {
   const RestShape& rest = *rest_;
   const Intrinsics& camera = rest.camera;
   for (int v = 0; v < camera.height; ++v)
@@ -56,10 +56,21 @@ SensorModel::Moved SensorModel::moved_to(const PatientPose& pose) const {
   return moved;
 }
 
+/// The picture with a colleague's hand, breath included, with the hand's own shadow and ragged silhouette.
+SensorModel::Moved SensorModel::with_hand(const PatientPose& pose, const ColleagueHand& hand) const {
+  Moved seen = moved_to(pose);
+  const auto lift_m = static_cast<float>(pose.breath.lift_m);
+  for (std::size_t i = 0; i < seen.depth_m.size(); ++i) seen.depth_m[i] -= lift_m * seen.lift_share[i];
+  std::fill(seen.lift_share.begin(), seen.lift_share.end(), 0.0F);
+  draw_over(capsules_of(hand), rest_->camera, seen.depth_m);
+  if (holes_) seen.hole_of_256 = hole_map(seen.depth_m, rest_->camera);
+  return seen;
+}
+
 void SensorModel::measure(const PatientPose& pose, std::int64_t instant, std::vector<std::uint16_t>& out) const {
   out.resize(rest_depth_m_.size());
-  const bool lies_at_rest = !pose.slides() && !pose.rises();
-  const Moved moved = lies_at_rest ? Moved{} : moved_to(pose);
+  const bool lies_at_rest = !pose.slides() && !pose.rises() && !pose.colleague;
+  const Moved moved = lies_at_rest ? Moved{} : pose.colleague ? with_hand(pose, *pose.colleague) : moved_to(pose);
   const std::vector<std::uint8_t>& hole_of_256 = lies_at_rest ? hole_of_256_ : moved.hole_of_256;
   const float* const depth_m = (lies_at_rest ? rest_depth_m_ : moved.depth_m).data();
   const float* const lift_share = (lies_at_rest ? lift_share_ : moved.lift_share).data();

@@ -30,8 +30,10 @@ class SensorModel {
     std::vector<std::uint8_t> hole_of_256;
   };
   [[nodiscard]] Moved moved_to(const PatientPose& pose) const;
+  [[nodiscard]] Moved with_hand(const PatientPose& pose, const ColleagueHand& hand) const;
 
   std::shared_ptr<const RestShape> rest_;
+  bool holes_;
   sensor::DepthSensor sensor_;
   std::vector<float> rest_depth_m_;
   std::vector<float> lift_share_;

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tests/bench/hand/colleague_visit.h"
+#include "tests/bench/hand/force_step.h"
+#include "tests/bench/hand/studies.h"
+
+// A colleague's hand comes into the picture, lies on the skin or hovers over it, moves its fingers, and leaves, while
+// the doctor presses, rests on the skin or waits above it. Each run is compared with the same run without this hand.
+
+namespace telepalp::bench::hand {
+namespace {
+
+constexpr double kArm_N_per_m = 300.0;
+constexpr double kPressed_s = 2.0;  // the doctor's hand has arrived by then
+constexpr double kJudged_s = 4.0;   // time after the visit for which the run goes on
+
+enum class Doctor { Presses, Rests, Waits };
+
+struct Drawn {
+  Drawn(Doctor doctor, int number)
+      : seed(static_cast<std::uint64_t>(number) + 1),
+        random(31000 + seed),
+        spot(spots()[random.bits() % spots().size()]),
+        anchor(number % 2 == 0 ? effects::SkinAnchor::FollowsSurface : effects::SkinAnchor::Sliding),
+        breath_begins_s(random.uniform(0.0, 900.0)),
+        one_way_s(random.uniform(0.0, 0.15)),
+        force_N(doctor == Doctor::Presses ? random.uniform(1.0, 5.0) : random.uniform(0.2, 0.5)),
+        height_m(doctor == Doctor::Waits ? random.uniform(0.011, 0.05) : -aim_depth_m(force_N)) {
+    visit.patient = patient;
+    const Intrinsics& camera = patient->settings().camera;
+    constexpr double kBeside_px = 20.0;  // 30 mm
+    visit.skin = patient->surface_of({})
+                     .at_pixel(camera.cx + spot.u + random.uniform(-kBeside_px, kBeside_px),
+                               camera.cy + spot.v + random.uniform(-kBeside_px, kBeside_px))
+                     .at;
+    visit.over_m = number % 3 == 0 ? 0.0 : random.uniform(0.02, 0.09);
+    visit.from_above = number % 2 == 1;
+    visit.heading_rad = random.uniform(0.0, 2.0 * std::numbers::pi);
+    visit.arm_rise_rad = random.uniform(0.15, 0.5);
+    visit.fingers_hz = random.uniform(0.5, 2.0);
+  }
+
+  /// The depth at which a hand on its arm must aim to press the skin with `force_N`.
+  [[nodiscard]] static double aim_depth_m(double force_N) noexcept {
+    return force_N * (1.0 / kArm_N_per_m + 1.0 / kSkin_N_per_m);
+  }
+  [[nodiscard]] capture::PatientPose pose(double time_s, bool visited) const {
+    capture::PatientPose pose = patient->pose(at_time(breath_begins_s + time_s));
+    if (visited) pose.colleague = visit.at(time_s, pose);
+    return pose;
+  }
+  [[nodiscard]] std::unique_ptr<Person> person() const {
+    const Eigen::Vector3d normal = normal_at(*patient, spot).v;
+    return std::make_unique<ArmHand>(kArm_N_per_m, [normal, height = height_m](double t) {
+      const double share = eased((t - 0.9) / (kPressed_s - 0.9));
+      return device::Intention{{(0.06 + share * (height - 0.06)) * normal}, {}};
+    });
+  }
+
+  std::uint64_t seed;
+  device::Random random;
+  std::shared_ptr<const capture::SyntheticPatient> patient = torso(Sensor::Kinect, capture::Motion::Irregular);
+  Spot spot;
+  effects::SkinAnchor anchor;
+  double breath_begins_s;
+  double one_way_s;
+  double force_N;
+  double height_m;  ///< of the doctor's aim over the skin at rest
+  ColleagueVisit visit;
+};
+
+/// One tick of one of the two runs.
+struct Felt {
+  Eigen::Vector3d device_m;
+  double pushed_N;
+  double law_N;
+  double work_mJ;  ///< of the device on the hand since the visit began
+};
+
+struct Played {
+  std::vector<Felt> ticks;       ///< from the beginning of the visit on
+  double first_without_s = 0.0;  ///< time at which the first image after the visit arrived
+  double step_N = 0.0;
+};
+
+Played play(const Drawn& drawn, bool visited) {
+  Feed feed({.patient = drawn.patient,
+             .pose = [&drawn, visited](double t) { return drawn.pose(t, visited); },
+             .link = {.one_way_s = drawn.one_way_s, .seed = drawn.seed},
+             .builder = {}});
+  StationSettings settings = with_skin(drawn.anchor);
+  settings.seed = drawn.seed;
+  BenchStation station(settings, haptic_from_camera(*drawn.patient, drawn.spot), drawn.person());
+  Played played;
+  ForceSteps steps;
+  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+  double work_mJ = 0.0;
+  run(feed, station, drawn.visit.gone_s() + kJudged_s, [&](const Tick& tick) {
+    if (tick.time_s >= drawn.visit.begins_s) {
+      work_mJ += 1e3 * force_N.dot(tick.moved_m);
+      steps.add(tick);
+      played.ticks.push_back({tick.device_m, tick.pushed_N(), tick.law_N(), work_mJ});
+    }
+    force_N = tick.force_N;
+    if (played.first_without_s == 0.0 && feed.newest_captured_s() >= drawn.visit.gone_s())
+      played.first_without_s = tick.time_s;
+  });
+  played.step_N = steps.worst_N();
+  return played;
+}
+
+VisitCost cost_of(const Drawn& drawn, const Played& with, const Played& without) {
+  VisitCost cost;
+  const Eigen::Vector3d normal = normal_at(*drawn.patient, drawn.spot).v;
+  cost.again_s = drawn.height_m > 0.0 ? 0.0 : kJudged_s;
+  bool felt = drawn.height_m > 0.0;
+  for (std::size_t i = 0; i < with.ticks.size(); ++i) {
+    const Felt& one = with.ticks[i];
+    const Felt& other = without.ticks[i];
+    cost.outwards_m = std::max(cost.outwards_m, normal.dot(one.device_m - other.device_m));
+    cost.force_N = std::max(cost.force_N, one.pushed_N - other.pushed_N);
+    cost.work_mJ = std::max(cost.work_mJ, one.work_mJ - other.work_mJ);
+    const double since_s = drawn.visit.begins_s + static_cast<double>(i) * kTick_s - with.first_without_s;
+    if (felt || since_s < 0.0) continue;
+    felt = one.law_N > 0.0 && one.pushed_N >= 0.9 * one.law_N;
+    cost.again_s = since_s;
+  }
+  return cost;
+}
+
+std::vector<Row> measure(const std::string& name, Doctor doctor, const Options& options) {
+  std::vector<VisitCost> all(static_cast<std::size_t>(options.seeds));
+  std::vector<double> steps_N(all.size());
+  for_each_parallel(options.seeds, options, [&](int i) {
+    const Drawn drawn(doctor, i);
+    const Played with = play(drawn, true);
+    all[static_cast<std::size_t>(i)] = cost_of(drawn, with, play(drawn, false));
+    steps_N[static_cast<std::size_t>(i)] = with.step_N;
+  });
+  const auto worst = [&](double VisitCost::*value) {
+    double most = 0.0;
+    for (const VisitCost& one : all) most = std::max(most, one.*value);
+    return most;
+  };
+  std::vector<Row> rows{
+      at_most(name + ": device farther out than without the colleague, worst", 1e3 * worst(&VisitCost::outwards_m),
+              "mm", 2.0),
+      at_most(name + ": force above that without the colleague, worst", worst(&VisitCost::force_N), "N", 0.3),
+      at_most(name + ": work on the hand above that without the colleague, worst", worst(&VisitCost::work_mJ), "mJ",
+              3.0),
+      at_most(name + ": force step in one tick, worst", *std::max_element(steps_N.begin(), steps_N.end()), "N", 0.1)};
+  if (doctor != Doctor::Waits)
+    rows.push_back(at_most(name + ": time from the first image without the colleague until the force is 90 % of the "
+                                  "force law's, worst",
+                           worst(&VisitCost::again_s), "s", 1.0));
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Study> colleague() {
+  std::vector<Study> studies;
+  for (const auto& [name, doctor] :
+       {std::pair{"colleague/pressed", Doctor::Presses}, std::pair{"colleague/resting", Doctor::Rests},
+        std::pair{"colleague/waiting", Doctor::Waits}})
+    studies.push_back({name, [name, doctor](const Options& options) { return measure(name, doctor, options); }});
+  return studies;
+}
+
+}  // namespace telepalp::bench::hand
