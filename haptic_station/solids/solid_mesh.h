@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 #include <string>
 
 #include "haptic_station/solids/solid_tree.h"
@@ -14,8 +15,9 @@ namespace telepalp::solids {
 using SolidMesh = isosurface::Mesh;
 
 /// The surface of a solid for pictures, on cells of one size (isosurface::extract() without halving). It is closed, but
-/// parts thinner than `cell_m` may be missing. Error: the solid has no bounds, or the surface needs too many cells.
-[[nodiscard]] Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m);
+/// parts thinner than `cell_m` may be missing. Error: the solid has no bounds, the surface needs too many cells, or
+/// `stop` was requested.
+[[nodiscard]] Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m, const std::stop_token& stop = {});
 
 struct MeshSettings {
   std::optional<double> smallest_cell_m{};  ///< nullopt: 1/12 000 of the solid's longest side

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "proto/words/result.h"
@@ -44,6 +45,7 @@ struct Grid {
   bool examine = true;                    ///< false: cells of one size, and no doubt is reported; fast, for pictures
   Eigen::Vector3d offset{.37, .61, .43};  ///< of the cells' corners, in largest cells; keeps flat faces off the corners
   std::function<void(double)> progress{};  ///< called now and then with the share of the box that is done, 0 to 1
+  std::stop_token stop{};  ///< asked at each cell and each point of the surface; extract() then ends with an error
 };
 inline constexpr int kMostHalvings = 14;
 
@@ -73,7 +75,7 @@ struct Extraction {
 /// (Ju's test), while two sheets of the surface pass through it, while the surface bends in it by more than 5 % of its
 /// side, and while it is larger than a feature in it. Each edge belongs to exactly two triangles, because a cell in
 /// which several pieces meet has a vertex for each (Schaefer, Ju and Warren 2007).
-/// Error: more than `most_cells` cells, or a corner beyond 2^20 smallest half cells.
+/// Error: more than `most_cells` cells, a corner beyond 2^20 smallest half cells, or `stop` was requested.
 [[nodiscard]] Result<Extraction> extract(const Field& field, const Grid& grid);
 
 }  // namespace telepalp::isosurface

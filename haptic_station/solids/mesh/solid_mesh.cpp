@@ -98,11 +98,12 @@ Result<void> check(const CheckedMesh& made, const Grid& grid) {
 
 }  // namespace
 
-Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m) {
+Result<SolidMesh> mesh_of(const SolidTree& tree, double cell_m, const std::stop_token& stop) {
   Result<Grid> grid = grid_of(tree);
   if (!grid) return grid.error();
   grid->cell_m = cell_m;
   grid->examine = false;
+  grid->stop = stop;
   Result<Extraction> made = extract(field_of(tree), *grid);
   if (!made) return made.error();
   return std::move(made->mesh);

@@ -43,8 +43,9 @@ class Refiner {
     return kept;
   }
 
-  /// A block of largest cells: skipped if the surface cannot reach it, else halved. False: too many cells.
+  /// A block of largest cells: skipped if the surface cannot reach it, else halved. False: too many cells, or stopped.
   bool block(const Vector3i& low, const Vector3i& high, const Features& features) {
+    if (grid_.stop.stop_requested()) return false;
     const int side = lattice_.side(0);
     const Eigen::AlignedBox3d box = box_of(side * low, side * high);
     if (std::abs(field_.m_at(box.center())) > 0.5 * field_.steepest * box.diagonal().norm()) return done(low, high);
@@ -65,6 +66,7 @@ class Refiner {
   }
 
   bool cell(const Vector3i& low, int level, const Features& features) {
+    if (grid_.stop.stop_requested()) return false;
     const int side = lattice_.side(level);
     const double side_m = side * lattice_.step_m;
     const double middle_m = sampler_.at(low + Vector3i::Constant(side / 2)).m;
@@ -122,6 +124,8 @@ Error too_many(const CellTree& tree, const Grid& grid) {
 
 }  // namespace
 
+Error stopped() { return {.what = "the extraction was stopped", .where = "isosurface", .fix = "start it again"}; }
+
 void CellTree::add(const Leaf& leaf) {
   *cells_.insert(key_of(leaf.low, leaf.level)).first = static_cast<std::int32_t>(leaves_.size());
   leaves_.push_back(leaf);
@@ -143,7 +147,9 @@ std::int32_t CellTree::leaf_over(const Vector3i& low, int level) const noexcept 
 
 Result<Refined> refine(const Field& field, const Grid& grid, const Lattice& lattice, const Eigen::Vector3i& cells) {
   Refiner refiner(field, grid, lattice);
-  if (!refiner.run(cells)) return too_many(refiner.take().tree, grid);
+  const bool done = refiner.run(cells);
+  if (grid.stop.stop_requested()) return stopped();
+  if (!done) return too_many(refiner.take().tree, grid);
   return refiner.take();
 }
 

@@ -45,7 +45,11 @@ struct Refined {
   std::size_t unsure = 0;
 };
 
-/// Halves the cells of `grid` as extract() says. `cells`: largest cells along each axis. Error: too many cells.
+/// The error of an extraction that `Grid::stop` has ended.
+[[nodiscard]] Error stopped();
+
+/// Halves the cells of `grid` as extract() says. `cells`: largest cells along each axis. Error: too many cells, or
+/// `grid.stop` was requested.
 [[nodiscard]] Result<Refined> refine(const Field& field, const Grid& grid, const Lattice& lattice,
                                      const Eigen::Vector3i& cells);
 

@@ -21,10 +21,12 @@ Result<Extraction> extract(const Field& field, const Grid& grid) {
   const Result<Refined> refined = refine(field, grid, lattice, cells.cast<int>());
   if (!refined) return refined.error();
   const CellTree& tree = refined->tree;
-  const Result<std::vector<Polygon>> polygons = polygons_of(tree, field);
+  const Result<std::vector<Polygon>> polygons = polygons_of(tree, field, grid.stop);
   if (!polygons) return polygons.error();
   const Pieces pieces = pieces_of(*polygons, tree, field);
-  Extraction out{.mesh = triangulated(*polygons, pieces, vertices_of(*polygons, pieces, tree, field)),
+  Result<std::vector<Eigen::Vector3d>> vertices = vertices_of(*polygons, pieces, tree, field, grid.stop);
+  if (!vertices) return vertices.error();
+  Extraction out{.mesh = triangulated(*polygons, pieces, std::move(vertices).value()),
                  .tightest = refined->tightest,
                  .unsure = refined->unsure,
                  .cells = tree.leaves().size(),

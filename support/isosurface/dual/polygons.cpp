@@ -90,15 +90,17 @@ class Edges {
 
 }  // namespace
 
-Result<std::vector<Polygon>> polygons_of(const CellTree& tree, const Field& field) {
+Result<std::vector<Polygon>> polygons_of(const CellTree& tree, const Field& field, const std::stop_token& stop) {
   Edges edges(tree, field);
-  for (std::size_t i = 0; i < tree.leaves().size(); ++i)
+  for (std::size_t i = 0; i < tree.leaves().size(); ++i) {
+    if (stop.stop_requested()) return stopped();
     if (!edges.of_leaf(static_cast<std::int32_t>(i)))
       return Error{.what =
                        "the surface leaves the cells in which it was expected: its function is steeper than stated, "
                        "or the surface is not closed within its box",
                    .where = "isosurface",
                    .fix = "this is a defect of telepalp: report it, with the scene file"};
+  }
   return edges.take();
 }
 

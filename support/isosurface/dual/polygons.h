@@ -17,7 +17,9 @@ struct Polygon {
 };
 
 /// One polygon for each shortest edge of the octree whose ends lie on two sides of the surface. Error: a leaf beside
-/// such an edge is missing, because the field is steeper than it says.
-[[nodiscard]] Result<std::vector<Polygon>> polygons_of(const CellTree& tree, const Field& field);
+/// such an edge is missing, because the field is steeper than it says;
+/// or `stop` was requested.
+[[nodiscard]] Result<std::vector<Polygon>> polygons_of(const CellTree& tree, const Field& field,
+                                                       const std::stop_token& stop);
 
 }  // namespace telepalp::isosurface

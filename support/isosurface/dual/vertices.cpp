@@ -31,8 +31,8 @@ Vector3d vertex_in(const Eigen::AlignedBox3d& box, std::span<const Plane> planes
 
 }  // namespace
 
-std::vector<Vector3d> vertices_of(const std::vector<Polygon>& polygons, const Pieces& pieces, const CellTree& tree,
-                                  const Field& field) {
+Result<std::vector<Vector3d>> vertices_of(const std::vector<Polygon>& polygons, const Pieces& pieces,
+                                          const CellTree& tree, const Field& field, const std::stop_token& stop) {
   std::vector<std::uint32_t> first(pieces.count + 1, 0);  // of each piece, in `planes`
   std::vector<std::int32_t> leaf(pieces.count);
   for (std::size_t p = 0; p < polygons.size(); ++p)
@@ -48,6 +48,7 @@ std::vector<Vector3d> vertices_of(const std::vector<Polygon>& polygons, const Pi
       planes[next[pieces.vertex[4 * p + i]]++] = polygons[p].crossing;
   std::vector<Vector3d> vertices(pieces.count);
   for (std::size_t i = 0; i < pieces.count; ++i) {
+    if (stop.stop_requested()) return stopped();
     const Leaf& cell = tree.leaves()[static_cast<std::size_t>(leaf[i])];
     const Vector3d low = tree.lattice().at(cell.low);
     const double side_m = tree.lattice().step_m * tree.lattice().side(cell.level);

@@ -119,6 +119,45 @@ TEST(SolidMesh, WhatNeedsTooManyCellsIsRefused) {
   EXPECT_NE(thin.error().what.find("more than 20000 cells"), std::string::npos) << to_string(thin.error());
 }
 
+/// Samples that a mesh of a torus takes of its field; `stop` is requested at the sample with number `stop_at`.
+struct Sampled {
+  std::size_t samples = 0;
+  bool made = false;
+};
+Sampled samples_of_a_torus(std::size_t stop_at) {
+  std::stop_source source;
+  Sampled sampled;
+  const isosurface::Field torus{.at = [&](const Eigen::Vector3d& p) {
+    if (++sampled.samples == stop_at) source.request_stop();
+    const Eigen::Vector2d ring(p.x(), p.y());
+    const Eigen::Vector3d off(p.x() - 0.05 * ring.x() / ring.norm(), p.y() - 0.05 * ring.y() / ring.norm(), p.z());
+    return isosurface::FieldAt{off.norm() - 0.02, off.normalized()};
+  }};
+  const auto made =
+      isosurface::extract(torus, {.box = {Eigen::Vector3d(-0.08, -0.08, -0.03), Eigen::Vector3d(0.08, 0.08, 0.03)},
+                                  .cell_m = 0.001,
+                                  .examine = false,
+                                  .stop = source.get_token()});
+  sampled.made = made.ok();
+  if (!made) {
+    EXPECT_EQ(made.error().what, "the extraction was stopped");
+  }
+  return sampled;
+}
+
+TEST(SolidMesh, AStopEndsItAfterTheSamplesOfOneCellWhereverItIs) {
+  const Sampled whole = samples_of_a_torus(0);
+  ASSERT_TRUE(whole.made);
+  ASSERT_GT(whole.samples, 200'000U);
+  constexpr std::size_t kOfOneCell = 400;  // twelve edges, each met by up to 26 samples
+  for (const double share : {1e-5, 0.1, 0.3, 0.5, 0.7, 0.9, 0.999}) {
+    const auto stop_at = 1 + static_cast<std::size_t>(share * static_cast<double>(whole.samples));
+    const Sampled stopped = samples_of_a_torus(stop_at);
+    EXPECT_FALSE(stopped.made) << share;
+    EXPECT_LT(stopped.samples - stop_at, kOfOneCell) << share;
+  }
+}
+
 TEST(SolidMesh, ProgressOnlyGrowsAndEndsAtOne) {
   double last = 0.0;
   const auto made = checked_mesh_of(*tree_of("torusx 0.05 0.01"), {.progress = [&](double share) {
