@@ -9,9 +9,9 @@ namespace telepalp::loop {
 
 void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcept {
   if (!surface.snapshot) return;
-  haptic_from_camera_ = surface.haptic_from_camera;
-  camera_from_haptic_ = surface.haptic_from_camera.inverse();
-  camera_turn_ = Eigen::Quaterniond(camera_from_haptic_.iso.linear());
+  camera_.haptic_from_camera = surface.haptic_from_camera;
+  camera_.camera_from_haptic = surface.haptic_from_camera.inverse();
+  camera_.turn = Eigen::Quaterniond(camera_.camera_from_haptic.iso.linear());
   touch_.adopt(*surface.snapshot, now);
   body_.adopt(*surface.snapshot, surface.haptic_from_camera);
   surface_captured_ = surface.snapshot->captured;
@@ -20,18 +20,16 @@ void HapticLoop::adopt(const TouchableSurface& surface, SessionTime now) noexcep
 
 void HapticLoop::hand_sampled(const ports::HandSample& sample) noexcept {
   // A sample from the future is dropped. If it were used, all later samples would seem older than it.
-  if (ticked_ && sample.at > last_tick_ + kSameSession) return;
+  if (ticked_ && sample.at > last_.at + kSameSession) return;
   const tracking::Taken taken = hand_.update(sample.at, sample.hand);
   if (taken != tracking::Taken::Used && taken != tracking::Taken::Restarted) return;
-  hand_sampled_ = sample.at;
-  newest_hand_ = sample.hand;
-  wait_at_m_ = sample.wait_at_m;
+  newest_hand_ = {.at = sample.hand, .sampled = sample.at, .wait_at_m = sample.wait_at_m};
   if (sample.attitude) (void)attitude_.update(sample.at, *sample.attitude);
 }
 
 ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) const noexcept {
-  return {.proxy = haptic_from_camera_ * touch.proxy,
-          .normal = haptic_from_camera_ * Vector<DepthCamera>{touch.normal},
+  return {.proxy = camera_.haptic_from_camera * touch.proxy,
+          .normal = camera_.haptic_from_camera * Vector<DepthCamera>{touch.normal},
           .distance_m = touch.distance_m,
           .in_body = touch.in_body,
           .valid = touch.valid,
@@ -40,7 +38,7 @@ ports::SurfaceContact HapticLoop::contact_of(const surface::TouchSample& touch) 
           .measured_above_m = touch.newest_above_m,
           .measured_speed_m_per_s = touch.newest_velocity_m_per_s,
           .anchor_seen = touch.in_body && !anchor_lost_,
-          .anchor_velocity = haptic_from_camera_ * Vector<DepthCamera>{touch.anchor_velocity_m_per_s},
+          .anchor_velocity = camera_.haptic_from_camera * Vector<DepthCamera>{touch.anchor_velocity_m_per_s},
           .age_s = has_surface_ ? touch.age_s : std::numeric_limits<double>::infinity()};
 }
 
@@ -64,14 +62,15 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
   const double dt_s = given.dt_s;
   if (given.surface != nullptr) adopt(*given.surface, now);
   if (given.hand) hand_sampled(*given.hand);
-  if (begins_new_time_line(now, last_tick_)) begin_new_time_line();
-  last_tick_ = now;
+  if (begins_new_time_line(now, last_.at)) begin_new_time_line();
+  last_.at = now;
   ticked_ = true;
   // Sense.
   const GatedReading gated = device_gate_.step(given.reading, dt_s);
   const Indexed indexed = indexing_.step(gated.at, dt_s);
   const Point<HapticBase> device_at = in_patient_frame(gated.at);
-  const surface::TouchSample touch = touch_.step(camera_from_haptic_ * device_at, now, dt_s, controller_.touching());
+  const surface::TouchSample touch =
+      touch_.step(camera_.camera_from_haptic * device_at, now, dt_s, controller_.touching());
   anchor_lost_ = touch.in_body && (anchor_lost_ || !indexed.interacts);
   tracking::HandPrediction hand = hand_.predict(now);
   hand.at = in_patient_frame(hand.at);
@@ -89,16 +88,16 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
                                  .interacts = indexed.interacts,
                                  .recall = indexed.recall,
                                  .reindexed = indexed.moved,
-                                 .wait_at_m = wait_at_m_,
+                                 .wait_at_m = newest_hand_.wait_at_m,
                                  .attitude = attitude_gate_.step(given.reading, dt_s),
                                  .turning = attitude_gate_.turning(given.reading),
                                  .power = given.reading.power,
                                  .rearm = given.rearm};
-  last_touch_ = touch;
-  last_hand_ = hand;
+  last_.touch = touch;
+  last_.hand = hand;
   // Decide.
   const control::ControlOutput out = controller_.step(in, dt_s);
-  last_out_ = out;
+  last_.out = out;
   // Act: the caller applies the force.
   return {
       .force = out.force, .torque = out.torque, .contact = in.contact, .control = out, .sample = sample_of(in, out)};
@@ -106,7 +105,7 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
 
 Compensation HapticLoop::compensation() const noexcept {
   Compensation compensation =
-      compensation_of(last_hand_, in_patient_frame(newest_hand_), last_touch_, touch_.displaced(), last_out_);
+      compensation_of(last_.hand, in_patient_frame(newest_hand_.at), last_.touch, touch_.displaced(), last_.out);
   compensation.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
   compensation.device_jumps = device_gate_.jumps() + attitude_gate_.jumps();
   compensation.hand_jumps = hand_.refused();
@@ -131,28 +130,27 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.proxy = packed(in.contact.proxy.m);
   sample.normal = packed(in.contact.normal.v);
   sample.force = packed_towards_zero(out.force.N);
-  sample.displayed_hand_camera = packed((camera_from_haptic_ * out.displayed_hand).m);
-  if (const auto attitude = attitude_.predict(last_tick_))
-    sample.hand_attitude_camera = packed(camera_turn_ * *attitude);
-  sample.proxy_camera = packed((camera_from_haptic_ * in.contact.proxy).m);
-  sample.normal_camera = packed((camera_from_haptic_ * in.contact.normal).v);
-  sample.device_camera = packed((camera_from_haptic_ * in.device).m);
-  sample.force_camera = packed_towards_zero((camera_from_haptic_ * out.force).N);
+  sample.displayed_hand_camera = packed((camera_.camera_from_haptic * out.displayed_hand).m);
+  if (const auto attitude = attitude_.predict(last_.at)) sample.hand_attitude_camera = packed(camera_.turn * *attitude);
+  sample.proxy_camera = packed((camera_.camera_from_haptic * in.contact.proxy).m);
+  sample.normal_camera = packed((camera_.camera_from_haptic * in.contact.normal).v);
+  sample.device_camera = packed((camera_.camera_from_haptic * in.device).m);
+  sample.force_camera = packed_towards_zero((camera_.camera_from_haptic * out.force).N);
   sample.gives_torque = in.power.most_N_m > 0.0;
   sample.torque = packed_towards_zero(out.torque.N_m);
-  sample.torque_camera = packed_towards_zero(camera_from_haptic_.iso.linear() * out.torque.N_m);
-  if (in.attitude) sample.tool_attitude_camera = packed(camera_turn_ * *in.attitude);
+  sample.torque_camera = packed_towards_zero(camera_.camera_from_haptic.iso.linear() * out.torque.N_m);
+  if (in.attitude) sample.tool_attitude_camera = packed(camera_.turn * *in.attitude);
   sample.indentation_m = static_cast<float>(out.indentation.v.norm());
   sample.distance_m = static_cast<float>(in.contact.distance_m);
   sample.passivity_J = static_cast<float>(out.passivity_J);
   sample.hand_excess_J = static_cast<float>(out.hand_excess_J);
-  sample.unmodelled = static_cast<float>(last_touch_.unmodelled);
+  sample.unmodelled = static_cast<float>(last_.touch.unmodelled);
   sample.yields_in_s = static_cast<float>(out.yields_in_s);
   sample.device_age_s = static_cast<float>(in.device_age_s);
   sample.hand_age_s = static_cast<float>(in.hand_age_s);
   sample.surface_age_s = static_cast<float>(in.contact.age_s);
   sample.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
-  sample.hand_sampled_ns = to_nanoseconds(hand_sampled_);
+  sample.hand_sampled_ns = to_nanoseconds(newest_hand_.sampled);
   return sample;
 }
 

@@ -67,6 +67,26 @@ class HapticLoop {
   [[nodiscard]] ports::SurfaceContact contact_of(const surface::TouchSample& touch) const noexcept;
   [[nodiscard]] TickSample sample_of(const control::ControlInput& in, const control::ControlOutput& out) const noexcept;
 
+  /// The depth camera in the haptic base's frame, both ways.
+  struct CameraPlace {
+    Transform<HapticBase, DepthCamera> haptic_from_camera;
+    Transform<DepthCamera, HapticBase> camera_from_haptic;
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic`
+  };
+  /// The newest sample of the hand that the estimate used.
+  struct NewestHand {
+    Point<HapticBase> at;  ///< as measured, without prediction
+    SessionTime sampled{};
+    std::optional<double> wait_at_m;
+  };
+  /// What the last tick sensed and decided.
+  struct LastTick {
+    surface::TouchSample touch;
+    tracking::HandPrediction hand;
+    control::ControlOutput out;
+    SessionTime at{};
+  };
+
   DeviceGate device_gate_;
   AttitudeGate attitude_gate_;
   surface::Touch touch_;
@@ -78,19 +98,12 @@ class HapticLoop {
   /// True once workspace indexing has shifted the body in this contact. The motion of the anchor (the skin point from
   /// which indentation counts) is then ignored until the contact ends.
   bool anchor_lost_ = false;
-  Transform<HapticBase, DepthCamera> haptic_from_camera_;
-  Transform<DepthCamera, HapticBase> camera_from_haptic_;
-  Eigen::Quaterniond camera_turn_ = Eigen::Quaterniond::Identity();  ///< rotation of `camera_from_haptic_`
-  surface::TouchSample last_touch_;
-  tracking::HandPrediction last_hand_;
-  control::ControlOutput last_out_;
-  Point<HapticBase> newest_hand_;  // as measured, without prediction
+  CameraPlace camera_;
+  NewestHand newest_hand_;
+  LastTick last_;
   SessionTime surface_captured_{};
-  SessionTime hand_sampled_{};
-  SessionTime last_tick_{};
   bool has_surface_ = false;
   bool ticked_ = false;
-  std::optional<double> wait_at_m_;  ///< of the newest sample of the hand
 };
 
 }  // namespace telepalp::loop
