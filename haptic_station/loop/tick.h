@@ -15,6 +15,8 @@
 
 namespace telepalp::loop {
 
+inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz: paper S1 (docs/sources.md) II.D
+
 /// A surface and its place relative to the haptic device. The surface thread hands it to the haptic thread.
 struct TouchableSurface {
   std::shared_ptr<const surface::SurfaceSnapshot> snapshot;  // shared: the hand-off between the threads owns it, too

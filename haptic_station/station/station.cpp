@@ -75,8 +75,9 @@ Station::Station(boost::asio::io_context& io, StationSignals& signals, const Sta
                    }}),
       viewer_hand_(rig.browser),
       refusals_{std::move(rig.device_refusals), std::nullopt} {
-  if (rig.haptic_from_tracker) telemetry_.set_calibration(*rig.haptic_from_tracker);
-  telemetry_.set_software(program::software(kName));
+  core::Outbox::Facts& facts = telemetry_.outbox().facts();
+  if (rig.haptic_from_tracker) facts.haptic_from_tracker = core::motion_message(*rig.haptic_from_tracker);
+  facts.software = program::software(kName);
   start_surface_thread(surface);
 }
 
@@ -116,7 +117,7 @@ Result<void> Station::run() {
   }
   const msg::TimerCheck idle_timer = watch_idle_timer(kTimerWatched);
   say(in_words(idle_timer));
-  telemetry_.set_idle_timer(idle_timer);
+  telemetry_.outbox().facts().idle_timer = idle_timer;
   progress_.started = std::chrono::steady_clock::now();
   link_.start();
   if (options_.model) touch_model();
@@ -146,9 +147,9 @@ void Station::stop(const std::string& reason) {
   publish_totals();
   say("ending: " + reason);
   if (const std::string ages = images_.ages_in_words(); !ages.empty()) say(ages);
-  if (!progress_.costs.empty())
+  if (const std::vector<msg::EffectCost>& costs = telemetry_.outbox().facts().costs; !costs.empty())
     say("mean computing time of each effect in a tick with contact: " +
-        line_of(progress_.costs, std::chrono::duration<double, std::micro>(kTickPeriod).count()));
+        line_of(costs, std::chrono::duration<double, std::micro>(loop::kTickPeriod).count()));
   timers_.every_10_ms.cancel();
   timers_.every_second.cancel();
   faults_.stop();
@@ -190,7 +191,7 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
   if (const auto line = link_.line_of(state, detail)) say(*line);
   if (state == wire::LinkState::Refused && !options_.model)  // a model is touched without a server
     return give_up(link_.client().refusal());
-  link_.look_at_clock();
+  look_at_clock();
   if (HapticThread* haptic = core_.haptic()) haptic->set_clock_offset(link_.clock_offset());
   if (state == wire::LinkState::Connected) publish_inside();
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
@@ -220,7 +221,7 @@ void Station::on_camera_info(const wire::Message& message) {
 }
 
 void Station::on_depth(const wire::Message& message) {
-  telemetry_.frame_received();
+  telemetry_.outbox().frame_received();
   if (!seen_.camera) return;  // the camera's model comes within a second
   core_.surface().offer({.depth = message, .camera = *seen_.camera, .received = now()});
 }
@@ -244,10 +245,8 @@ void Station::on_viewer_hand(const wire::Message& message) {
 }
 
 void Station::on_surface(const msg::SurfaceReport& report) {
-  msg::SurfaceReport bounded = report;
-  bounded.set_clock_error_s(link_.clock_error_s());
-  link_.publish(wire::make_message(wire::kStationSurface, now(), bounded));
-  if (const auto fidelity = images_.add(bounded)) {
+  telemetry_.publish(telemetry_.outbox().surface(report, now()));
+  if (const auto fidelity = images_.add(report, link_.clock_error_s())) {
     say(fidelity->text);
     if (fidelity->is_warning) telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, fidelity->text);
   }
@@ -267,7 +266,7 @@ void Station::start_haptic_thread() {
   const Result<RealtimeGrant> granted =
       core_.start_haptic(options_.realtime, link_.clock_offset(), [this] { return now(); });
   if (!granted) return give_up(granted.error());
-  progress_.realtime_granted = granted->both();
+  telemetry_.outbox().facts().realtime = granted->both();
   progress_.ticking_since = std::chrono::steady_clock::now();
   const std::string realtime = in_words(*granted);
   say("the surface is touchable; the control loop runs at 2 kHz " + realtime);
@@ -276,27 +275,22 @@ void Station::start_haptic_thread() {
 }
 
 void Station::start_inside_view() {
-  const auto on_structures = [this](InnerSurfaces made) {
-    boost::asio::post(io_, [this, made = std::move(made)]() mutable {
-      for (const std::string& layer : made.left_out) say("the viewers do not draw the " + layer);
-      say("the inner surfaces for viewers are made");
-      inside_.set_structures(std::move(made.drawn));
-      publish_inside();
-    });
+  const auto on_structures = [this](const std::vector<std::string>& left_out) {
+    for (const std::string& layer : left_out) say("the viewers do not draw the " + layer);
+    say("the inner surfaces for viewers are made");
+    publish_inside();
   };
-  const auto on_image = [this](msg::UltrasoundImage image) {
-    boost::asio::post(io_, [this, image = std::move(image)] {
-      link_.publish(wire::make_message(wire::kStationUltrasound, now(), image));
-    });
+  const auto on_image = [this](const msg::UltrasoundImage& image) {
+    telemetry_.publish(core::Outbox::ultrasound(image, now()));
   };
-  inside_.start(scene_, {.on_structures = on_structures, .on_image = on_image});
+  inside_.start(io_, scene_, {.now = [this] { return now(); }, .on_structures = on_structures, .on_image = on_image});
   publish_inside();
 }
 
 void Station::publish_inside() {
   if (!seen_.haptic_from_camera) return;
   if (const auto structures = inside_.structures(now(), *seen_.haptic_from_camera))
-    link_.publish(wire::make_message(wire::kStationInside, now(), *structures));
+    telemetry_.publish(core::Outbox::inside(*structures, now()));
 }
 
 void Station::every_10_ms() {
@@ -323,12 +317,12 @@ void Station::every_10_ms() {
 }
 
 void Station::serve_haptic_thread(HapticThread& haptic) {
-  if (telemetry_.has_ticked() && seen_.haptic_from_camera) inside_.look(telemetry_.last(), *seen_.haptic_from_camera);
+  if (const auto& tick = telemetry_.outbox().last(); tick && seen_.haptic_from_camera)
+    inside_.look(now(), *tick, *seen_.haptic_from_camera);
   if (haptic.compensation().take()) {
-    inside_.set_objects(haptic.compensation().current().objects);
-    msg::StationCompensation compensation = compensation_message(haptic.compensation().current());
-    compensation.set_clock_error_s(link_.clock_error_s());
-    link_.publish(wire::make_message(wire::kStationCompensation, now(), compensation));
+    const loop::Compensation& compensation = haptic.compensation().current();
+    inside_.set_objects(compensation.objects);
+    telemetry_.publish(telemetry_.outbox().compensation(compensation, now()));
   }
   haptic.set_clock_offset(link_.clock_offset());
 }
@@ -343,8 +337,13 @@ void Station::say_device_refusals() {
   say(to_string(*refused));
 }
 
-void Station::every_second() {
+void Station::look_at_clock() {
   link_.look_at_clock();
+  telemetry_.outbox().facts().clock_error_s = link_.clock_error_s();
+}
+
+void Station::every_second() {
+  look_at_clock();
   say_device_refusals();
   publish_totals();
   const auto waited = std::chrono::steady_clock::now() - progress_.started;
@@ -360,9 +359,9 @@ void Station::every_second() {
 void Station::publish_totals() {
   HapticThread* const haptic = core_.haptic();
   if (haptic == nullptr) return;
-  if (haptic->bill().take()) progress_.costs = costs_of(haptic->bill().current(), cycles_per_us());
-  telemetry_.publish_totals(now(), link_.clock_error_s(), haptic->counts(), core_.surface().dropped(),
-                            progress_.realtime_granted, progress_.costs);
+  core::Outbox& outbox = telemetry_.outbox();
+  if (haptic->bill().take()) outbox.facts().costs = costs_of(haptic->bill().current(), cycles_per_us());
+  telemetry_.publish(outbox.totals(counts_of(haptic->counts(), core_.surface().dropped()), now()));
 }
 
 }  // namespace telepalp::station

@@ -73,8 +73,6 @@ class Station {
   struct Progress {
     std::chrono::steady_clock::time_point started;
     std::chrono::steady_clock::time_point ticking_since;
-    std::vector<msg::EffectCost> costs;  ///< of each effect in a tick
-    bool realtime_granted = false;       ///< both real-time priority and locked memory
     bool stopped = false;
     std::optional<Error> failure;
   };
@@ -104,6 +102,7 @@ class Station {
   void every_second();
   void serve_haptic_thread(HapticThread& haptic);
   void say_device_refusals();
+  void look_at_clock();
   void publish_totals();
   void look_at_signals();
   void stop(const std::string& reason);

@@ -42,8 +42,9 @@ const std::vector<Rule> kRules{
      {"proto", "support", "messages", "haptic_station/ports", "haptic_station/device", "haptic_station/tracking"}},
     {"haptic_station/loop", {"proto/words", "haptic_station"}},
     {"haptic_station/core",
-     {"proto/words", "proto/wire", "codec", "messages", "haptic_station/effects", "haptic_station/surface",
-      "haptic_station/loop", "haptic_station/core"}},
+     {"proto/words", "proto/wire", "codec", "messages", "haptic_station/control", "haptic_station/effects",
+      "haptic_station/loop", "haptic_station/solids", "haptic_station/surface", "haptic_station/ultrasound",
+      "haptic_station/core"}},
     {"haptic_station", {"proto", "support", "codec", "haptic_station", "messages", "foxglove"}},
     {"clients", {"proto", "support", "codec", "clients", "messages", "foxglove"}},
     // It reads recordings as the server does, and it needs no camera.

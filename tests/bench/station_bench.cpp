@@ -32,7 +32,7 @@ void idle_turn(Jitter& jitter) {
   std::thread idle([&jitter] {
     const Result<station::RealtimeGrant> granted = station::enter_realtime(station::Realtime::Prefer);
     jitter.realtime = granted && granted->both();
-    station::TickTimer timer(Clock::now() + station::kTickPeriod, station::kTickPeriod);
+    station::TickTimer timer(Clock::now() + loop::kTickPeriod, loop::kTickPeriod);
     for (const auto end = Clock::now() + kTurn; Clock::now() < end;) {
       const station::TickTimer::Tick tick = timer.wait();
       jitter.late_us.add(std::chrono::duration<double, std::micro>(tick.late).count());

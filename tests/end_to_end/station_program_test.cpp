@@ -213,6 +213,32 @@ TEST_F(StationProgram, EndsWellAtCtrlCBeforeAnythingIsConnected) {
   EXPECT_EQ(station.wait(10s), 0);
 }
 
+/// Eight layers of 24 rings each: their surfaces for viewers take some seconds, more on a loaded machine.
+TEST_F(StationProgram, EndsAtOnceAtCtrlCWhileTheLayersSurfacesAreMade) {
+  std::string ribs = "torusz 0.1 0.008 ";
+  for (int i = 1; i < 24; ++i) ribs = "+ tr 0 0 " + std::to_string(0.02 * i) + " torusz 0.1 0.008 " + ribs;
+  std::string scene =
+      "name: \"heavy\" purpose: \"end while it is made\" patient_surface { streamed {} }\n"
+      "haptic_from_camera { translation_m { y: 0.8 } rotation_vector_rad { x: 1.5707963 } }\n"
+      "center_on_surface: true\n"
+      "haptic_from_tracker { translation_m { y: 0.25 } rotation_vector_rad { x: 3.1415926 } }\n";
+  for (int i = 0; i < 8; ++i)
+    scene += "effects { solid { name: \"ribs " + std::to_string(i) +
+             "\" stiffness_N_per_m: 20 polish: \"tr 0 -0.15 0 " + ribs + "\" } }\n";
+  const fs::path file = folder_.path() / "heavy.scene.textproto";
+  std::ofstream(file) << scene;
+  const std::string port = start_server("0");
+  ChildProcess station(kPrograms / "telepalp-station",
+                       {"--connect", "127.0.0.1:" + port, "--scene", file.string(), "--control", "none"}, log());
+  ASSERT_TRUE(hears(log(), "control loop runs at 2 kHz")) << text_of(log());
+  const auto asked = std::chrono::steady_clock::now();
+  station.signal(SIGINT);
+  EXPECT_EQ(station.wait(10s), 0) << text_of(log());
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, 2s) << text_of(log());
+  EXPECT_EQ(text_of(log()).find("inner surfaces for viewers are made"), std::string::npos)
+      << "they were made before the signal, so that this test says nothing";
+}
+
 TEST_F(StationProgram, EndsWhenNoServerAnswersForAsLongAsItIsAskedToWait) {
   EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--seconds", "1", "--patience", "0.5"}), 1) << text_of(log());
   EXPECT_NE(text_of(log()).find("error: 127.0.0.1:9: does not answer. fix: start telepalp-server"), std::string::npos)

@@ -20,7 +20,7 @@ std::string steps_table(const SceneBill& bill) {
   print(text, "%-22s %10s %10s %14s\n", "part of the station", "p50, us", "p99.9, us", "% of a core");
   for (std::size_t i = 0; i < kPartCount; ++i) {
     const auto part = static_cast<Part>(i);
-    const DurationHistogram& steps = bill.live.steps[i];
+    const core::DurationHistogram& steps = bill.live.steps[i];
     if (steps.total() == 0) continue;
     print(text, "%-22s %10.1f %10.1f %14.2f\n", kSteps[i], 1e-3 * steps.quantile_ns(0.5),
           1e-3 * steps.quantile_ns(0.999), bill.live.share(part));

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "haptic_station/station/bill/thread_time.h"
+#include "haptic_station/station/rigs/inner_layers.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
 
@@ -12,10 +13,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kArrives = 20ms;     // from an image's exposure to its arrival at the station
-constexpr auto kServed = 10ms;      // period of the network thread's work
-constexpr auto kTotals = 1s;        // period of /station/stats
-constexpr auto kUltrasound = 40ms;  // period of the ultrasound image
+constexpr auto kArrives = 20ms;  // from an image's exposure to its arrival at the station
+constexpr auto kServed = 10ms;   // period of the network thread's work
+constexpr auto kTotals = 1s;     // period of /station/stats
 constexpr std::size_t kFirstImages = 1;
 
 double us_since(std::int64_t before) noexcept {
@@ -46,60 +46,46 @@ BilledStation::BilledStation(const scenes::Scene& scene, const SceneParts& parts
       haptic_(loop_, *rig_, surfaces_, *ticks_, device_to_surface_),
       telemetry_(
           *ticks_, [this](const wire::Message& message) { publish(message); }, [](const loop::TickSample&) {}) {
+  telemetry_.outbox().facts().clock_error_s = 0.0;
   if (parts.model) {
     haptic_from_camera_ = parts.model->haptic_from_model;
     surfaces_.put({parts.model->snapshot, parts.model->haptic_from_model});
   } else {
-    start_surface_thread(parts);
+    start_surface_stage(parts);
   }
-  start_inside_thread();
+  start_inside_stages();
 }
 
-/// Ends the threads before the members that they use are destroyed.
-BilledStation::~BilledStation() {
-  inside_.reset();
-  worker_.reset();
-}
-
-void BilledStation::start_surface_thread(const SceneParts& parts) {
+void BilledStation::start_surface_stage(const SceneParts& parts) {
   if (!surface::runs_in_tick(parts.surface)) collision_.emplace();
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     return haptic_from_camera_ = placed(scene_, depth, camera);
   };
-  const auto answer = [this] {
-    surface_spent_ns_ = thread_ns();
-    answered_.release();
-  };
-  worker_.emplace(parts.surface, placement,
-                  SurfaceWorker::Handlers{.now = [this] { return now_ + Nanoseconds{thread_ns() - surface_spent_ns_}; },
-                                          .on_report =
-                                              [this, answer](const msg::SurfaceReport& report) {
-                                                answer_ = wire::make_message(wire::kStationSurface, now_, report);
-                                                answer();
-                                              },
-                                          .on_bad_frame = [answer](const Error&) { answer(); },
-                                          .request_key_frame = [](const wire::Message&) {}},
-                  collision_ ? slow_surfaces_ : surfaces_, device_to_surface_, scene_.effects);
+  surface_stage_.emplace(parts.surface, placement, scene_.effects);
 }
 
-void BilledStation::start_inside_thread() {
+void BilledStation::start_inside_stages() {
+  if (const auto settings = image_settings(scene_)) ultrasound_.emplace(inner_layers(scene_), *settings);
+  core::InnerSurfacesStage surfaces(inner_layers(scene_));
+  core::VirtualDriver<core::InnerSurfacesStage> driver;
+  double spent_us = 0.0;
+  if (auto made = run_stage(driver, surfaces, spent_us)) surfaces.hand_over(std::move(*made), now_);
+  start_ms_ = 1e-3 * spent_us;
   if (scene_.layers.empty() && !scene_.probe) return;
-  inside_.emplace(scene_,
-                  InsideThread::Handlers{.on_structures =
-                                             [this](const InnerSurfaces& made) {
-                                               inside_spent_ns_ = thread_ns();
-                                               answer_ = wire::make_message(wire::kStationInside, now_, made.drawn);
-                                               answered_.release();
-                                             },
-                                         .on_image =
-                                             [this](const msg::UltrasoundImage& image) {
-                                               inside_spent_ns_ = thread_ns();
-                                               answer_ = wire::make_message(wire::kStationUltrasound, now_, image);
-                                               answered_.release();
-                                             }});
-  answered_.acquire();
-  start_ms_ = 1e-6 * static_cast<double>(inside_spent_ns_);
-  publish(*answer_);
+  publish(core::Outbox::inside(*surfaces.placed(now_, scene_.haptic_from_camera), now_));
+}
+
+/// Runs a stage now, adds its processor time to `spent_us`, and returns its result at once. The stage is told its
+/// processor time, by which it may choose a cheaper setting.
+template <class Stage, class... Inputs>
+std::optional<typename Stage::Result> BilledStation::run_stage(core::VirtualDriver<Stage>& driver, Stage& stage,
+                                                               double& spent_us, Inputs&&... inputs) {
+  const std::int64_t before = thread_ns();
+  driver.begin(
+      now_, stage, [before](core::StageStep) { return Nanoseconds{thread_ns() - before}; },
+      std::forward<Inputs>(inputs)...);
+  spent_us += us_since(before);
+  return driver.finished(SessionTime::max());
 }
 
 void BilledStation::publish(const wire::Message& message) {
@@ -108,29 +94,46 @@ void BilledStation::publish(const wire::Message& message) {
   topic.bytes += message.payload->size();
 }
 
-/// Hands the next image to the surface thread and waits for its surface.
 void BilledStation::see(StationCost& cost) {
-  const std::int64_t before = surface_spent_ns_;
-  const std::int64_t mine = thread_ns();
-  telemetry_.frame_received();
-  answer_.reset();
-  worker_->offer({.depth = stream_.images[next_image_], .camera = stream_.camera, .received = now_});
-  answered_.acquire();
-  if (answer_) publish(*answer_);
-  cost.add(Part::Surface, 1e-3 * static_cast<double>(surface_spent_ns_ - before));
-  cost.add(Part::Messages, us_since(mine));
-  ++next_image_;
+  const std::int64_t before = thread_ns();
+  telemetry_.outbox().frame_received();
+  const wire::Message& image = stream_.images[next_image_++];
+  if (surface_stage_->admit(image.payload->size()))
+    surface_stage_->arrived({.depth = image, .camera = stream_.camera, .received = now_});
+  device_known_ |= device_to_surface_.take();
+  const auto device = device_known_ ? std::optional(device_to_surface_.current()) : std::nullopt;
+  double spent_us = 0.0;
+  const auto made = run_stage(surface_driver_, *surface_stage_, spent_us, device);
+  if (made->surface) {
+    publish(telemetry_.outbox().surface(made->report, now_));
+    if (collision_)
+      to_collision_ = made->surface;
+    else
+      surfaces_.put(*made->surface);
+  }
+  cost.add(Part::Surface, spent_us);
+  cost.add(Part::Messages, std::max(0.0, us_since(before) - spent_us));
+}
+
+void BilledStation::detect(StationCost& cost) {
+  double spent_us = 0.0;
+  (void)haptic_.device().take();
+  const auto found = run_stage(collision_driver_, *collision_, spent_us, std::exchange(to_collision_, std::nullopt),
+                               haptic_.device().current());
+  if (found->plane) surfaces_.put(*found->plane);
+  cost.add(Part::Collision, spent_us);
 }
 
 void BilledStation::look_inside(StationCost& cost) {
-  const std::int64_t before = inside_spent_ns_;
-  const std::int64_t mine = thread_ns();
-  inside_->offer({telemetry_.last(), *haptic_from_camera_, objects_});
-  answered_.acquire();
-  publish(*answer_);
-  cost.add(Part::Inside, 1e-3 * static_cast<double>(inside_spent_ns_ - before));
-  cost.add(Part::Messages, us_since(mine));
-  next_ultrasound_ = now_ + kUltrasound;
+  const std::int64_t before = thread_ns();
+  double spent_us = 0.0;
+  auto made = run_stage(ultrasound_driver_, *ultrasound_, spent_us,
+                        core::UltrasoundStage::View{*telemetry_.outbox().last(), *haptic_from_camera_, objects_});
+  if (!made) return;
+  if (const auto image = core::UltrasoundStage::hand_over(std::move(*made), now_))
+    publish(core::Outbox::ultrasound(*image, now_));
+  cost.add(Part::Inside, spent_us);
+  cost.add(Part::Messages, std::max(0.0, us_since(before) - spent_us));
 }
 
 /// What the network thread does every 10 ms.
@@ -139,14 +142,17 @@ void BilledStation::serve(StationCost& cost) {
   telemetry_.drain(now_);
   if (haptic_.compensation().take()) {
     objects_ = haptic_.compensation().current().objects;
-    publish(
-        wire::make_message(wire::kStationCompensation, now_, compensation_message(haptic_.compensation().current())));
+    publish(telemetry_.outbox().compensation(haptic_.compensation().current(), now_));
   }
-  if ((now_ - BodyStream::kBegin) % kTotals == 0s)
-    telemetry_.publish_totals(
-        now_, 0.0, haptic_.counts(), 0, false,
-        haptic_.bill().take() ? costs_of(haptic_.bill().current(), cycles_per_us()) : std::vector<msg::EffectCost>{});
+  if ((now_ - BodyStream::kBegin) % kTotals == 0s) publish_totals();
   cost.add(Part::Messages, us_since(before));
+}
+
+void BilledStation::publish_totals() {
+  core::Outbox& outbox = telemetry_.outbox();
+  outbox.facts().costs.clear();
+  if (haptic_.bill().take()) outbox.facts().costs = costs_of(haptic_.bill().current(), cycles_per_us());
+  publish(outbox.totals(counts_of(haptic_.counts(), 0), now_));
 }
 
 void BilledStation::tick(StationCost& cost, TickTimer* pace) {
@@ -157,20 +163,18 @@ void BilledStation::tick(StationCost& cost, TickTimer* pace) {
 }
 
 void BilledStation::run(double seconds, StationCost& cost, TickTimer* pace) {
-  const auto end = ticked_ + static_cast<std::uint64_t>(seconds / to_seconds(kTickPeriod));
-  for (; ticked_ < end; ++ticked_, now_ += kTickPeriod) {
-    if (worker_ && next_image_ < stream_.images.size() && stream_.images[next_image_].published + kArrives <= now_)
+  const auto end = ticked_ + static_cast<std::uint64_t>(seconds / to_seconds(loop::kTickPeriod));
+  for (; ticked_ < end; ++ticked_, now_ += loop::kTickPeriod) {
+    if (surface_stage_ && next_image_ < stream_.images.size() &&
+        stream_.images[next_image_].published + kArrives <= now_)
       see(cost);
-    if (worker_ && next_image_ < kFirstImages) continue;  // as the station, which ticks from the first surface on
+    if (surface_stage_ && next_image_ < kFirstImages)
+      continue;  // as the station, which ticks from the first surface on
     const bool served = (now_ - BodyStream::kBegin) % kServed == 0s;
-    if (collision_ && served) {
-      const std::int64_t before = thread_ns();
-      collision_->detect(slow_surfaces_, haptic_.device(), surfaces_, [this] { return now_; });
-      cost.add(Part::Collision, us_since(before));
-    }
+    if (collision_ && served) detect(cost);
     tick(cost, pace);
     if (served) serve(cost);
-    if (inside_ && inside_->has_probe() && telemetry_.has_ticked() && now_ >= next_ultrasound_) look_inside(cost);
+    if (ultrasound_ && served && telemetry_.outbox().last()) look_inside(cost);
   }
   cost.seconds += seconds;
 }

@@ -5,17 +5,17 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <semaphore>
 #include <string>
 
+#include "haptic_station/core/collision_stage.h"
+#include "haptic_station/core/inside/inner_surfaces_stage.h"
+#include "haptic_station/core/inside/ultrasound_stage.h"
+#include "haptic_station/core/surface_stage.h"
+#include "haptic_station/core/virtual_driver.h"
 #include "haptic_station/station/bill/body_stream.h"
-#include "haptic_station/station/inside/inside_thread.h"
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
-#include "haptic_station/station/threads/collision_thread.h"
 #include "haptic_station/station/threads/haptic_thread.h"
-#include "haptic_station/station/threads/histogram.h"
-#include "haptic_station/station/threads/surface_worker.h"
 
 namespace telepalp::station {
 
@@ -32,7 +32,7 @@ inline constexpr std::size_t kPartCount = 5;
 /// Processor time of each part [us], and the messages published, over some session time.
 struct StationCost {
   std::array<double, kPartCount> spent_us{};
-  std::array<DurationHistogram, kPartCount> steps{};
+  std::array<core::DurationHistogram, kPartCount> steps{};
   double seconds = 0.0;
 
   void add(Part part, double us) noexcept;
@@ -48,15 +48,15 @@ struct Published {
   friend bool operator==(const Published&, const Published&) = default;
 };
 
-/// A station in virtual time: its own haptic thread's tick, surface worker, inside thread, collision detection and
-/// telemetry, over the stream of a SeenBody and with the scene's simulated hand. Each part's processor time is that of
-/// the thread on which it runs. Sockets and encryption are left out (receiving.h). The parts run one
-/// after the other, so that a run's forces, surfaces and messages do not depend on the computer's speed.
+/// A station in virtual time: its own haptic thread's tick, the stages of its core and their messages, over the stream
+/// of a SeenBody and with the scene's simulated hand. All parts run on the caller's thread, whose processor time is
+/// measured; sockets and encryption are left out (receiving.h). The session time stands still while a stage runs, and
+/// its result is handed over at once, so that a run's forces, surfaces and messages do not depend on the computer's
+/// speed.
 class BilledStation {
  public:
-  /// Blocks until the inside thread has made the surfaces of the scene's layers. `stream` must outlive this object.
+  /// Makes the surfaces of the scene's layers. `stream` must outlive this object.
   BilledStation(const scenes::Scene& scene, const SceneParts& parts, const BodyStream& stream);
-  ~BilledStation();
   BilledStation(const BilledStation&) = delete;
   BilledStation& operator=(const BilledStation&) = delete;
 
@@ -72,17 +72,21 @@ class BilledStation {
   [[nodiscard]] const std::map<std::string, Published>& published() const noexcept { return published_; }
 
  private:
-  void start_surface_thread(const SceneParts& parts);
-  void start_inside_thread();
+  void start_surface_stage(const SceneParts& parts);
+  void start_inside_stages();
+  template <class Stage, class... Inputs>
+  std::optional<typename Stage::Result> run_stage(core::VirtualDriver<Stage>& driver, Stage& stage, double& spent_us,
+                                                  Inputs&&... inputs);
   void see(StationCost& cost);
+  void detect(StationCost& cost);
   void look_inside(StationCost& cost);
   void serve(StationCost& cost);
+  void publish_totals();
   void tick(StationCost& cost, TickTimer* pace);
   void publish(const wire::Message& message);
 
   scenes::Scene scene_;
   const BodyStream& stream_;
-  LatestValue<loop::TouchableSurface> slow_surfaces_;
   LatestValue<loop::TouchableSurface> surfaces_;
   LatestValue<Point<HapticBase>> device_to_surface_;
   std::unique_ptr<TickRing> ticks_ = std::make_unique<TickRing>();
@@ -90,23 +94,21 @@ class BilledStation {
   std::unique_ptr<ports::Rig> rig_;
   HapticThread haptic_;  // never started: its ticks run on the caller's thread
   TelemetryPublisher telemetry_;
-  std::optional<CollisionDetection> collision_;  // nullopt: the surface is evaluated in the tick
+  std::optional<core::SurfaceStage> surface_stage_;  // nullopt: the scene's patient is a model
+  core::VirtualDriver<core::SurfaceStage> surface_driver_;
+  std::optional<core::CollisionStage> collision_;  // nullopt: the surface is evaluated in the tick
+  core::VirtualDriver<core::CollisionStage> collision_driver_;
+  std::optional<loop::TouchableSurface> to_collision_;  // a surface that the collision stage has not got
+  std::optional<core::UltrasoundStage> ultrasound_;     // nullopt: the hand holds no probe
+  core::VirtualDriver<core::UltrasoundStage> ultrasound_driver_;
   std::optional<Transform<HapticBase, DepthCamera>> haptic_from_camera_;
   std::map<std::string, Published> published_;
   loop::ObjectPlacements objects_{};
   SessionTime now_ = BodyStream::kBegin;
   std::uint64_t ticked_ = 0;
   std::size_t next_image_ = 0;
-  SessionTime next_ultrasound_{};
   double start_ms_ = 0.0;
-
-  // Written by the worker's and the inside thread, and read after `answered_` was acquired.
-  std::binary_semaphore answered_{0};
-  std::int64_t surface_spent_ns_ = 0;
-  std::int64_t inside_spent_ns_ = 0;
-  std::optional<wire::Message> answer_;
-  std::optional<InsideThread> inside_;
-  std::optional<SurfaceWorker> worker_;
+  bool device_known_ = false;  // there was a tick
 };
 
 }  // namespace telepalp::station

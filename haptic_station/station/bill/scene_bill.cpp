@@ -140,7 +140,7 @@ void run_in_turn(std::vector<Session>& sessions, double seconds, const std::func
 
 /// Runs one session as live: each tick and each image at its own time.
 void run_live(Session& session, double seconds, const std::function<void(double done_s)>& begun) {
-  TickTimer timer(TickTimer::Clock::now() + kTickPeriod, kTickPeriod);
+  TickTimer timer(TickTimer::Clock::now() + loop::kTickPeriod, loop::kTickPeriod);
   in_turns(seconds, begun, [&](bool is_measured) {
     StationCost warm_up;
     session.station->run(kTurn_s, is_measured ? session.cost : warm_up, &timer);

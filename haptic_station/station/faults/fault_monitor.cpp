@@ -47,7 +47,7 @@ void FaultMonitor::look(bool ending) {
     const std::string cause = control::name(static_cast<control::FaultCause>(fault->fault));
     say("fault: " + cause + "; the station gives no force until an operator re-arms it. fix: remove the cause, then " +
         how_to_rearm());
-    telemetry_.publish_event(handlers_.now(), msg::EVENT_KIND_FAULT, cause);
+    telemetry_.publish(core::Outbox::fault(*fault, handlers_.now()));
   }
   say_when_written(ending);
   if (flight_recorder_.valid()) return;  // the disk is slow: the next call of look() starts the next file

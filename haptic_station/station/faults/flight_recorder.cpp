@@ -5,9 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "haptic_station/control/phases/phase.h"
-#include "haptic_station/station/telemetry/telemetry.h"
-#include "haptic_station/station/threads/haptic_thread.h"
+#include "haptic_station/core/outbox/tick_messages.h"
 #include "proto/wire/mcap/writer.h"
 #include "proto/words/demand.h"
 #include "support/program/files/whole_file.h"
@@ -18,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kPeriod_ns = std::chrono::nanoseconds(kTickPeriod).count();
 constexpr std::size_t kTicksPerState = 20;  // 100 Hz
 
 /// The time in seconds is unique: only an operator re-arms, so there is at most one fault a second.
@@ -31,30 +28,21 @@ std::string name_of_now() {
   return text;
 }
 
-msg::StationEvent fault_event(const loop::TickSample& at) {
-  msg::StationEvent event;
-  event.set_stamp_ns(static_cast<std::uint64_t>(at.stamp_ns));
-  event.set_surface_captured_ns(static_cast<std::uint64_t>(at.surface_captured_ns));
-  event.set_kind(msg::EVENT_KIND_FAULT);
-  event.set_text(control::name(static_cast<control::FaultCause>(at.fault)));
-  return event;
-}
-
 /// Writes one tenth of a second: its ticks, states and events. `phase` carries the last phase from batch to batch.
 Result<void> write_batch(wire::McapWriter& file, const std::vector<loop::TickSample>& batch, std::uint8_t& phase) {
   const auto put = [&](const wire::Topic& topic, const loop::TickSample& at, const auto& message) {
     return file.write(wire::make_message(topic, session_time(at.stamp_ns), message));
   };
-  if (auto done = put(wire::kStationTicks, batch.front(), ticks_message(batch, kPeriod_ns)); !done) return done;
+  if (auto done = put(wire::kStationTicks, batch.front(), core::ticks_message(batch)); !done) return done;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const loop::TickSample& sample = batch[i];
     if (i % kTicksPerState == 0)
-      if (auto done = put(wire::kStationState, sample, state_message(sample)); !done) return done;
+      if (auto done = put(wire::kStationState, sample, core::state_message(sample)); !done) return done;
     if (sample.phase == phase) continue;
-    if (auto done = put(wire::kStationEvents, sample, phase_event(sample, phase)); !done) return done;
+    if (auto done = put(wire::kStationEvents, sample, core::phase_event(sample, phase)); !done) return done;
     phase = sample.phase;
     if (phase != msg::PHASE_FAULTED) continue;
-    if (auto done = put(wire::kStationEvents, sample, fault_event(sample)); !done) return done;
+    if (auto done = put(wire::kStationEvents, sample, core::fault_event(sample)); !done) return done;
   }
   return {};
 }

@@ -7,8 +7,8 @@
 
 namespace telepalp::station {
 
-std::optional<ImageLog::Fidelity> ImageLog::add(const msg::SurfaceReport& report) {
-  ages_.add(report);
+std::optional<ImageLog::Fidelity> ImageLog::add(const msg::SurfaceReport& report, double clock_error_s) {
+  ages_.add(report, clock_error_s);
   const wire::DepthFidelity fidelity = wire::depth_fidelity(report);
   const std::string words = wire::in_words(fidelity);
   if (std::exchange(depth_, words) == words) return std::nullopt;

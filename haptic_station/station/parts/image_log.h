@@ -18,9 +18,10 @@ class ImageLog {
     bool is_warning = false;
   };
 
-  /// Adds an image that became touchable. Returns words when the fidelity of depth has changed: near-lossless depth
-  /// differs from the measurement, so the log states its error bound.
-  [[nodiscard]] std::optional<Fidelity> add(const msg::SurfaceReport& report);
+  /// Adds an image that became touchable. `clock_error_s`: bound on the error of the session clock. Returns words when
+  /// the fidelity of depth has changed: near-lossless depth differs from the measurement, so the log states its error
+  /// bound.
+  [[nodiscard]] std::optional<Fidelity> add(const msg::SurfaceReport& report, double clock_error_s);
   [[nodiscard]] DroppedMessages& dropped() noexcept { return dropped_; }
   [[nodiscard]] std::string ages_in_words() const { return ages_.in_words(); }
 

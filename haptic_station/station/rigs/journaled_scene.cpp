@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-#include "haptic_station/station/telemetry/telemetry_publisher.h"
+#include "haptic_station/loop/tick.h"
 #include "support/program/version.h"
 
 namespace telepalp::station {
@@ -36,7 +36,7 @@ msg::JournalHeader journal_header(const scenes::Scene& scene, const std::filesys
       header.add_haptic_from_camera(scene.haptic_from_camera.iso(row, column));
   header.set_center_on_surface(scene.center_on_surface);
   header.set_surface_setting(surface.name);
-  header.set_tick_period_ns(std::chrono::nanoseconds(kTickPeriod).count());
+  header.set_tick_period_ns(std::chrono::nanoseconds(loop::kTickPeriod).count());
   return header;
 }
 

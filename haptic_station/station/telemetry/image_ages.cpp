@@ -17,10 +17,10 @@ std::string in_ms(double seconds) {
 
 }  // namespace
 
-void ImageAges::add(const msg::SurfaceReport& report) {
+void ImageAges::add(const msg::SurfaceReport& report, double clock_error_s) {
   const auto age_ns = static_cast<std::int64_t>(report.touchable_ns() - report.captured_ns());
   ages_.add(static_cast<std::uint64_t>(std::max<std::int64_t>(0, age_ns)));  // below 0: within the clock's error
-  clock_error_s_ = std::max(clock_error_s_, report.clock_error_s());
+  clock_error_s_ = std::max(clock_error_s_, clock_error_s);
 }
 
 std::string ImageAges::in_words() const {

@@ -7,6 +7,7 @@
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
+
 CollisionThread::CollisionThread(LatestValue<loop::TouchableSurface>& from_surface,
                                  LatestValue<Point<HapticBase>>& device, LatestValue<loop::TouchableSurface>& to_haptic,
                                  std::function<SessionTime()> now, JournalThread* journal)
@@ -26,20 +27,18 @@ void CollisionThread::run() {
   TickTimer timer(TickTimer::Clock::now() + core::CollisionStage::kPeriod, core::CollisionStage::kPeriod);
   while (running_) {
     (void)timer.wait();
-    detection_.detect(from_surface_, device_, to_haptic_, now_, journal_);
+    detect();
   }
 }
 
-void CollisionDetection::detect(LatestValue<loop::TouchableSurface>& from_surface,
-                                LatestValue<Point<HapticBase>>& device, LatestValue<loop::TouchableSurface>& to_haptic,
-                                const std::function<SessionTime()>& now, JournalThread* journal) {
+void CollisionThread::detect() {
   std::optional<loop::TouchableSurface> newer;
-  if (from_surface.take()) newer = from_surface.current();
-  (void)device.take();
-  const auto job = stage_.take(now(), std::move(newer), device.current());
-  const core::CollisionStage::Result result = stage_.run(*job, [&](core::StageStep) { return now(); });
-  if (journal != nullptr) journal->add(message_of(*job, result));  // before a tick can adopt the plane
-  if (result.plane) to_haptic.put(*result.plane);
+  if (from_surface_.take()) newer = from_surface_.current();
+  (void)device_.take();
+  const auto job = stage_.take(now_(), std::move(newer), device_.current());
+  const core::CollisionStage::Result result = stage_.run(*job, [this](core::StageStep) { return now_(); });
+  if (journal_ != nullptr) journal_->add(message_of(*job, result));  // before a tick can adopt the plane
+  if (result.plane) to_haptic_.put(*result.plane);
 }
 
 }  // namespace telepalp::station

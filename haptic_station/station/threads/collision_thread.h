@@ -11,19 +11,6 @@ namespace telepalp::station {
 
 class JournalThread;
 
-/// Drives the collision stage by the hand-offs of the threads. Owner: one thread, or one run in virtual time.
-class CollisionDetection {
- public:
-  /// One step at `now`, 10 ms after the last: takes the newest surface and device position, and hands on the plane.
-  /// `journal`: keeps the run; nullptr: none.
-  void detect(LatestValue<loop::TouchableSurface>& from_surface, LatestValue<Point<HapticBase>>& device,
-              LatestValue<loop::TouchableSurface>& to_haptic, const std::function<SessionTime()>& now,
-              JournalThread* journal = nullptr);
-
- private:
-  core::CollisionStage stage_;
-};
-
 /// The collision thread: runs the collision stage 100 times a second, and hands its planes to the haptic thread.
 class CollisionThread {
  public:
@@ -36,13 +23,14 @@ class CollisionThread {
 
  private:
   void run();
+  void detect();
 
   LatestValue<loop::TouchableSurface>& from_surface_;  // written by: surface thread
   LatestValue<Point<HapticBase>>& device_;             // written by: haptic thread
   LatestValue<loop::TouchableSurface>& to_haptic_;     // read by: haptic thread
   std::function<SessionTime()> now_;
-  JournalThread* journal_;        // nullptr: no journal is written
-  CollisionDetection detection_;  // owner: this thread
+  JournalThread* journal_;      // nullptr: no journal is written
+  core::CollisionStage stage_;  // owner: this thread
   std::atomic<bool> running_{true};
   std::thread thread_;
 };

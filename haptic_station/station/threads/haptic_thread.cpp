@@ -13,7 +13,7 @@ namespace {
 
 using Clock = TickTimer::Clock;
 
-constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
+constexpr double kTick_s = std::chrono::duration<double>(loop::kTickPeriod).count();
 constexpr std::uint64_t kTicksPerBill = 2000;
 constexpr std::uint64_t kTicksPerCompensation = 20;  // 100 Hz
 constexpr int kTicksOfGreeting = 2000;
@@ -54,7 +54,7 @@ void HapticThread::greet_device(TickTimer& timer) noexcept {
 }
 
 void HapticThread::run() noexcept {
-  TickTimer timer(Clock::now() + kTickPeriod, kTickPeriod);
+  TickTimer timer(Clock::now() + loop::kTickPeriod, loop::kTickPeriod);
   greet_device(timer);
   while (running_.load(std::memory_order_relaxed)) {
     const TickTimer::Tick due = timer.wait();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <thread>
 
+#include "haptic_station/core/outbox/outbox.h"
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/ports/rig.h"
 #include "haptic_station/station/threads/bill.h"
@@ -19,13 +20,18 @@ class JournalThread;
 /// Ring of ticks from the haptic thread to the network thread; it holds 2 s.
 using TickRing = SpscRing<loop::TickSample, 4096>;
 
-inline constexpr std::chrono::microseconds kTickPeriod{500};  // 2 kHz: paper S1 (docs/sources.md) II.D
-
 /// Counters that the haptic thread writes and other threads read.
 struct HapticCounts {
   std::atomic<std::uint64_t> deadlines_missed{0};
   std::atomic<std::uint64_t> ticks_dropped{0};  ///< ticks dropped because the ring was full
 };
+
+/// These counters, and the number of depth images that gave no surface, for the outbox.
+[[nodiscard]] inline core::Outbox::Counts counts_of(const HapticCounts& counts, std::uint64_t frames_dropped) noexcept {
+  return {.deadlines_missed = counts.deadlines_missed.load(std::memory_order_relaxed),
+          .ticks_dropped = counts.ticks_dropped.load(std::memory_order_relaxed),
+          .frames_dropped = frames_dropped};
+}
 
 /// The 2 kHz thread: reads the rig, ticks the loop, applies the force. It does not allocate, and waits only for the
 /// timer and the rig.

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "haptic_station/core/outbox/duration_histogram.h"
 #include "haptic_station/station/threads/haptic_thread.h"
-#include "haptic_station/station/threads/histogram.h"
 #include "haptic_station/station/threads/tick_timer.h"
 
 namespace telepalp::station {
@@ -15,14 +15,14 @@ using Clock = TickTimer::Clock;
 
 /// Runs on the thread that waits.
 msg::TimerCheck watch(std::chrono::milliseconds length) {
-  DurationHistogram late;
+  core::DurationHistogram late;
   Nanoseconds latest{0};
   std::uint64_t missed = 0;
   const Clock::time_point start = Clock::now();
-  TickTimer timer(start + kTickPeriod, kTickPeriod);
+  TickTimer timer(start + loop::kTickPeriod, loop::kTickPeriod);
   while (Clock::now() < start + length) {
     const TickTimer::Tick tick = timer.wait();
-    const Nanoseconds lateness = tick.late + kTickPeriod * static_cast<Nanoseconds::rep>(tick.missed);
+    const Nanoseconds lateness = tick.late + loop::kTickPeriod * static_cast<Nanoseconds::rep>(tick.missed);
     late.add(static_cast<std::uint64_t>(std::max<Nanoseconds::rep>(lateness.count(), 0)));
     latest = std::max(latest, lateness);
     missed += tick.missed;

@@ -42,7 +42,7 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 }
 
 std::string quantiles(const station::StationCost& cost, Part part, double unit_ns) {
-  const station::DurationHistogram& steps = cost.steps[static_cast<std::size_t>(part)];
+  const core::DurationHistogram& steps = cost.steps[static_cast<std::size_t>(part)];
   if (steps.total() == 0) return "–";
   return cell(steps.quantile_ns(0.5) / unit_ns) + " / " + cell(steps.quantile_ns(0.999) / unit_ns);
 }

@@ -20,35 +20,36 @@ std::unique_ptr<ports::Rig> rig_of(const StationSetup& setup, const Scenario& sc
 /// Publishes what the station's network thread publishes, at the same rates.
 class ReplayedStation::Telemetry {
  public:
-  Telemetry(const std::string& scene, Publish publish)
-      : publish_(std::move(publish)), publisher_(ticks_, publish_, [](const loop::TickSample&) {}) {
-    publisher_.publish_event(kBegin, msg::EVENT_KIND_SCENE, "scene " + scene + ", in virtual time");
+  Telemetry(const std::string& scene, Publish publish) : publish_(std::move(publish)) {
+    outbox_.facts().clock_error_s = 0.0;
+    publish_(outbox_.event(msg::EVENT_KIND_SCENE, "scene " + scene + ", in virtual time", kBegin));
   }
 
   void add(loop::TickSample sample, SessionTime now, const loop::HapticLoop& loop) {
     sample.tick = ticked_++;
     sample.stamp_ns = to_nanoseconds(now);
-    (void)ticks_.try_push(sample);  // the ring holds 2 s, and is emptied every 10 ms
+    batch_.push_back(sample);
     if (ticked_ % kTicksPerState != 0) return;
-    publisher_.drain(now);
+    for (wire::Message& message : outbox_.ticks(batch_, now)) publish_(std::move(message));
+    batch_.clear();
     loop::Compensation compensation = loop.compensation();
     compensation.stamp_ns = sample.stamp_ns;
-    publish_(wire::make_message(wire::kStationCompensation, now, station::compensation_message(compensation)));
-    if (ticked_ % kTicksPerTotals == 0) publisher_.publish_totals(now, 0.0, {}, received_ - touched_, false, {});
+    publish_(outbox_.compensation(compensation, now));
+    if (ticked_ % kTicksPerTotals == 0) publish_(outbox_.totals({.frames_dropped = received_ - touched_}, now));
   }
   void received() {
     ++received_;
-    publisher_.frame_received();
+    outbox_.frame_received();
   }
   void touchable(const msg::SurfaceReport& report, SessionTime now) {
     ++touched_;
-    publish_(wire::make_message(wire::kStationSurface, now, report));
+    publish_(outbox_.surface(report, now));
   }
 
  private:
   Publish publish_;
-  station::TickRing ticks_;
-  station::TelemetryPublisher publisher_;
+  core::Outbox outbox_;
+  std::vector<loop::TickSample> batch_;  // not published yet
   std::uint64_t ticked_ = 0;
   std::uint64_t received_ = 0;
   std::uint64_t touched_ = 0;

@@ -6,10 +6,10 @@
 
 #include "foxglove/CameraCalibration.pb.h"
 #include "haptic_station/core/collision_stage.h"
+#include "haptic_station/core/outbox/outbox.h"
 #include "haptic_station/core/surface_stage.h"
 #include "haptic_station/core/virtual_driver.h"
 #include "haptic_station/scenes/scene.h"
-#include "haptic_station/station/telemetry/telemetry_publisher.h"
 #include "tools/replay/cell/hands.h"
 #include "tools/replay/cell/station_output.h"
 #include "tools/replay/scenario/stopwatch.h"

@@ -1,24 +1,23 @@
-#include "haptic_station/station/inside/inside_messages.h"
+#include "haptic_station/core/inside/inner_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 
-#include "codec/color.h"
 #include "haptic_station/solids/solid_mesh.h"
 #include "proto/wire/inside/inside_message.h"
 #include "proto/wire/vector_message.h"
 
-namespace telepalp::station {
+namespace telepalp::core {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostPoints = 36'000;  // of all layers: 0.65 MB, drawn by any computer
 constexpr double kFinestGrid_m = 0.002;
-constexpr double kCellsPerGrid = 0.6;  // side of a cube of the surface / side of a grid cell; below 1, so that no hole opens
-constexpr int kJpegQuality = 80;
+constexpr double kCellsPerGrid =
+    0.6;  // side of a cube of the surface / side of a grid cell; below 1, so that no hole opens
 
 void append_u16(std::string& bytes, std::uint32_t value) {
   bytes.push_back(static_cast<char>(value & 0xff));
@@ -39,13 +38,14 @@ Vector3d onto_surface(const solids::SolidTree& tree, const Vector3d& point, doub
 }
 
 /// One point for each cell of a grid: the mean of the points of `fine` in this cell. Triangles that shrink to an edge
-/// are left out.
-solids::SolidMesh clustered(const solids::SolidMesh& fine, double grid_m) {
+/// are left out. Empty if `stop` was requested.
+solids::SolidMesh clustered(const solids::SolidMesh& fine, double grid_m, const std::stop_token& stop) {
   solids::SolidMesh coarse;
   std::map<std::array<long, 3>, std::uint32_t> places;
   std::vector<std::uint32_t> place_of;
   std::vector<double> count;
   for (const Vector3d& point : fine.points) {
+    if (stop.stop_requested()) return {};
     const std::array<long, 3> key{std::lround(point.x() / grid_m), std::lround(point.y() / grid_m),
                                   std::lround(point.z() / grid_m)};
     const auto [found, added] = places.try_emplace(key, static_cast<std::uint32_t>(coarse.points.size()));
@@ -64,16 +64,18 @@ solids::SolidMesh clustered(const solids::SolidMesh& fine, double grid_m) {
   return coarse;
 }
 
-/// The surface with at most `most_points` points: the grid grows until it fits.
-Result<solids::SolidMesh> fitting_mesh(const solids::SolidTree& tree, std::size_t most_points) {
+/// The surface with at most `most_points` points: the grid grows until it fits. Meaningless if `stop` was requested.
+Result<solids::SolidMesh> fitting_mesh(const solids::SolidTree& tree, std::size_t most_points,
+                                       const std::stop_token& stop) {
   const Vector3d size_m = tree.box().high - tree.box().low;
   double grid_m = std::max(kFinestGrid_m, size_m.maxCoeff() / 128.0);
   for (int attempt = 0;; ++attempt) {
-    const Result<solids::SolidMesh> fine = solids::mesh_of(tree, kCellsPerGrid * grid_m);
+    const Result<solids::SolidMesh> fine = solids::mesh_of(tree, kCellsPerGrid * grid_m, stop);
     if (!fine) return fine.error();
-    solids::SolidMesh mesh = clustered(*fine, grid_m);
+    solids::SolidMesh mesh = clustered(*fine, grid_m, stop);
     if (mesh.points.size() <= most_points) {
-      for (Vector3d& point : mesh.points) point = onto_surface(tree, point, grid_m);
+      for (Vector3d& point : mesh.points)
+        if (!stop.stop_requested()) point = onto_surface(tree, point, grid_m);
       return mesh;
     }
     if (attempt == 5)
@@ -109,12 +111,13 @@ void set_rotation(msg::Rotation& rotation, const Eigen::Quaterniond& q) {
 
 }  // namespace
 
-InnerSurfaces inner_structures(std::span<const scenes::SceneLayer> layers) {
+std::optional<InnerSurfaces> inner_structures(std::span<const InnerLayer> layers, const std::stop_token& stop) {
   InnerSurfaces inside;
   if (layers.empty()) return inside;
   const std::size_t most_points = std::min(kMostPoints / layers.size(), wire::kMostStructurePoints);
   for (const auto& [layer, effect] : layers) {
-    const Result<solids::SolidMesh> mesh = fitting_mesh(*layer->tree, most_points);
+    const Result<solids::SolidMesh> mesh = fitting_mesh(*layer->tree, most_points, stop);
+    if (stop.stop_requested()) return std::nullopt;
     if (!mesh) inside.left_out.push_back("layer " + layer->name + ": " + to_string(mesh.error()));
     if (mesh && mesh->points.empty())
       inside.left_out.push_back("layer " + layer->name +
@@ -135,23 +138,4 @@ void set_place(msg::InnerStructures& inside, const Transform<HapticBase, DepthCa
   set_rotation(*inside.mutable_camera_from_haptic(), Eigen::Quaterniond(camera_from_haptic.iso.linear()));
 }
 
-msg::UltrasoundImage probe_message(const HeldProbe& probe, const ultrasound::BModeSettings& settings,
-                                   const Transform<HapticBase, DepthCamera>& haptic_from_camera) {
-  const Transform<DepthCamera, HapticBase> camera_from_haptic = haptic_from_camera.inverse();
-  msg::UltrasoundImage message;
-  message.set_width_m(settings.width_m);
-  message.set_depth_m(settings.depth_m);
-  if (!probe.on_skin) return message;
-  const Eigen::Isometry3d& to_camera = camera_from_haptic.iso;
-  wire::set_vector(*message.mutable_face_camera(), (to_camera * probe.pose.at).eval());
-  wire::set_vector(*message.mutable_into_body_camera(), (to_camera.linear() * probe.pose.into_body).eval());
-  wire::set_vector(*message.mutable_across_camera(), (to_camera.linear() * probe.pose.across).eval());
-  return message;
-}
-
-void set_image(msg::UltrasoundImage& message, const ultrasound::BModeImage& image) {
-  message.set_on_skin(true);
-  message.set_jpeg(codec::encode_gray(image.gray, image.side_px, image.side_px, kJpegQuality));
-}
-
-}  // namespace telepalp::station
+}  // namespace telepalp::core

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "codec/color.h"
+#include "haptic_station/core/inside/inner_surfaces.h"
+#include "haptic_station/core/inside/ultrasound_image.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/solids/polish.h"
-#include "haptic_station/station/inside/inside_messages.h"
 #include "haptic_station/station/rigs/scene_rig.h"
 #include "proto/wire/inside/inside_message.h"
 
-namespace telepalp::station {
+namespace telepalp::core {
 namespace {
 
 using Eigen::Vector3d;
@@ -85,7 +86,7 @@ TEST(HeldProbe, OneThatIsInTheAirOrTurnedAwayIsNotOnTheSkin) {
 /// The attitudes that the tracker of a scene's simulated hand reports in 20 s, in H.
 std::vector<std::optional<Eigen::Quaterniond>> attitudes_of(const scenes::Scene& scene) {
   std::vector<std::optional<Eigen::Quaterniond>> attitudes;
-  const auto rig = rig_of(scene, std::nullopt);
+  const auto rig = station::rig_of(scene, std::nullopt);
   for (int tick = 0; tick < 40'000; ++tick) {
     if (const auto sample = rig->hand(SessionTime{std::chrono::microseconds{500 * tick}}))
       attitudes.push_back(sample->attitude);
@@ -123,9 +124,9 @@ std::uint32_t u16(const std::string& bytes, std::size_t i) {
 }
 
 TEST(InnerStructures, LieOnTheLayersAndFitTheirMessage) {
-  const std::vector<scenes::SceneLayer> layers{{layer("tr 0.02 -0.05 0.01 sphere 0.03"), 1},
-                                               {layer("+ torusz 0.1 0.008 tr 0 -0.1 0 torusx 0.08 0.005"), 3}};
-  const InnerSurfaces surfaces = inner_structures(layers);
+  const std::vector<InnerLayer> layers{{layer("tr 0.02 -0.05 0.01 sphere 0.03"), 1},
+                                       {layer("+ torusz 0.1 0.008 tr 0 -0.1 0 torusx 0.08 0.005"), 3}};
+  const InnerSurfaces surfaces = *inner_structures(layers);
   EXPECT_TRUE(surfaces.left_out.empty());
   msg::InnerStructures inside = surfaces.drawn;
   ASSERT_EQ(inside.structures_size(), 2);
@@ -150,8 +151,8 @@ TEST(InnerStructures, LieOnTheLayersAndFitTheirMessage) {
 }
 
 TEST(InnerStructures, ALayerWithoutBoundsIsLeftOutAndNamed) {
-  const std::vector<scenes::SceneLayer> layers{{layer("plane 0 1 0 -0.05"), 0}, {layer("sphere 0.03"), 1}};
-  const InnerSurfaces inside = inner_structures(layers);
+  const std::vector<InnerLayer> layers{{layer("plane 0 1 0 -0.05"), 0}, {layer("sphere 0.03"), 1}};
+  const InnerSurfaces inside = *inner_structures(layers);
   ASSERT_EQ(inside.drawn.structures_size(), 1);
   EXPECT_EQ(inside.drawn.structures(0).effect(), 1U);
   ASSERT_EQ(inside.left_out.size(), 1U);
@@ -185,4 +186,4 @@ TEST(UltrasoundMessage, OfAProbeInTheAirIsValidAndEmpty) {
 }
 
 }  // namespace
-}  // namespace telepalp::station
+}  // namespace telepalp::core

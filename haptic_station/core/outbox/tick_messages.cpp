@@ -1,15 +1,14 @@
-#include "haptic_station/station/telemetry/telemetry.h"
+#include "haptic_station/core/outbox/tick_messages.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "haptic_station/control/phases/phase.h"
-#include "proto/wire/station/contact_force.h"
+#include "haptic_station/loop/tick.h"
 #include "proto/wire/vector_message.h"
 #include "proto/words/demand.h"
 #include "proto/words/phase_names.h"
 
-namespace telepalp::station {
+namespace telepalp::core {
 namespace {
 
 using Triple = std::array<float, 3>;
@@ -24,8 +23,6 @@ void set_rotation(msg::Rotation& rotation, const std::array<float, 4>& xyzw) {
   rotation.set_z(xyzw[2]);
   rotation.set_w(xyzw[3]);
 }
-
-double norm(const Triple& v) noexcept { return std::hypot(double{v[0]}, double{v[1]}, double{v[2]}); }
 
 msg::Phase phase_of(const loop::TickSample& sample) noexcept { return static_cast<msg::Phase>(sample.phase); }
 
@@ -116,12 +113,21 @@ msg::StationEvent phase_event(const loop::TickSample& sample, std::uint8_t from)
   return event;
 }
 
-msg::StationTicks ticks_message(const std::vector<loop::TickSample>& samples, std::uint32_t period_ns) {
+msg::StationEvent fault_event(const loop::TickSample& first) {
+  msg::StationEvent event;
+  event.set_stamp_ns(static_cast<std::uint64_t>(first.stamp_ns));
+  event.set_surface_captured_ns(static_cast<std::uint64_t>(first.surface_captured_ns));
+  event.set_kind(msg::EVENT_KIND_FAULT);
+  event.set_text(control::name(static_cast<control::FaultCause>(first.fault)));
+  return event;
+}
+
+msg::StationTicks ticks_message(std::span<const loop::TickSample> samples) {
   demand(!samples.empty(), "a batch holds at least one tick");
   msg::StationTicks ticks;
   ticks.set_first_tick_ns(static_cast<std::uint64_t>(samples.front().stamp_ns));
   ticks.set_first_tick(samples.front().tick);
-  ticks.set_period_ns(period_ns);
+  ticks.set_period_ns(static_cast<std::uint32_t>(Nanoseconds(loop::kTickPeriod).count()));
   ticks.set_surface_captured_ns(static_cast<std::uint64_t>(samples.front().surface_captured_ns));
   const bool turns = std::ranges::any_of(samples, [](const auto& sample) { return sample.torque != Triple{}; });
   for (const loop::TickSample& sample : samples) {
@@ -154,38 +160,4 @@ msg::StationTicks ticks_message(const std::vector<loop::TickSample>& samples, st
   return ticks;
 }
 
-RunTotals::Change RunTotals::add(const loop::TickSample& sample) {
-  const Change change{.phase_changed = ticks_ == 0 || sample.phase != phase_, .from = phase_};
-  phase_ = sample.phase;
-  Dwell& dwell = dwell_[sample.phase];
-  if (change.phase_changed) ++dwell.entries;
-  ++dwell.ticks;
-  ++ticks_;
-  if (wire::is_contact(phase_of(sample))) ++contact_ticks_;
-  work_.add(static_cast<std::uint64_t>(std::max(0.0F, sample.work_us) * 1000.0F));
-  force_max_N_ = std::max(force_max_N_, norm(sample.force));
-  return change;
-}
-
-msg::StationStats RunTotals::message() const {
-  msg::StationStats stats;
-  stats.set_ticks(ticks_);
-  stats.set_deadlines_missed(missed_);
-  stats.set_tick_us_p50(work_.quantile_ns(0.5) * 1e-3);
-  stats.set_tick_us_p99(work_.quantile_ns(0.99) * 1e-3);
-  stats.set_tick_us_p999(work_.quantile_ns(0.999) * 1e-3);
-  stats.set_frames_received(frames_received_);
-  stats.set_frames_dropped(frames_dropped_);
-  stats.set_telemetry_dropped(telemetry_dropped_);
-  for (const auto& [phase, dwell] : dwell_) {
-    msg::PhaseDwell& row = *stats.add_phases();
-    row.set_phase(static_cast<msg::Phase>(phase));
-    row.set_entries(dwell.entries);
-    row.set_seconds(static_cast<double>(dwell.ticks) * period_s_);
-  }
-  stats.set_contact_s(static_cast<double>(contact_ticks_) * period_s_);
-  stats.set_force_max_n(force_max_N_);
-  return stats;
-}
-
-}  // namespace telepalp::station
+}  // namespace telepalp::core

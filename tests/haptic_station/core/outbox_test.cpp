@@ -1,17 +1,18 @@
-#include "haptic_station/station/telemetry/telemetry.h"
+// The one place in which a station's samples, reports and faults become messages.
+
+#include "haptic_station/core/outbox/outbox.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
-#include "haptic_station/station/telemetry/image_ages.h"
-#include "haptic_station/station/telemetry/telemetry_publisher.h"
-#include "haptic_station/station/threads/tick_timer.h"
+#include "haptic_station/control/phases/phase.h"
+#include "haptic_station/core/outbox/tick_messages.h"
+#include "proto/wire/topics.h"
 
-namespace telepalp::station {
+namespace telepalp::core {
 namespace {
-
-using namespace std::chrono_literals;
 
 loop::TickSample sample(std::uint64_t tick, msg::Phase phase, float force_N) {
   loop::TickSample out;
@@ -20,34 +21,8 @@ loop::TickSample sample(std::uint64_t tick, msg::Phase phase, float force_N) {
   out.phase = static_cast<std::uint8_t>(phase);
   out.work_us = 10.0F;
   out.force = {0.0F, force_N, 0.0F};
+  out.yields_in_s = std::numeric_limits<float>::infinity();  // the motors are cool
   return out;
-}
-
-msg::SurfaceReport touchable_after(std::chrono::milliseconds age, double clock_error_s) {
-  msg::SurfaceReport report;
-  report.set_captured_ns(1'000'000'000);
-  report.set_touchable_ns(1'000'000'000 + static_cast<std::uint64_t>(std::chrono::nanoseconds(age).count()));
-  report.set_clock_error_s(clock_error_s);
-  return report;
-}
-
-TEST(ImageAges, AreToldWithTheLargestErrorBoundOfTheSessionClock) {
-  ImageAges ages;
-  EXPECT_EQ(ages.in_words(), "") << "no image";
-  for (int i = 0; i < 98; ++i) ages.add(touchable_after(60ms, 0.003));
-  ages.add(touchable_after(120ms, 0.0032));
-  ages.add(touchable_after(120ms, 0.001));
-  EXPECT_EQ(ages.in_words(),
-            "100 images: their surfaces were touchable 61 ms (median) and 122 ms (99th percentile) after capture; the "
-            "error of both is at most 3.2 ms");
-}
-
-TEST(ImageAges, AnUnknownClockIsToldAndAnAgeBelowZeroCountsAsZero) {
-  ImageAges ages;
-  ages.add(touchable_after(-2ms, std::numeric_limits<double>::infinity()));
-  EXPECT_EQ(ages.in_words(),
-            "1 image: its surface was touchable 0.0 ms (median) and 0.0 ms (99th percentile) after capture; the "
-            "error of both is unknown, because the server's clock is not known");
 }
 
 TEST(DurationHistogram, EveryQuantileIsWithinThreePercentOfTheSortedValues) {
@@ -74,20 +49,8 @@ TEST(DurationHistogram, AnEmptyOneReturnsZeroAndHugeValuesCountInTheLastBucket) 
   EXPECT_GT(histogram.quantile_ns(1.0), 4e9);
 }
 
-TEST(TickTimer, ADeadlineIsMissedOnlyWhenTheNextOneHasPassed) {
-  EXPECT_EQ(deadlines_overtaken(499us, 500us), 0u);
-  EXPECT_EQ(deadlines_overtaken(500us, 500us), 1u);
-  EXPECT_EQ(deadlines_overtaken(5ms, 500us), 10u);
-}
-
-TEST(TickTimer, DeadlinesStayOnTheirGridWhenTicksAreLate) {
-  const auto start = TickTimer::Clock::now();
-  TickTimer timer(start, 500us);
-  for (int i = 0; i < 40; ++i) EXPECT_EQ((timer.wait().deadline - start) % 500us, 0ns);
-}
-
 TEST(RunTotals, PhasesAreEnteredOnceAndDweltInByTheTick) {
-  RunTotals totals(500'000);
+  RunTotals totals;
   for (std::uint64_t tick = 0; tick < 2000; ++tick) {
     const bool inside = tick >= 500 && tick < 1500;
     (void)totals.add(sample(tick, inside ? msg::PHASE_IN_BODY : msg::PHASE_OUT_BODY, inside ? 3.5F : 0.0F));
@@ -114,60 +77,120 @@ TEST(StateMessage, TellsTheWorkspacesShiftAndWhetherTheBodyMovesPastTheDevice) {
   EXPECT_TRUE(state_message(tick).indexing());
 }
 
-/// The stamps [ms] of the states that are published when the ring is drained after each of these numbers of ticks.
-std::vector<double> state_stamps_ms(const std::vector<int>& ticks_per_drain) {
-  TickRing ring;
+/// The stamps [ms] of the states among the messages of ticks, in batches of these sizes.
+std::vector<double> state_stamps_ms(const std::vector<int>& batches) {
+  Outbox outbox;
   std::vector<double> stamps_ms;
-  TelemetryPublisher publisher(
-      ring,
-      [&](const wire::Message& message) {
-        if (message.topic.name != wire::kStationState.name) return;
-        msg::StationState state;
-        EXPECT_TRUE(state.ParseFromArray(message.payload->data(), static_cast<int>(message.payload->size())));
-        stamps_ms.push_back(1e-6 * static_cast<double>(state.stamp_ns()));
-      },
-      [](const loop::TickSample&) {});
   std::uint64_t tick = 0;
-  for (const int ticks : ticks_per_drain) {
-    for (int i = 0; i < ticks; ++i) EXPECT_TRUE(ring.try_push(sample(tick++, msg::PHASE_IN_BODY, 1.0F)));
-    publisher.drain(session_time(static_cast<std::int64_t>(tick) * 500'000));
+  for (const int ticks : batches) {
+    std::vector<loop::TickSample> batch;
+    for (int i = 0; i < ticks; ++i) batch.push_back(sample(tick++, msg::PHASE_IN_BODY, 1.0F));
+    for (const wire::Message& message : outbox.ticks(batch, session_time(static_cast<std::int64_t>(tick) * 500'000))) {
+      if (message.topic.name != wire::kStationState.name) continue;
+      msg::StationState state;
+      EXPECT_TRUE(state.ParseFromString(*message.payload));
+      stamps_ms.push_back(1e-6 * static_cast<double>(state.stamp_ns()));
+    }
   }
   return stamps_ms;
 }
 
-TEST(TelemetryPublisher, PublishesAStateForEach10MsHoweverLateItsThreadComes) {
+TEST(Outbox, HasAStateForEach10MsHoweverLateItsThreadComes) {
   const std::vector<double> each_10_ms{0, 10, 20, 30, 40, 50, 60, 70, 80, 90};
   EXPECT_EQ(state_stamps_ms({20, 20, 20, 20, 20, 20, 20, 20, 20, 20}), each_10_ms) << "in time";
   EXPECT_EQ(state_stamps_ms({21, 19, 23, 57, 20, 0, 60}), each_10_ms) << "up to 30 ms late";
   EXPECT_EQ(state_stamps_ms({1, 199}), each_10_ms) << "100 ms late";
 }
 
-TEST(TelemetryPublisher, PublishesAStateAfterTheClockWasSetBack) {
-  TickRing ring;
-  int states = 0;
-  TelemetryPublisher publisher(
-      ring, [&](const wire::Message& message) { states += message.topic.name == wire::kStationState.name ? 1 : 0; },
-      [](const loop::TickSample&) {});
-  for (const std::uint64_t tick : {40'000u, 40'001u, 20u, 21u})
-    EXPECT_TRUE(ring.try_push(sample(tick, msg::PHASE_IN_BODY, 1.0F)));
-  publisher.drain(session_time(0));
-  EXPECT_EQ(states, 2);
+/// The topics of messages, in order.
+std::vector<std::string> topics_of(const Outbox::Messages& messages) {
+  std::vector<std::string> topics;
+  for (const wire::Message& message : messages) topics.emplace_back(message.topic.name);
+  return topics;
 }
 
-TEST(TelemetryPublisher, TheTotalsStateTheStationsVersion) {
-  TickRing ring;
+TEST(Outbox, HasAStateAfterTheClockWasSetBack) {
+  Outbox outbox;
+  std::vector<loop::TickSample> batch;
+  for (const std::uint64_t tick : {40'000U, 40'001U, 20U, 21U}) batch.push_back(sample(tick, msg::PHASE_IN_BODY, 1.0F));
+  const std::vector<std::string> topics = topics_of(outbox.ticks(batch, session_time(0)));
+  EXPECT_EQ(std::ranges::count(topics, std::string(wire::kStationState.name)), 2);
+}
+
+TEST(Outbox, APhaseChangeComesBeforeTheTicksAndNoTickGivesNoMessage) {
+  Outbox outbox;
+  EXPECT_TRUE(outbox.ticks({}, session_time(0)).empty());
+  EXPECT_FALSE(outbox.last());
+  const std::vector batch{sample(1, msg::PHASE_OUT_BODY, 0.0F), sample(2, msg::PHASE_IN_BODY, 1.0F)};
+  EXPECT_EQ(topics_of(outbox.ticks(batch, session_time(0))),
+            (std::vector<std::string>{"/station/events", "/station/events", "/station/ticks", "/station/state"}));
+  EXPECT_EQ(outbox.last()->tick, 2U);
+}
+
+TEST(Outbox, WarnsOfWarmMotorsOnceUntilTheForceIsOneThatTheyHold) {
+  Outbox outbox;
+  const auto warns = [&](float yields_in_s) {
+    loop::TickSample tick = sample(1, msg::PHASE_IN_BODY, 3.0F);
+    tick.yields_in_s = yields_in_s;
+    int warnings = 0;
+    for (const wire::Message& message : outbox.ticks(std::span(&tick, 1), session_time(0))) {
+      msg::StationEvent event;
+      if (message.topic.name == wire::kStationEvents.name && event.ParseFromString(*message.payload))
+        warnings += event.kind() == msg::EVENT_KIND_HEAT ? 1 : 0;
+    }
+    return warnings;
+  };
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(warns(kNever), 0);
+  EXPECT_EQ(warns(3.9F), 1);
+  EXPECT_EQ(warns(2.0F), 0) << "it was said";
+  EXPECT_EQ(warns(5.0F), 0);
+  EXPECT_EQ(warns(3.0F), 0) << "the motors were warm all the time";
+  EXPECT_EQ(warns(kNever), 0);
+  EXPECT_EQ(warns(3.0F), 1);
+}
+
+TEST(Outbox, AllMessagesWithAgesStateTheErrorOfTheClock) {
+  Outbox outbox;
+  outbox.facts().clock_error_s = 0.004;
+  msg::SurfaceReport surface;
+  msg::StationCompensation compensation;
   msg::StationStats stats;
-  TelemetryPublisher publisher(
-      ring, [&](const wire::Message& message) { EXPECT_TRUE(stats.ParseFromString(*message.payload)); },
-      [](const loop::TickSample&) {});
-  publisher.set_software("telepalp-station 0.1.0, commit 1a2b3c4d");
-  publisher.publish_totals(session_time(1), 0.001, HapticCounts(), 0, true, {});
+  EXPECT_TRUE(surface.ParseFromString(*outbox.surface({}, session_time(1)).payload));
+  EXPECT_TRUE(compensation.ParseFromString(*outbox.compensation({}, session_time(1)).payload));
+  EXPECT_TRUE(stats.ParseFromString(*outbox.totals({}, session_time(1)).payload));
+  EXPECT_EQ(surface.clock_error_s(), 0.004);
+  EXPECT_EQ(compensation.clock_error_s(), 0.004);
+  EXPECT_EQ(stats.clock_error_s(), 0.004);
+}
+
+TEST(Outbox, TheTotalsStateTheStationsVersionAndItsCounts) {
+  Outbox outbox;
+  outbox.facts().software = "telepalp-station 0.1.0, commit 1a2b3c4d";
+  outbox.frame_received();
+  msg::StationStats stats;
+  const Outbox::Counts counts{.deadlines_missed = 3, .ticks_dropped = 5, .frames_dropped = 7};
+  EXPECT_TRUE(stats.ParseFromString(*outbox.totals(counts, session_time(1)).payload));
   EXPECT_EQ(stats.software(), "telepalp-station 0.1.0, commit 1a2b3c4d");
+  EXPECT_EQ(stats.deadlines_missed(), 3U);
+  EXPECT_EQ(stats.telemetry_dropped(), 5U);
+  EXPECT_EQ(stats.frames_dropped(), 7U);
+  EXPECT_EQ(stats.frames_received(), 1U);
+}
+
+TEST(Outbox, AFaultIsOfTheTickInWhichItBegan) {
+  loop::TickSample first = sample(200, msg::PHASE_FAULTED, 0.0F);
+  first.fault = static_cast<std::uint8_t>(control::FaultCause::DeviceSilent);
+  msg::StationEvent event;
+  EXPECT_TRUE(event.ParseFromString(*Outbox::fault(first, session_time(1)).payload));
+  EXPECT_EQ(event.kind(), msg::EVENT_KIND_FAULT);
+  EXPECT_EQ(event.stamp_ns(), 100'000'000U);
+  EXPECT_EQ(event.text(), control::name(control::FaultCause::DeviceSilent));
 }
 
 TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   const std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
-  const msg::StationTicks ticks = ticks_message(samples, 500'000);
+  const msg::StationTicks ticks = ticks_message(samples);
   EXPECT_EQ(ticks.first_tick(), 7u);
   EXPECT_EQ(ticks.phase_size(), 2);
   EXPECT_EQ(ticks.force_y(1), 2.0F);
@@ -179,9 +202,9 @@ TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
 
 TEST(TicksMessage, HasTorquesOnlyInABatchWithATorque) {
   std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
-  EXPECT_EQ(ticks_message(samples, 500'000).torque_z_size(), 0);
+  EXPECT_EQ(ticks_message(samples).torque_z_size(), 0);
   samples[1].torque = {0.0F, 0.0F, 0.125F};
-  const msg::StationTicks ticks = ticks_message(samples, 500'000);
+  const msg::StationTicks ticks = ticks_message(samples);
   ASSERT_EQ(ticks.torque_z_size(), 2);
   EXPECT_EQ(ticks.torque_z(0), 0.0F);
   EXPECT_EQ(ticks.torque_z(1), 0.125F);
@@ -234,4 +257,4 @@ TEST(CompensationMessage, TellsWhereEachObjectInTheBodyIsAndHowWellThatIsKnown) 
 }
 
 }  // namespace
-}  // namespace telepalp::station
+}  // namespace telepalp::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace telepalp::station {
+namespace telepalp::core {
 
 /// A histogram of durations with logarithmic buckets: each quantile is accurate to 3 %; 8 kB, no allocation.
 /// Range: 1 ns to 68 s; longer durations are counted in the last bucket.
@@ -50,4 +50,4 @@ class DurationHistogram {
   std::uint64_t total_ = 0;
 };
 
-}  // namespace telepalp::station
+}  // namespace telepalp::core

@@ -1,10 +1,10 @@
-#include "haptic_station/station/inside/held_probe.h"
+#include "haptic_station/core/inside/held_probe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace telepalp::station {
+namespace telepalp::core {
 namespace {
 
 using Eigen::Vector3d;
@@ -44,4 +44,4 @@ HeldProbe held_probe(const loop::TickSample& tick,
   return probe;
 }
 
-}  // namespace telepalp::station
+}  // namespace telepalp::core

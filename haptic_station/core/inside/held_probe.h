@@ -4,7 +4,7 @@
 #include "haptic_station/ultrasound/b_mode.h"
 #include "proto/words/frames.h"
 
-namespace telepalp::station {
+namespace telepalp::core {
 
 /// The ultrasound probe that the hand holds.
 struct HeldProbe {
@@ -19,4 +19,4 @@ struct HeldProbe {
 [[nodiscard]] HeldProbe held_probe(const loop::TickSample& tick,
                                    const Transform<HapticBase, DepthCamera>& haptic_from_camera) noexcept;
 
-}  // namespace telepalp::station
+}  // namespace telepalp::core
