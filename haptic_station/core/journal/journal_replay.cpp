@@ -77,6 +77,14 @@ void JournalReplay::tick_on() {
   while (!waiting_.empty() && !verdict_.stopped && tick(waiting_.front())) waiting_.pop_front();
 }
 
+/// A tick that is missing leaves the loop in an unknown state, so no later force can be computed again.
+bool JournalReplay::stops_at_a_gap(const msg::JournalTick& recorded) {
+  if (recorded.tick() == verdict_.ticks) return false;
+  verdict_.stopped = numbered("tick", verdict_.ticks) + " is missing: the next one in the journal is " +
+                     numbered("tick", recorded.tick());
+  return true;
+}
+
 /// False: the tick's surface has not come yet.
 bool JournalReplay::tick(const msg::JournalTick& recorded) {
   std::optional<loop::TickIn> in = tick_in(recorded);
@@ -84,6 +92,7 @@ bool JournalReplay::tick(const msg::JournalTick& recorded) {
     verdict_.stopped = numbered("tick", recorded.tick()) + " is malformed";
     return false;
   }
+  if (stops_at_a_gap(recorded)) return false;
   loop::TouchableSurface newer;
   if (recorded.surface() != 0) {
     Surfaces& made = for_ticks();

@@ -52,6 +52,7 @@ class JournalReplay {
   bool tick(const msg::JournalTick& recorded);
   void compare(const msg::JournalTick& recorded, const loop::TickOut& out);
   void stop_at(const msg::JournalTick& tick);
+  bool stops_at_a_gap(const msg::JournalTick& recorded);
   [[nodiscard]] Surfaces& for_ticks() noexcept { return collision_ == nullptr ? made_ : planes_; }
 
   loop::HapticLoop& loop_;

@@ -195,6 +195,23 @@ TEST(Journal, ASurfaceThatIsMissingIsNamedWithItsTick) {
   EXPECT_EQ(replayed.verdict.forces_differ, 0U);
 }
 
+TEST(Journal, ATickThatIsMissingEndsTheReplayInFrontOfIt) {
+  const Replayed replayed = replay(changed(short_journal(), [](msg::JournalBlock block) {
+    if (!block.has_ticks()) return std::optional(block);
+    auto& ticks = *block.mutable_ticks()->mutable_ticks();
+    for (int i = 0; i < ticks.size(); ++i)
+      if (ticks[i].tick() == 3000) {
+        ticks.DeleteSubrange(i, 1);
+        break;
+      }
+    return std::optional(block);
+  }));
+  ASSERT_TRUE(replayed.verdict.stopped);
+  EXPECT_EQ(*replayed.verdict.stopped, "tick 3000 is missing: the next one in the journal is tick 3001");
+  EXPECT_EQ(replayed.verdict.ticks, 3000U);
+  EXPECT_EQ(replayed.verdict.forces_differ, 0U);
+}
+
 TEST(Journal, AFileThatIsNoJournalIsRefused) {
   for (const std::string& bytes :
        {std::string(), std::string("telepalp-journal 2\n"), std::string(1000, 'x'), short_journal().substr(0, 40)}) {

@@ -6,10 +6,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <thread>
 #include <utility>
 
+#include "haptic_station/core/journal/journal_file.h"
 #include "tests/support/child_process.h"
 #include "where.h"
 
@@ -276,12 +278,70 @@ TEST_F(ReplayProgram, SaysThatAJournalWasCutOffOrIsNone) {
   EXPECT_EQ(code, 0) << said;
   EXPECT_NE(said.find("note: the journal was cut off: it is read up to its last whole block"), std::string::npos)
       << said;
+  EXPECT_NE(said.find("fix: none for these ticks; to keep later ones, end the station by Ctrl-C or --seconds"),
+            std::string::npos)
+      << said;
   std::ofstream(in("none")) << "nothing";
   const auto [refused, why] = run("telepalp-replay", {"--journal", in("none")});
   EXPECT_EQ(refused, 2) << why;
   EXPECT_NE(why.find("fix: give a file that telepalp-station --journal FILE wrote"), std::string::npos) << why;
   const auto [beside, which] = run("telepalp-replay", {"synthetic:torso", "--journal", in("a.journal")});
   EXPECT_EQ(beside, 2) << which;
+}
+
+/// Writes the journal a.journal again as b.journal, with each block as `change` leaves it; false: without the block.
+void change_journal(const fs::path& folder, const std::function<bool(msg::JournalBlock&)>& change) {
+  std::ifstream in(folder / "a.journal", std::ios::binary);
+  auto reader = core::JournalReader::open(in, "a.journal");
+  ASSERT_TRUE(reader.ok());
+  msg::JournalBlock header;
+  *header.mutable_header() = reader->header();
+  ASSERT_TRUE(change(header));
+  std::ofstream out(folder / "b.journal", std::ios::binary);
+  core::JournalWriter writer(out, header.header());
+  while (auto block = reader->next())
+    if (change(*block)) writer.add(*block);
+}
+
+TEST_F(ReplayProgram, SaysWhatLimitsTheComparisonOfAJournalAndWhatToDo) {
+  ASSERT_EQ(keep_journal(in(""), "fast", "2").first, 0);
+  const auto verdict = [&] { return run("telepalp-replay", {"--journal", in("b.journal")}); };
+  change_journal(in(""), [](msg::JournalBlock& block) {
+    if (block.has_header()) block.mutable_header()->set_commit("1a2b3c4d");
+    return true;
+  });
+  const auto [other_build, build_words] = verdict();
+  EXPECT_EQ(other_build, 0) << build_words;
+  EXPECT_NE(build_words.find("note: another build wrote the journal: "), std::string::npos) << build_words;
+  EXPECT_NE(build_words.find("fix: for an exact comparison, run telepalp-replay of that commit"), std::string::npos);
+  change_journal(in(""), [](msg::JournalBlock& block) {
+    if (block.has_header()) block.mutable_header()->set_machine("An Abacus of 13 Rods");
+    return true;
+  });
+  const auto [other_machine, machine_words] = verdict();
+  EXPECT_EQ(other_machine, 0) << machine_words;
+  EXPECT_NE(machine_words.find("with the processor An Abacus of 13 Rods; this one has "), std::string::npos)
+      << machine_words;
+  int runs = 0;
+  change_journal(in(""), [&](msg::JournalBlock& block) { return !block.has_surface_run() || ++runs != 20; });
+  const auto [missing, missing_words] = verdict();
+  EXPECT_EQ(missing, 1) << missing_words;
+  EXPECT_NE(missing_words.find(" adopts surface 20, which the journal does not hold. The ticks before it are compared, "
+                               "those behind it cannot be. fix: keep the journal again"),
+            std::string::npos)
+      << missing_words;
+  change_journal(in(""), [](msg::JournalBlock& block) {
+    if (!block.has_ticks()) return true;
+    for (msg::JournalTick& tick : *block.mutable_ticks()->mutable_ticks())
+      if (tick.tick() == 100) tick.set_force(1, tick.force(1) + 0.5);
+    return true;
+  });
+  const auto [differs, differs_words] = verdict();
+  EXPECT_EQ(differs, 1) << differs_words;
+  EXPECT_NE(differs_words.find("force     1\nphase     0\nproxy     0\nthe first of them is tick 100\n"),
+            std::string::npos)
+      << differs_words;
+  EXPECT_NE(differs_words.find("this is a defect of telepalp. fix: report it"), std::string::npos) << differs_words;
 }
 
 TEST_F(ReplayProgram, RunsTheSettingOfThePaperInVirtualTime) {

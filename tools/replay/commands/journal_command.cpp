@@ -7,54 +7,15 @@
 #include "haptic_station/core/journal/journal_replay.h"
 #include "haptic_station/station/rigs/journaled_scene.h"
 #include "haptic_station/station/rigs/placement.h"
-#include "proto/words/counted.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/version.h"
+#include "tools/replay/words/journal_words.h"
 
 namespace telepalp::replay {
 namespace {
 
 using core::JournalReader;
 using core::JournalVerdict;
-
-std::string mine() { return std::string(program::version()) + ", commit " + program::commit(); }
-std::string writer_of(const msg::JournalHeader& header) { return header.version() + ", commit " + header.commit(); }
-
-/// What a reader of the verdict must know of the journal.
-std::vector<std::string> remarks_of(const JournalReader& reader) {
-  std::vector<std::string> remarks;
-  const msg::JournalHeader& header = reader.header();
-  if (writer_of(header) != mine())
-    remarks.push_back("another binary wrote the journal: this program is " + mine() +
-                      "; a difference may come from the code between the two");
-  if (header.machine() != station::processor_model())
-    remarks.push_back("another machine wrote the journal: this one has a " + station::processor_model());
-  if (!reader.end())
-    remarks.push_back("the journal was cut off: it is read up to its last whole block, at byte " +
-                      std::to_string(reader.whole_bytes()));
-  else if (reader.end()->ticks_lost() + reader.end()->runs_lost() > 0)
-    remarks.push_back("the journal is incomplete: the station's disk was too slow for " +
-                      counted(reader.end()->ticks_lost(), "tick", "ticks") + " and " +
-                      counted(reader.end()->runs_lost(), "run", "runs") + " of the stages");
-  return remarks;
-}
-
-std::string in_words(const std::string& file, const JournalReader& reader, const JournalVerdict& verdict) {
-  const msg::JournalHeader& header = reader.header();
-  std::string text = "journal:  " + file + "\nwritten:  " + header.program() + " " + writer_of(header) + ", on " +
-                     header.machine() + "\nscene:    " + header.scene_file() + ", surface setting " +
-                     header.surface_setting() + "\nreplayed: " + counted(verdict.ticks, "tick", "ticks") + ", " +
-                     counted(verdict.surface_runs, "surface run", "surface runs") + ", " +
-                     counted(verdict.collision_runs, "collision run", "collision runs") +
-                     "\n\nticks whose values differ from the journal's, as doubles\nforce     " +
-                     std::to_string(verdict.forces_differ) + "\nphase     " + std::to_string(verdict.phases_differ) +
-                     "\nproxy     " + std::to_string(verdict.proxies_differ) + "\n";
-  if (verdict.first_difference) text += "the first of them is tick " + std::to_string(*verdict.first_difference) + "\n";
-  if (verdict.stopped) text += "stopped: " + *verdict.stopped + "\n";
-  if (verdict.ticks == 0) text += "the journal holds no tick\n";
-  for (const std::string& remark : remarks_of(reader)) text += "note: " + remark + "\n";
-  return text;
-}
 
 /// The forces of both runs as text, exact: equal files are equal doubles.
 class ForceFiles {
@@ -114,7 +75,13 @@ Result<bool> run_journal(const Request& request) {
   if (!journaled) return journaled.error();
   ForceFiles files;
   const JournalVerdict verdict = verdict_of(*reader, *journaled, request.out.empty() ? nullptr : &files);
-  std::fputs(in_words(request.journal.string(), *reader, verdict).c_str(), stdout);
+  const ReadJournal read{.file = request.journal.string(),
+                         .header = reader->header(),
+                         .end = reader->end(),
+                         .whole_bytes = reader->whole_bytes()};
+  std::fputs(
+      in_words(read, verdict, {build_of(program::version(), program::commit()), station::processor_model()}).c_str(),
+      stdout);
   if (!request.out.empty())
     if (const Result<void> written = files.write(request.out); !written) return written.error();
   return verdict.equal();
