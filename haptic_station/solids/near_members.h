@@ -2,16 +2,17 @@
 
 #include <array>
 
+#include "haptic_station/solids/proxy/walls.h"
 #include "haptic_station/solids/solid_tree.h"
 
 namespace telepalp::solids {
 
 /// Remembers which members of a tree's outermost union can give the union's value within kReach_m of a centre point, so
 /// that only these members are evaluated for a finger that moves slowly. A member's value changes by at most
-/// SolidTree::steepest per metre: a member whose value at the centre exceeds the least value by more than 2 steepest
-/// kReach_m cannot become the least within kReach_m. The value equals that of solid_at(); on an exact tie the gradient
-/// may differ by rounding. If the root is not a union, or more than kMost members can give the value, solid_at()
-/// evaluates the tree. Owner: the haptic thread. Nothing allocates.
+/// SolidTree::steepest per metre: a member whose value at the centre exceeds the least value, or 0, by more than
+/// steepest (2 kReach_m + Walls::kNear_m) cannot become the least, or a near wall, within kReach_m. The value equals
+/// that of solid_at(); on an exact tie the gradient may differ by rounding. If the root is not a union, or more than
+/// kMost members can give the value, solid_at() evaluates the tree. Owner: the haptic thread. Nothing allocates.
 class NearMembers {
  public:
   static constexpr double kReach_m = 0.003;  ///< a finger at 0.1 m/s moves this far in 30 ms
@@ -20,7 +21,13 @@ class NearMembers {
   /// Value and gradient at a point, in the solid's frame. Members are gathered anew for another tree or a far point.
   [[nodiscard]] SolidAt at(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
 
+  /// The walls near a point that is on the surface or near it, as walls_at() gives them.
+  [[nodiscard]] Walls walls(const SolidTree& tree, const Eigen::Vector3d& point_m, double swell_m) noexcept;
+
  private:
+  /// Empty: the whole tree is to be evaluated.
+  [[nodiscard]] std::span<const std::uint32_t> members_at(const SolidTree& tree,
+                                                          const Eigen::Vector3d& point_m) noexcept;
   [[nodiscard]] bool covers(const SolidTree& tree, const Eigen::Vector3d& point_m) const noexcept;
   void gather(const SolidTree& tree, const Eigen::Vector3d& point_m) noexcept;
 

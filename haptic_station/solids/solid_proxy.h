@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
 
 #include "haptic_station/solids/near_members.h"
 #include "haptic_station/solids/solid_tree.h"
@@ -18,18 +16,20 @@ struct ProxyAt {
 
 /// How exactly the proxy is found; docs/accuracy.md has the error and cost of each value.
 struct ProxySettings {
-  int rounds = 6;             ///< steps along the surface in a tick, at most
+  int rounds = 20;            ///< steps along the surface in a tick, at most
   double tolerance_m = 1e-6;  ///< the proxy is on the surface within this distance
   bool remembers = true;      ///< evaluates only the parts near a slow hand, see NearMembers
 };
 
 /// The proxy (god-object) of a solid: the point outside the solid that follows the device and stops at the surface. A
-/// spring from device to proxy is an inner layer of paper S2 (docs/sources.md). Up to three tangent planes hold the
-/// proxy, at most one for each part (shape, blend or clip) of the solid, so that it rests in a crease between two ribs.
+/// spring from device to proxy is an inner layer of paper S2 (docs/sources.md). Each part of the solid (shape, blend or
+/// clip) within Walls::kNear_m of the proxy holds it by its tangent plane, up to eight parts at once; so it rests in a
+/// crease between two ribs and in the corner of a room, at the point nearest to the device.
 /// A fast device is swept from the last proxy on, so a thin wall stops it and keeps it on the side from which it came.
 /// A device that is outside the solid and more than kTorn_m from its proxy was pushed right through the solid: the
 /// proxy jumps to the device, which discards the spring's energy. While the device rests, the proxy lies on the surface
-/// within ProxySettings::tolerance_m. Sources: S2 III.A; Zilles and Salisbury 1995; Salisbury and Tarr 1997. Owner: the
+/// within ProxySettings::tolerance_m. Sources: S2 III.A; Zilles and Salisbury 1995; Ruspini, Kolarov and Khatib 1997
+/// (constraint planes); Ortega, Redon and Coquillart 2007 (the nearest point that all constraints allow). Owner: the
 /// haptic thread. Nothing allocates.
 class SolidProxy {
  public:
@@ -47,27 +47,19 @@ class SolidProxy {
 
  private:
   static constexpr int kMostSweeps = 32;
-  static constexpr double kStride_m = 0.001;  ///< largest move of the proxy in a round
-  static constexpr double kFlat = 0.1;        ///< a shorter gradient gives no plane: opposite walls are equally near
 
-  struct Plane {
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    std::uint32_t part = kNothing;
-  };
-  [[nodiscard]] SolidAt swollen_at(const SolidTree& tree, const Eigen::Vector3d& p, double swell_m) noexcept;
+  [[nodiscard]] SolidAt value(const SolidTree& tree, double swell_m) noexcept;
+  [[nodiscard]] Walls walls(const SolidTree& tree, double swell_m) noexcept;
   void start(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m) noexcept;
   [[nodiscard]] bool sweep(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m) noexcept;
+  [[nodiscard]] bool stopped(const SolidTree& tree, const Eigen::Vector3d& way, double swell_m) noexcept;
   void slide(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m) noexcept;
-  bool hold(const SolidAt& at) noexcept;
-  void let_go(const Eigen::Vector3d& device) noexcept;
-  [[nodiscard]] Eigen::Vector3d goal(const Eigen::Vector3d& device) const noexcept;
+  void push_out(const Eigen::Vector3d& otherwise) noexcept;
 
   ProxySettings settings_;
   NearMembers near_;
   Eigen::Vector3d proxy_ = Eigen::Vector3d::Zero();
-  std::array<Plane, 3> planes_{};
-  std::size_t count_ = 0;
+  Walls walls_{};  ///< at the proxy; none: nothing is touched
   bool started_ = false;
 };
 

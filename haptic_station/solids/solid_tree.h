@@ -46,12 +46,16 @@ struct alignas(64) TreeNode {
   std::uint32_t hierarchy = 0;  ///< of a union: index in `boxes` of the root over its bounded members, or kNothing
   double scale = 1.0;
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  std::array<double, 8> numbers{};           ///< of a shape, a clip or a blend
+  std::array<double, 8> numbers{};           ///< of a shape, a clip or a blend; of a difference, kSeam_m in its frame
   const DistanceLattice* lattice = nullptr;  ///< of a mesh; borrowed from the tree's `lattices`
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Box box;  ///< contains the node's solid, in the frame of the operator that contains the node
 };
 inline constexpr std::uint32_t kNothing = 0xffffffff;
+
+/// What is cut away from a solid is larger by this on all sides [m]. Otherwise a sheet without thickness would stay
+/// where both have the same face, and be felt: a solid less itself is nothing.
+inline constexpr double kSeam_m = 3e-6;
 
 /// A node of the hierarchy of boxes over the members of a union: up to four boxes, tested together.
 struct alignas(64) BoxNode {  // two cache lines

@@ -1,10 +1,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "haptic_station/solids/build/box_hierarchy.h"
 #include "haptic_station/solids/build/shape_box.h"
 #include "haptic_station/solids/solid_tree.h"
+#include "proto/words/error_line.h"
 
 namespace telepalp::solids {
 namespace {
@@ -67,12 +69,13 @@ class TreeBuilder {
   explicit TreeBuilder(const Solid& solid) : solid_(solid) {}
 
   SolidTree build() {
-    tree_.root = add(0);
+    tree_.root = add(0, 1.0);
     return std::move(tree_);
   }
 
  private:
-  std::uint32_t add(std::size_t at) {
+  /// `unit_m`: metres of the tree's frame in one unit of the frame around the node.
+  std::uint32_t add(std::size_t at, double unit_m) {
     Placing placing;
     bool placed = false;
     for (; is_placement(solid_[at].kind().op); ++at) {
@@ -92,9 +95,9 @@ class TreeBuilder {
     if (given.kind().operands == 0)
       add_shape(given, node);
     else if (node.op == Op::Union)
-      add_union(at, node);
+      add_union(at, node, unit_m * placing.scale);
     else
-      add_operator(at, node);
+      add_operator(at, node, unit_m * placing.scale);
     if (placed) node.box = placed_box(node.box, node);
     tree_.nodes.push_back(node);
     return static_cast<std::uint32_t>(tree_.nodes.size() - 1);
@@ -113,17 +116,17 @@ class TreeBuilder {
   }
 
   /// The members of a union and of the unions that are its operands.
-  void gather(std::size_t at, std::vector<std::uint32_t>& members) {
+  void gather(std::size_t at, double unit_m, std::vector<std::uint32_t>& members) {
     while (solid_[at].kind().op == Op::Union) {
-      gather(at + 1, members);
+      gather(at + 1, unit_m, members);
       at = end_of(solid_, at + 1);
     }
-    members.push_back(add(at));
+    members.push_back(add(at, unit_m));
   }
 
-  void add_union(std::size_t at, TreeNode& node) {
+  void add_union(std::size_t at, TreeNode& node, double unit_m) {
     std::vector<std::uint32_t> members;
-    gather(at, members);
+    gather(at, unit_m, members);
     const auto bounded = std::stable_partition(
         members.begin(), members.end(), [&](std::uint32_t member) { return !tree_.nodes[member].box.bounded(); });
     node.first = static_cast<std::uint32_t>(tree_.loose.size());
@@ -137,18 +140,21 @@ class TreeBuilder {
     for (const std::uint32_t member : members) node.box = joined(node.box, tree_.nodes[member].box);
   }
 
-  void add_operator(std::size_t at, TreeNode& node) {
+  void add_operator(std::size_t at, TreeNode& node, double unit_m) {
     node.exactness = Exactness::Bound;
-    node.first = add(at + 1);
+    node.first = add(at + 1, unit_m);
     const Box first = tree_.nodes[node.first].box;
     if (node.op == Op::Clip) {
       node.box = clipped(first, {node.numbers[0], node.numbers[1], node.numbers[2]}, node.numbers[3]);
       return;
     }
-    node.second = add(end_of(solid_, at + 1));
+    node.second = add(end_of(solid_, at + 1), unit_m);
     const Box& second = tree_.nodes[node.second].box;
     if (node.op == Op::Intersection) node.box = common(first, second);
-    if (node.op == Op::Difference) node.box = first;
+    if (node.op == Op::Difference) {
+      node.box = first;
+      node.numbers[0] = kSeam_m / unit_m;
+    }
     if (node.op == Op::Blend) node.box = widened(joined(first, second), 0.25 * node.numbers[0]);
   }
 
@@ -187,6 +193,24 @@ Result<void> check(const Solid& solid) {
   return {};
 }
 
+/// A scale of a scale can leave the range of numbers, though each factor is in its own range.
+Result<void> check_values(const SolidTree& tree) {
+  constexpr double kAround_m[] = {-1.0, 0.0, 1.0};
+  std::vector<Vector3d> points;
+  for (const double x : kAround_m)
+    for (const double y : kAround_m)
+      for (const double z : kAround_m) points.emplace_back(x, y, z);
+  if (const Box& box = tree.box(); box.bounded()) points.push_back(0.5 * (box.low + box.high));
+  for (const Vector3d& p : points) {
+    const SolidAt at = solid_at(tree, p);
+    if (std::isfinite(at.m) && at.gradient.allFinite()) continue;
+    return wrong("the solid has no finite value near (" + number_text(p.x()) + ", " + number_text(p.y()) + ", " +
+                     number_text(p.z()) + ")",
+                 "check its numbers: nested scales multiply, and a description in metres needs none");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::size_t SolidTree::bytes() const noexcept {
@@ -198,7 +222,9 @@ std::size_t SolidTree::bytes() const noexcept {
 
 Result<std::shared_ptr<const SolidTree>> build_tree(const Solid& solid) {
   if (const Result<void> checked = check(solid); !checked) return checked.error();
-  return std::make_shared<const SolidTree>(TreeBuilder(solid).build());
+  auto tree = std::make_shared<const SolidTree>(TreeBuilder(solid).build());
+  if (const Result<void> checked = check_values(*tree); !checked) return checked.error();
+  return tree;
 }
 
 }  // namespace telepalp::solids

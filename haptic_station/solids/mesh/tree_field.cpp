@@ -84,9 +84,14 @@ class FeatureList {
 }  // namespace
 
 isosurface::Field field_of(const SolidTree& tree) {
+  // Without seams: next to a seam the value is nearly zero, and only cells of a micrometre could tell that nothing is
+  // there. Where the value is zero on a sheet, the extraction sees that it has no inside.
+  const auto seamless = std::make_shared<SolidTree>(tree);
+  for (TreeNode& node : seamless->nodes)
+    if (node.op == Op::Difference) node.numbers[0] = 0.0;
   return {.at =
-              [&tree](const Eigen::Vector3d& p) {
-                const SolidAt at = solid_at(tree, p);
+              [seamless](const Eigen::Vector3d& p) {
+                const SolidAt at = solid_at(*seamless, p);
                 return isosurface::FieldAt{at.m, at.gradient};
               },
           .steepest = tree.steepest,

@@ -11,9 +11,11 @@ struct HalfSpace {
   double offset_m;
 };
 
-/// The point nearest to `p` in the intersection of at most three half-spaces. Of nearly parallel planes that face the
-/// same way, the one with the larger offset decides; the line in which they intersect is far away and is not tried.
-/// Returns `otherwise` if no common point of the half-spaces is found.
+/// The point nearest to `p` in the intersection of half-spaces, of which at most three hold the point. It moves by no
+/// more than `p` does. For a few planes (eight at most), trying each set of one, two or three planes costs less than a
+/// solver, and cannot cycle. Returns `otherwise` if the half-spaces have no common point, or if the planes that hold
+/// it are parallel within 1e-5 rad. Source of the condition that stops the search: Karush-Kuhn-Tucker, which in a
+/// convex set only the nearest point meets.
 [[nodiscard]] Eigen::Vector3d nearest_in(std::span<const HalfSpace> spaces, const Eigen::Vector3d& p,
                                          const Eigen::Vector3d& otherwise) noexcept;
 

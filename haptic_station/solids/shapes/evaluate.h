@@ -11,6 +11,12 @@ namespace telepalp::solids {
 /// Value and gradient of node `index` at `p`, both in the frame of the operator that contains the node.
 [[nodiscard]] SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Eigen::Vector3d& p) noexcept;
 
+/// The same in the node's own frame.
+[[nodiscard]] SolidAt own_value(const SolidTree& tree, std::uint32_t index, const Eigen::Vector3d& p) noexcept;
+
+/// Of a difference, value and gradient of what is cut away, negated; in the difference's own frame.
+[[nodiscard]] SolidAt cut_value(const SolidTree& tree, const TreeNode& difference, const Eigen::Vector3d& p) noexcept;
+
 /// Converts a value and gradient from a node's own frame to the frame of the operator that contains the node.
 [[nodiscard]] inline SolidAt placed(const TreeNode& node, SolidAt at) noexcept {
   at.m *= node.scale;
@@ -44,6 +50,22 @@ using Lanes = std::array<double, BoxNode::kWidth>;
     }
   }
   return sum;
+}
+
+/// Calls `take` with each bounded member whose box is at most `within` away, until it returns false.
+template <class Take>
+bool for_each_near(const SolidTree& tree, std::uint32_t box, const Eigen::Vector3d& p, double within,
+                   Take&& take) noexcept {
+  const BoxNode& node = tree.boxes[box];
+  const Lanes squared = squared_distances(node, p);
+  for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {
+    const std::uint32_t child = node.child[i];
+    if (child == kNothing || squared[i] > within * within) continue;
+    const bool goes_on =
+        (child & BoxNode::kMember) != 0 ? take(child & ~BoxNode::kMember) : for_each_near(tree, child, p, within, take);
+    if (!goes_on) return false;
+  }
+  return true;
 }
 
 /// The least of the values taken so far; on an exact tie, with the mean of their gradients.

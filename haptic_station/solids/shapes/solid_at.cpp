@@ -16,8 +16,6 @@ Vector3d three(const TreeNode& node, std::size_t first) noexcept {
   return {node.numbers[first], node.numbers[first + 1], node.numbers[first + 2]};
 }
 
-SolidAt negated(const SolidAt& at) noexcept { return {-at.m, -at.gradient, at.part}; }
-
 /// Of two values the greater one; a tie gives the mean gradient.
 SolidAt greater(const SolidAt& a, const SolidAt& b) noexcept {
   if (a.m != b.m) return a.m > b.m ? a : b;
@@ -82,8 +80,8 @@ SolidAt union_at(const SolidTree& tree, std::uint32_t index, const Vector3d& p) 
 SolidAt difference_at(const SolidTree& tree, const TreeNode& node, const Vector3d& p) noexcept {
   const SolidAt kept = evaluate(tree, node.first, p);
   const double squared_m2 = tree.nodes[node.second].box.squared_distance_m2(p);
-  if (squared_m2 > 0.0 && kept.m > -std::sqrt(squared_m2)) return kept;
-  return greater(kept, negated(evaluate(tree, node.second, p)));
+  if (squared_m2 > 0.0 && kept.m > node.numbers[0] - std::sqrt(squared_m2)) return kept;
+  return greater(kept, cut_value(tree, node, p));
 }
 
 SolidAt blend_at(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
@@ -120,7 +118,9 @@ SolidAt operator_at(const SolidTree& tree, std::uint32_t index, const Vector3d& 
   }
 }
 
-SolidAt in_own_frame(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
+}  // namespace
+
+SolidAt own_value(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
   const TreeNode& node = tree.nodes[index];
   const auto& n = node.numbers;
   switch (node.op) {
@@ -147,7 +147,10 @@ SolidAt in_own_frame(const SolidTree& tree, std::uint32_t index, const Vector3d&
   }
 }
 
-}  // namespace
+SolidAt cut_value(const SolidTree& tree, const TreeNode& difference, const Vector3d& p) noexcept {
+  const SolidAt cut = evaluate(tree, difference.second, p);
+  return {difference.numbers[0] - cut.m, -cut.gradient, cut.part};
+}
 
 SolidAt at_least_the_box(const TreeNode& node, const Vector3d& p, const SolidAt& at) noexcept {
   const double squared_m2 = node.box.squared_distance_m2(p);
@@ -159,7 +162,7 @@ SolidAt at_least_the_box(const TreeNode& node, const Vector3d& p, const SolidAt&
 
 SolidAt evaluate(const SolidTree& tree, std::uint32_t index, const Vector3d& p) noexcept {
   const TreeNode& node = tree.nodes[index];
-  const SolidAt own = in_own_frame(tree, index, in_frame_of(node, p));
+  const SolidAt own = own_value(tree, index, in_frame_of(node, p));
   const SolidAt at = node.placed ? placed(node, own) : own;
   return node.exactness == Exactness::Bound ? at_least_the_box(node, p, at) : at;
 }

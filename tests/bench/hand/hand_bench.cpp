@@ -39,8 +39,9 @@ namespace hand {
 
 std::vector<Study> all_studies() {
   std::vector<Study> all;
-  for (const auto& group : {skin_felt_again(), colleague(), step_response(), excess_work(), anchor_drift(), re_entry(),
-                            force_error(), inner_objects(), device_faults(), hand_prediction(), paper_trials(), cost()})
+  for (const auto& group :
+       {skin_felt_again(), colleague(), step_response(), excess_work(), anchor_drift(), re_entry(), force_error(),
+        inner_objects(), creases(), device_faults(), hand_prediction(), paper_trials(), cost()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

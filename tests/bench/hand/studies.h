@@ -23,6 +23,7 @@ struct Study {
 [[nodiscard]] std::vector<Study> re_entry();
 [[nodiscard]] std::vector<Study> force_error();
 [[nodiscard]] std::vector<Study> inner_objects();
+[[nodiscard]] std::vector<Study> creases();
 [[nodiscard]] std::vector<Study> device_faults();
 [[nodiscard]] std::vector<Study> hand_prediction();
 [[nodiscard]] std::vector<Study> paper_trials();

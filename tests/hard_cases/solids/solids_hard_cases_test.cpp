@@ -156,6 +156,79 @@ AssertionResult tangent_union() {
                  below_m("and does not chatter", chatter_m, 2e-6)});
 }
 
+/// The largest change of the proxy beyond the device's own motion while the device slides through `through`.
+double proxy_step_m(const SolidTree& tree, const std::vector<Vector3d>& through) {
+  SolidProxy proxy;
+  double worst_m = 0.0;
+  Vector3d before = proxy.step(tree, through.front()).at;
+  for (std::size_t leg = 1; leg < through.size(); ++leg) {
+    const Vector3d way = through[leg] - through[leg - 1];
+    const int ticks = static_cast<int>(std::ceil(way.norm() / (0.3 * kTick_s)));
+    for (int i = 1; i <= ticks; ++i) {
+      const Vector3d now = proxy.step(tree, through[leg - 1] + way * i / ticks).at;
+      worst_m = std::max(worst_m, (now - before).norm() - way.norm() / ticks);
+      before = now;
+    }
+  }
+  return worst_m;
+}
+
+AssertionResult flat_crease() {
+  const auto tree = tree_of("+ plane 0.5 1 0 0 plane -0.5 1 0 0");
+  const double step_m =
+      proxy_step_m(*tree, {{0.0, 0.02, 0.0}, {0.0, -0.01, 0.0}, {0.02, -0.01, 0.01}, {-0.02, -0.005, 0.0}});
+  SolidProxy proxy;
+  const ProxyAt at = driven(proxy, *tree, {0.0, 0.02, 0.003}, {0.0, -0.01, 0.003}, 500);
+  return all_of({below_m("no jump of the proxy", step_m, 1e-6),
+                 near("it rests in the crease", (at.at - Vector3d(0.0, 0.0, 0.003)).norm(), 0.0, 2e-6)});
+}
+
+AssertionResult six_planes() {
+  std::string text;
+  for (int i = 0; i < 6; ++i) {
+    const double turn = std::numbers::pi / 3.0 * i;
+    if (i < 5) text += "+ ";
+    text += "plane " + std::to_string(-std::cos(turn)) + " 0.7 " + std::to_string(-std::sin(turn)) + " 0 ";
+  }
+  const auto tree = tree_of(text);
+  SolidProxy proxy;
+  const ProxyAt at = driven(proxy, *tree, {0.0, 0.03, 0.0}, {0.001, -0.01, 0.0005}, 500);
+  return all_of(
+      {near("the proxy is their common point", at.at.norm(), 0.0, 5e-6),
+       below_m("no jump on the way over it",
+               proxy_step_m(*tree, {{0.0, 0.03, 0.0}, {0.004, -0.008, 0.0}, {-0.006, -0.004, 0.005}}), 1e-6)});
+}
+
+AssertionResult room_corner() {
+  const auto tree = tree_of("- box 0.1 0.1 0.1 tr 0.02 0.02 0.02 box 0.04 0.04 0.04");  // a cavity in a block
+  SolidProxy proxy;
+  const ProxyAt at = driven(proxy, *tree, {0.02, 0.02, 0.02}, {-0.03, -0.03, -0.035}, 600);
+  return all_of({near("the proxy is in the corner", (at.at - Vector3d(-0.02, -0.02, -0.02)).norm(), 0.0, 1e-5)});
+}
+
+AssertionResult nothing_left() {
+  const std::string shape = "tx 0.01 0 0 30 1 1 0 box 0.02 0.01 0.03 ";
+  SolidProxy whole;
+  SolidProxy tiny;
+  const auto nothing = tree_of("- " + shape + shape);
+  const auto scaled = tree_of("sc 0.001 - box 20 10 30 box 20 10 30");
+  double felt_m = 0.0;
+  for (int i = 0; i <= 400; ++i) {
+    const Vector3d device(0.003, 0.05 - 0.00025 * i, 0.002);
+    felt_m = std::max({felt_m, whole.step(*nothing, device).depth_m, tiny.step(*scaled, device).depth_m});
+  }
+  return all_of({below_m("nothing is felt", felt_m, 1e-9)});
+}
+
+AssertionResult no_finite_value() {
+  std::string text;
+  for (int i = 0; i < 60; ++i) text += "sc 0.000001 ";
+  const auto solid = solids::parse_polish(text + "sphere 1", "case");
+  const auto tree = solid.ok() ? solids::build_tree(*solid) : solid.error();
+  return all_of(
+      {{!tree.ok() && tree.error().what.find("no finite value") != std::string::npos, "refused, with a place"}});
+}
+
 AssertionResult thin_clip() {
   const auto tree = tree_of("clip 0 1 0 0.01 clip 0 -1 0 -0.0099 box 0.05 0.05 0.05");  // a sheet of 0.1 mm
   SolidProxy slow;
@@ -222,6 +295,11 @@ const HardCase kRows[] = {
     {"stiff mass inside a soft organ", "stiffness jumps at its edge", "energy and force stay bounded", inclusion},
     {"two spheres that touch in a point", "the normals there cancel", "hold the last planes, no chatter",
      tangent_union},
+    {"a crease of two flat walls", "both tie along a line", "rest in it, no jump", flat_crease},
+    {"six planes in one point", "any three could hold the proxy", "rest in the point, no jump", six_planes},
+    {"the corner of a room that is cut from a block", "three walls of one shape", "each holds the proxy", room_corner},
+    {"a solid less itself", "a sheet without thickness would stay", "nothing is felt", nothing_left},
+    {"60 scales of a millionth, nested", "their product is zero", "refused when it is read", no_finite_value},
     {"a sheet of 0.1 mm", "a tick crosses it", "stay on the side of entry", thin_clip},
     {"100 levels of operators", "recursion could overflow", "evaluated; more is refused", deep_tree},
     {"blend of a solid with itself", "the blend's width is full everywhere", "a stated swelling, no cusp",
