@@ -48,11 +48,14 @@ export const untilStatus = (page, what, holds, timeout_ms = 120_000) =>
       throw new Error(`${problem.message}; the page says ${JSON.stringify(await status(page))}`);
     });
 
-/** For the middle of the picture: the share that differs from the empty background, and the number of colours. */
-export async function lookAtMiddle(context, png) {
+/**
+ * For the middle of the picture: the share that differs from the empty background, the number of colours, and the number
+ * of pixels that are nearly of the colour `sought`.
+ */
+export async function lookAtMiddle(context, png, sought = [0, 0, 0]) {
   const page = await context.newPage();
   try {
-    return await page.evaluate(async (base64) => {
+    return await page.evaluate(async ([base64, sought]) => {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const picture = await createImageBitmap(new Blob([bytes], {type: 'image/png'}));
       const canvas = new OffscreenCanvas(picture.width, picture.height);
@@ -62,13 +65,15 @@ export async function lookAtMiddle(context, png) {
       const {data} = context.getImageData(width, height, width, height);
       const colors = new Set();
       let drawn = 0;
+      let alike = 0;
       for (let at = 0; at < data.length; at += 4) {
         const [red, green, blue] = data.subarray(at, at + 3);
         if (Math.abs(red - 7) + Math.abs(green - 11) + Math.abs(blue - 16) > 24) ++drawn;
+        if (Math.max(Math.abs(red - sought[0]), Math.abs(green - sought[1]), Math.abs(blue - sought[2])) < 24) ++alike;
         colors.add((red << 16) | (green << 8) | blue);
       }
-      return {drawn: drawn / (width * height), colors: colors.size};
-    }, png.toString('base64'));
+      return {drawn: drawn / (width * height), colors: colors.size, alike};
+    }, [png.toString('base64'), sought]);
   } finally {
     await page.close();
   }

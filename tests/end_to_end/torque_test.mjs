@@ -6,12 +6,13 @@ import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {openBrowser, status, untilStatus} from './browser.mjs';
+import {lookAtMiddle, openBrowser, status, untilStatus} from './browser.mjs';
 import {NeedleDevice} from './needle_device.mjs';
 import {until, Workplace} from './running_program.mjs';
 
 const [scenes, binDir, viewer] = process.argv.slice(2);
 const LEVER_M = 0.05;
+const RING = [0xd9, 0x8c, 0xff];  // its colour
 const place = new Workplace('torque');
 let browser, device, page, station;
 
@@ -36,27 +37,7 @@ after(async () => {
   await place.end();
 });
 
-/** Number of pixels of the page that have the ring's colour. */
-async function ringPixels() {
-  const png = await page.screenshot();
-  const context = await browser.context.newPage();
-  try {
-    return await context.evaluate(async (base64) => {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const picture = await createImageBitmap(new Blob([bytes], {type: 'image/png'}));
-      const canvas = new OffscreenCanvas(picture.width, picture.height);
-      const drawing = canvas.getContext('2d');
-      drawing.drawImage(picture, 0, 0);
-      const {data} = drawing.getImageData(picture.width / 4, picture.height / 4, picture.width / 2, picture.height / 2);
-      let found = 0;
-      for (let at = 0; at < data.length; at += 4)
-        if (Math.abs(data[at] - 0xd9) < 24 && Math.abs(data[at + 1] - 0x8c) < 24 && data[at + 2] > 0xe0) ++found;
-      return found;
-    }, png.toString('base64'));
-  } finally {
-    await context.close();
-  }
-}
+const ringPixels = async () => (await lookAtMiddle(browser.context, await page.screenshot(), RING)).alike;
 
 /** undefined below 0.05 N m. */
 async function shownTorque_N_m() {

@@ -8,35 +8,14 @@ import {createRequire} from 'node:module';
 import {createInterface} from 'node:readline';
 import {pathToFileURL} from 'node:url';
 
+import {poseOf, stepTowards} from '../udp_pose.mjs';
+
 export const HAPTIC_FROM_TRACKER_M = [0.03, 0.31, -0.02];
-const POSE_BYTES = 80;
 const COMMAND_BYTES = 108;
 const COMMANDS_FOR_A_POSE = 4;  // 500 poses a second
 const STEP_M = 0.0002;          // from pose to pose: 0.1 m/s
 const NOISE_M = 0.0003;
 const SLIP_M = 0.012;
-
-function adler32(bytes) {
-  let [a, b] = [1, 0];
-  for (const byte of bytes) {
-    a = (a + byte) % 65521;
-    b = (b + a) % 65521;
-  }
-  return ((b << 16) | a) >>> 0;
-}
-
-function poseOf(sequence, command, at) {
-  const pose = Buffer.alloc(POSE_BYTES);
-  pose.write('TTPU');
-  pose.writeUInt16LE(1, 4);
-  pose.writeUInt32LE(4711, 8);
-  pose.writeUInt32LE(sequence, 12);
-  pose.writeBigUInt64LE(process.hrtime.bigint() / 1000n, 16);
-  pose.writeUInt32LE(command.readUInt32LE(12), 24);
-  at.forEach((value, axis) => pose.writeDoubleLE(value, 28 + 8 * axis));
-  pose.writeUInt32LE(adler32(pose.subarray(0, POSE_BYTES - 4)), POSE_BYTES - 4);
-  return pose;
-}
 
 function run() {
   const {WebSocketServer} = createRequire(new URL('../../npm/package.json', import.meta.url))('ws');
@@ -45,12 +24,10 @@ function run() {
   const device = createSocket('udp4');
   device.on('message', (command, from) => {
     if (command.length !== COMMAND_BYTES || ++commands % COMMANDS_FOR_A_POSE !== 0) return;
-    const way = to.map((value, axis) => value - at[axis]);
-    const far_m = Math.hypot(...way);
-    const share = far_m > STEP_M ? STEP_M / far_m : 1;
-    at = at.map((value, axis) => value + share * way[axis]);
-    if (far_m > 0 && share === 1) console.log('there');
-    device.send(poseOf(commands, command, at), from.port, from.address);
+    const step = stepTowards(at, to, STEP_M);
+    at = step.at;
+    if (step.arrives) console.log('there');
+    device.send(poseOf({sequence: commands, command}, [...at, 0, 0, 0]), from.port, from.address);
   });
 
   /** The palm in the tracker's frame [mm], with the noise of a tracker. */
