@@ -34,11 +34,15 @@ inline constexpr std::size_t kMostEffects = 8;
 /// One per effect, in the order in which EffectBank holds the effects.
 using Placements = std::array<Placement, kMostEffects>;
 
-/// How close the device point is to an object inside the body, in ascending order: not near, within the `around_m` of
-/// the object's settings, pressed from the side, pressed from above.
+/// Up to this distance from an object inside the body, its touch() is Near.
+inline constexpr double kAround_m = 0.01;
+
+/// How close the device point is to an object inside the body, in ascending order: not near, within kAround_m, pressed
+/// from the side, pressed from above.
 enum class ObjectTouch { None, Near, Lateral, Upper };
 
 // An effect is a value type with these members, all noexcept and free of allocation. EffectBank holds and steps them.
+// - Settings: its recipe, plain values that a scene gives; the constructor takes them
 // An effect without torque may give a Force<HapticBase> where a Wrench<HapticBase> is named here.
 // - begin(const EffectInput&): the end-effector has just entered the body
 // - Wrench<HapticBase> step(const EffectInput&, double dt_s): the wrench on the hand if the device could give any
@@ -58,6 +62,11 @@ enum class ObjectTouch { None, Near, Lateral, Upper };
 // - only effects whose force grows with the skin's: void weaken(double skin_left)
 // - only effects that depend on the tool's attitude: double loaded_J(const EffectInput&), the energy that they would
 //   store with this input, without a change of their state
+// - only effects whose forces need a computation that is too slow for a tick: LocalModel, a copyable value, and
+//   void take_models(std::shared_ptr<LatestValue<LocalModel>> from), called before the first contact. A slow stage
+//   (core/effect_stage.h) puts a model into `from` whenever it has one; step() takes the newest. Before the first one,
+//   and when it judges the last one too old, the effect gives no new force. A new model must not add energy to what is
+//   stored.
 // - double stiffest_N_per_m(double most_N): greatest stiffness of its spring at forces up to `most_N`
 // - static constexpr const char* kName
 // - ObjectTouch touch(): how close the device is to an object inside the body; None for other effects

@@ -23,7 +23,8 @@ struct EffectBill {
 };
 
 /// The effects of a scene, in the order of the scene file. Limits the sum of their forces to what the device can give.
-/// Owner: haptic thread.
+/// core::build_effects() builds it from a scene's recipes. `Kinds`: a std::variant of all kinds of effects; a test may
+/// add a kind of its own. Owner: haptic thread.
 ///
 /// Each effect except friction is one or more springs with a depth d, a force of magnitude f(d) and the energy U(d).
 /// While the magnitudes of all springs sum to more than B, the largest force that the device can give, all springs are
@@ -34,10 +35,11 @@ struct EffectBill {
 /// directions of two springs change with the device's place, a hand on a closed path could gain energy. A spring with a
 /// torque counts by its weight (LeverSpring), so that one common depth bounds force and torque. Effects with a state
 /// (effect.h) keep the part of B that they may need, their holds_N().
-class EffectBank {
+template <class Kinds>
+class BasicEffectBank {
  public:
   static constexpr std::size_t kMostEffects = effects::kMostEffects;
-  using Effect = effects::Effect;
+  using Effect = Kinds;
 
   /// False when the bank is full.
   bool add(const Effect& effect) noexcept;
@@ -116,5 +118,9 @@ class EffectBank {
   double relaxed_m_ = 0.0;
   double absorbed_J_ = 0.0;
 };
+
+/// The bank of telepalp's own kinds.
+using EffectBank = BasicEffectBank<Effect>;
+extern template class BasicEffectBank<Effect>;
 
 }  // namespace telepalp::effects

@@ -13,8 +13,8 @@
 
 namespace telepalp::effects {
 
-/// Every kind of effect. A line here registers a kind: EffectBank then steps it, and scenes read it from the field of
-/// msg::Effect that has its kName (scenes/read_effects.cpp), with the function read_effect() for its message.
+/// Every kind of effect. One line here registers a kind: EffectBank then steps it, the core builds it from its recipe,
+/// and scenes read it from the field of msg::Effect that has its kName (scenes/read_effects.cpp).
 using Effect = std::variant<  //
     Skin,                     //
     InnerCylinder,            //
@@ -24,5 +24,17 @@ using Effect = std::variant<  //
     Organ,                    //
     Solid,                    //
     Membrane>;
+
+/// The recipes of a list of kinds: one type for each kind, in the same order.
+template <class Kinds>
+struct RecipesOf;
+template <class... Kinds>
+struct RecipesOf<std::variant<Kinds...>> {
+  using Variant = std::variant<typename Kinds::Settings...>;
+};
+
+/// How one effect of a scene is made: plain values, and shapes that were read from files. core::build_effects() makes
+/// effects of recipes.
+using Recipe = RecipesOf<Effect>::Variant;
 
 }  // namespace telepalp::effects

@@ -67,7 +67,7 @@ Force<HapticBase> InnerCylinder::step(const EffectInput& in, double dt_s) noexce
                                 [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
   spring_ = {};
   if (felt.depth_m <= 0.0) {
-    touch_ = -depth_at(from_top).m <= settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
+    touch_ = -depth_at(from_top).m <= kAround_m ? ObjectTouch::Near : ObjectTouch::None;
     return {};
   }
   touch_ =

@@ -11,7 +11,6 @@ struct InnerCylinderSettings {
   double radius_m = 0.03;
   double height_m = 0.05;
   double stiffness_N_per_m = 800.0;
-  double around_m = 0.01;  ///< within this distance of the cylinder, touch() is Near
 };
 
 /// An upright cylinder inside the body (paper S1, docs/sources.md, III.A), given by radius, height and the centre of

@@ -17,7 +17,7 @@ Force<HapticBase> InnerSphere::step(const EffectInput& in, double dt_s) noexcept
                                 [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
   spring_ = {};
   if (felt.depth_m <= 0.0) {
-    touch_ = from_center.norm() <= settings_.radius_m + settings_.around_m ? ObjectTouch::Near : ObjectTouch::None;
+    touch_ = from_center.norm() <= settings_.radius_m + kAround_m ? ObjectTouch::Near : ObjectTouch::None;
     return {};
   }
   constexpr double kCos45 = 0.70710678118654752;

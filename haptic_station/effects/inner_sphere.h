@@ -10,7 +10,6 @@ struct InnerSphereSettings {
   Point<HapticBase> center;
   double radius_m = 0.02;
   double stiffness_N_per_m = 800.0;
-  double around_m = 0.01;  ///< within this distance of the sphere, touch() is Near
 };
 
 /// A sphere inside the body (paper S1, docs/sources.md, II.D): F = k (r - |x - c|), outwards, with stiffness k, radius

@@ -21,7 +21,7 @@ Force<HapticBase> Organ::step(const EffectInput& in, double dt_s) noexcept {
   const auto felt = entry_.step(in.device.m, in.contact.normal.v, dt_s,
                                 [this](const Eigen::Vector3d& point) noexcept { return depth_at(point); });
   if (felt.depth_m <= 0.0) {
-    if (-depth_at(in.device.m).m <= settings_.around_m) touch_ = ObjectTouch::Near;
+    if (-depth_at(in.device.m).m <= kAround_m) touch_ = ObjectTouch::Near;
     return {};
   }
   constexpr double kCos45 = 0.70710678118654752;

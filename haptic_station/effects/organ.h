@@ -13,7 +13,6 @@ namespace telepalp::effects {
 struct OrganSettings {
   std::shared_ptr<const solids::DistanceLattice> shape;  ///< in the haptic base's frame H; nullptr: no force
   double stiffness_N_per_m = 300.0;
-  double around_m = 0.01;  ///< within this distance of the organ, touch() is Near
 };
 
 /// An organ inside the body, of any closed shape. The force is minus the gradient of 1/2 k depth^2 at the proxy of

@@ -5,6 +5,8 @@
 
 namespace telepalp::effects {
 
+struct TissuePreset;
+
 /// Where the skin's indentation vector d starts.
 enum class SkinAnchor {
   FollowsSurface,  ///< at the first contact point, which moves with the surface along the normal of first contact
@@ -15,6 +17,7 @@ enum class SkinAnchor {
 struct SkinSettings {
   SkinLaw law;
   SkinAnchor anchor = SkinAnchor::FollowsSurface;
+  const TissuePreset* tissue = nullptr;  ///< one of kTissuePresets, which gave the law; nullptr: none did
 };
 
 /// The skin that pushes an indenting hand back (S1 II.D). On a plane at rest, FollowsSurface and Fixed give the same

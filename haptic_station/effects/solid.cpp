@@ -39,7 +39,7 @@ Force<HapticBase> Solid::step(const EffectInput& in, double dt_s) noexcept {
   const Eigen::Vector3d tip = in.device.m + tip_center_m_;
   felt_ = proxy_.step(tree, tip, settings_.tip_radius_m + swell_m(phase_));
   if (felt_.depth_m <= 0.0) {
-    const double near_m = settings_.tip_radius_m + settings_.around_m;
+    const double near_m = settings_.tip_radius_m + kAround_m;
     if (tree.box().squared_distance_m2(tip) <= near_m * near_m && solids::solid_at(tree, tip).m <= near_m)
       touch_ = ObjectTouch::Near;
     return {};

@@ -28,8 +28,7 @@ struct SolidLayer {
 struct SolidSettings {
   std::shared_ptr<const SolidLayer> layer;  ///< in the haptic base's frame H; nullptr: no force
   double stiffness_N_per_m = 800.0;
-  double around_m = 0.01;  ///< within this distance of the solid, touch() is Near
-  double pulse_m = 0.0;    ///< the surface moves out by this much at each pulse; 0: it is still
+  double pulse_m = 0.0;  ///< the surface moves out by this much at each pulse; 0: it is still
   double pulses_per_s = 1.2;
   /// 0: the device is a point. Above 0: the device is a point on a ball of this radius, a fingertip. The ball's centre
   /// lies outwards of the device, along the skin's normal at the first contact.

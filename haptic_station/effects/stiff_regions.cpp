@@ -5,6 +5,10 @@
 
 namespace telepalp::effects {
 
+StiffRegions::StiffRegions(const Settings& settings) noexcept {
+  for (const NamedRegion& one : settings.regions) (void)add(one.region);
+}
+
 bool StiffRegions::add(const StiffRegion& region) noexcept {
   if (count_ == kMostRegions) return false;
   regions_[count_++] = region;

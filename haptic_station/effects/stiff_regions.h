@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/effects/spring.h"
@@ -15,6 +17,17 @@ struct StiffRegion {
   double added_N_per_m = 200.0;  ///< added to the skin's own stiffness
 };
 
+/// A region with its name, which only pictures show.
+struct NamedRegion {
+  std::string name;
+  StiffRegion region;
+};
+
+/// At most StiffRegions::kMostRegions regions.
+struct StiffRegionsSettings {
+  std::vector<NamedRegion> regions;
+};
+
 /// Skin regions of added stiffness. The force is minus the gradient of 1/2 k w(r) depth^2, with the depth of the device
 /// in the skin and a smooth weight w of the horizontal distance r from the region's axis; the forces of overlapping
 /// regions are summed. The gradient has a sideways component at a stiff rim; without it, a closed path over the rim
@@ -22,8 +35,11 @@ struct StiffRegion {
 class StiffRegions {
  public:
   static constexpr const char* kName = "regions";
+  using Settings = StiffRegionsSettings;
   static constexpr std::size_t kMostRegions = 8;
 
+  StiffRegions() noexcept = default;
+  explicit StiffRegions(const Settings& settings) noexcept;
   /// False when there are already kMostRegions regions.
   bool add(const StiffRegion& region) noexcept;
   void begin(const EffectInput&) noexcept {}

@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kMeshMargin_m = 0.02;
 
-solids::MeshReader mesh_reader(const std::filesystem::path& folder) {
-  return [folder](const std::string& file, double unit_m, double cell_m) {
+solids::MeshReader mesh_reader(const std::filesystem::path& folder, MeshDetail detail) {
+  return [folder, detail](const std::string& file, double unit_m, double given_m) {
+    const double cell_m = cell_with(detail, given_m);
     return organs::read_organ_shape(folder / file,
                                     {.unit_m = unit_m, .cell_m = cell_m, .margin_m = kMeshMargin_m + 3.0 * cell_m});
   };
@@ -59,8 +60,8 @@ Result<solids::Solid> polish_file_of(const msg::SolidEffect& message, const Fiel
 }
 
 Result<solids::Solid> unnamed_tree_of(const msg::SolidEffect& message, const FieldCheck& check,
-                                      const std::filesystem::path& folder) {
-  const solids::MeshReader meshes = mesh_reader(folder);
+                                      const std::filesystem::path& folder, MeshDetail detail) {
+  const solids::MeshReader meshes = mesh_reader(folder, detail);
   const auto where = [&](const google::protobuf::Message& part, std::string_view number, double value) {
     return number.empty() ? check.places().where(check.file(), part)
                           : check.places().where(check.file(), part, number, value);
@@ -82,8 +83,8 @@ Result<solids::Solid> unnamed_tree_of(const msg::SolidEffect& message, const Fie
 
 /// The layer's tree. Its error names the layer.
 Result<solids::Solid> tree_of(const msg::SolidEffect& message, const FieldCheck& check,
-                              const std::filesystem::path& folder) {
-  Result<solids::Solid> solid = unnamed_tree_of(message, check, folder);
+                              const std::filesystem::path& folder, MeshDetail detail) {
+  Result<solids::Solid> solid = unnamed_tree_of(message, check, folder, detail);
   if (solid) return solid;
   Error error = solid.error();
   error.what = "layer " + message.name() + ": " + error.what;
@@ -120,14 +121,10 @@ effects::Echo read_echo(FieldCheck& check, const msg::SolidEffect::Echo& message
   return echo;
 }
 
-}  // namespace
-
-effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, const std::filesystem::path& folder) {
-  effects::Solid::Settings settings;
+void read_numbers(FieldCheck& check, const msg::SolidEffect& message, effects::SolidSettings& settings) {
   check.in(message);
   if (message.has_stiffness_n_per_m())
     check.number("solid.stiffness_N_per_m", message.stiffness_n_per_m(), {0, 5000, "N/m"}, settings.stiffness_N_per_m);
-  if (message.has_around_m()) check.number("solid.around_m", message.around_m(), {0, 0.1, "m"}, settings.around_m);
   if (message.has_tip_radius_m())
     check.number("solid.tip_radius_m", message.tip_radius_m(), {0, 0.02, "m"}, settings.tip_radius_m);
   if (message.has_pulse()) {
@@ -139,11 +136,24 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
       check.number("solid.pulse.beats_per_min", message.pulse().beats_per_min(), {10, 240, "1/min"}, beats_per_min);
     settings.pulses_per_s = beats_per_min / 60.0;
   }
+}
+
+}  // namespace
+
+double cell_with(MeshDetail detail, double cell_m) noexcept {
+  constexpr double kLeast_m = 0.001;
+  return detail == MeshDetail::Finer ? std::max(kLeast_m, 0.5 * cell_m) : cell_m;
+}
+
+effects::SolidSettings read_layer(FieldCheck& check, const msg::SolidEffect& message,
+                                  const std::filesystem::path& folder, MeshDetail detail) {
+  effects::SolidSettings settings;
+  read_numbers(check, message, settings);
   const effects::Echo echo = read_echo(check, message.echo());
   if (message.name().empty())
     check.complain("the layer has no name", "give the effect solid a name, as in name: \"ribs\"");
-  if (check.error()) return effects::Solid(settings);
-  Result<solids::Solid> solid = tree_of(message, check, folder);
+  if (check.error()) return settings;
+  Result<solids::Solid> solid = tree_of(message, check, folder, detail);
   if (solid) warn_about_solid(check, message, *solid);
   if (solid && message.has_haptic_from_solid()) solid = placed(message.haptic_from_solid(), std::move(solid).value());
   const auto tree =
@@ -155,10 +165,10 @@ effects::Solid read_layer(FieldCheck& check, const msg::SolidEffect& message, co
       error.where = check.place();
     }
     check.fail(std::move(error));
-    return effects::Solid(settings);
+    return settings;
   }
   settings.layer = std::make_shared<const effects::SolidLayer>(effects::SolidLayer{message.name(), *tree, echo});
-  return effects::Solid(settings);
+  return settings;
 }
 
 }  // namespace telepalp::scenes

@@ -17,10 +17,12 @@ struct Reading {
   FieldCheck& check;
   const msg::Scene& message;
   const std::filesystem::path& folder;
-  Scene& scene;  ///< gets the layers and organs
+  MeshDetail detail;
+  const std::vector<effects::Recipe>& before;  ///< the recipes of the effects before it
 };
 
-/// Read<Kind>::from() reads an effect of one kind from its message. Each kind of effects::Effect needs one.
+/// Read<Kind>::from() reads the recipe of an effect of one kind from its message. Each kind of effects::Effect needs
+/// one.
 template <class Kind>
 struct Read;
 
@@ -72,6 +74,7 @@ effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEff
   }
   skin.law = effects::paper_law(alpha);
   read_tissue(check, message, skin.law);
+  skin.tissue = effects::find_tissue(message.tissue());
   skin.law.by_axis = message.stiffness_by_axis();
   if (message.anchor() == msg::SkinEffect::ANCHOR_FIXED) skin.anchor = effects::SkinAnchor::Fixed;
   if (message.anchor() == msg::SkinEffect::ANCHOR_SLIDING) skin.anchor = effects::SkinAnchor::Sliding;
@@ -80,42 +83,40 @@ effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEff
 
 template <>
 struct Read<effects::Skin> {
-  static effects::Skin from(const Reading& reading, const msg::SkinEffect& message) {
-    return effects::Skin(read_skin_settings(reading.check, message));
+  static effects::Skin::Settings from(const Reading& reading, const msg::SkinEffect& message) {
+    return read_skin_settings(reading.check, message);
   }
 };
 
 template <>
 struct Read<effects::InnerCylinder> {
-  static effects::InnerCylinder from(const Reading& reading, const msg::CylinderEffect& message) {
+  static effects::InnerCylinder::Settings from(const Reading& reading, const msg::CylinderEffect& message) {
     FieldCheck& check = reading.check;
     effects::InnerCylinder::Settings cylinder;
     cylinder.top_center.m = read_xyz(check, "cylinder.top_center_m", message.top_center_m(), {-1, 1, "m"});
     TELEPALP_READ(check, "cylinder.", message, radius_m, cylinder.radius_m, {0.001, 0.3, "m"});
     TELEPALP_READ(check, "cylinder.", message, height_m, cylinder.height_m, {0.001, 0.5, "m"});
     TELEPALP_READ(check, "cylinder.", message, stiffness_n_per_m, cylinder.stiffness_N_per_m, {0, 5000, "N/m"});
-    TELEPALP_READ(check, "cylinder.", message, around_m, cylinder.around_m, {0, 0.1, "m"});
-    return effects::InnerCylinder(cylinder);
+    return cylinder;
   }
 };
 
 template <>
 struct Read<effects::InnerSphere> {
-  static effects::InnerSphere from(const Reading& reading, const msg::SphereEffect& message) {
+  static effects::InnerSphere::Settings from(const Reading& reading, const msg::SphereEffect& message) {
     FieldCheck& check = reading.check;
     effects::InnerSphere::Settings sphere;
     sphere.center.m = read_xyz(check, "sphere.center_m", message.center_m(), {-1, 1, "m"});
     TELEPALP_READ(check, "sphere.", message, radius_m, sphere.radius_m, {0.001, 0.3, "m"});
     TELEPALP_READ(check, "sphere.", message, stiffness_n_per_m, sphere.stiffness_N_per_m, {0, 5000, "N/m"});
-    TELEPALP_READ(check, "sphere.", message, around_m, sphere.around_m, {0, 0.1, "m"});
-    return effects::InnerSphere(sphere);
+    return sphere;
   }
 };
 
 /// The load is the force of the first skin in the scene, at any position in the file.
 template <>
 struct Read<effects::Friction> {
-  static effects::Friction from(const Reading& reading, const msg::FrictionEffect& message) {
+  static effects::Friction::Settings from(const Reading& reading, const msg::FrictionEffect& message) {
     FieldCheck& check = reading.check;
     const auto& all = reading.message.effects();
     effects::Friction::Settings friction;
@@ -127,15 +128,15 @@ struct Read<effects::Friction> {
       check.in(message).complain("friction needs a skin effect", "add effects { skin { anchor: ANCHOR_SLIDING } }");
     else
       friction.load = read_skin_settings(check, skin->skin()).law;
-    return effects::Friction(friction);
+    return friction;
   }
 };
 
 template <>
 struct Read<effects::StiffRegions> {
-  static effects::StiffRegions from(const Reading& reading, const msg::RegionsEffect& message) {
+  static effects::StiffRegions::Settings from(const Reading& reading, const msg::RegionsEffect& message) {
     FieldCheck& check = reading.check;
-    effects::StiffRegions regions;
+    effects::StiffRegionsSettings regions;
     if (message.region().empty())
       check.in(message).complain("regions names no region", "add region { center_m { x: 0 z: 0 } }");
     for (const msg::RegionsEffect::Region& given : message.region()) {
@@ -144,10 +145,11 @@ struct Read<effects::StiffRegions> {
       TELEPALP_READ(check, "region.", given, radius_m, region.radius_m, {0, 0.3, "m"});
       TELEPALP_READ(check, "region.", given, fade_m, region.fade_m, {0.001, 0.3, "m"});
       TELEPALP_READ(check, "region.", given, added_n_per_m, region.added_N_per_m, {0, 3000, "N/m"});
-      if (!regions.add(region))
+      if (regions.regions.size() == effects::StiffRegions::kMostRegions)
         check.in(given).complain(
             "regions names more than " + std::to_string(effects::StiffRegions::kMostRegions) + " regions",
             "leave some out, or add a second regions effect");
+      regions.regions.push_back({given.name(), region});
     }
     return regions;
   }
@@ -156,46 +158,46 @@ struct Read<effects::StiffRegions> {
 /// The mesh file is read only when the numbers of the message are valid.
 template <>
 struct Read<effects::Organ> {
-  static effects::Organ from(const Reading& reading, const msg::OrganEffect& message) {
+  static effects::Organ::Settings from(const Reading& reading, const msg::OrganEffect& message) {
     FieldCheck& check = reading.check;
     organs::OrganShapeSettings shape;
     effects::Organ::Settings organ;
     TELEPALP_READ(check, "organ.", message, unit_m, shape.unit_m, {1e-6, 1000, "m"});
     TELEPALP_READ(check, "organ.", message, stiffness_n_per_m, organ.stiffness_N_per_m, {0, 5000, "N/m"});
-    TELEPALP_READ(check, "organ.", message, around_m, organ.around_m, {0, 0.1, "m"});
     TELEPALP_READ(check, "organ.", message, cell_m, shape.cell_m, {0.001, 0.02, "m"});
     shape.haptic_from_model = read_transform(check, "organ.haptic_from_model", message.haptic_from_model());
-    shape.margin_m = organ.around_m + 3.0 * shape.cell_m;
+    shape.cell_m = cell_with(reading.detail, shape.cell_m);
+    shape.margin_m = effects::kAround_m + 3.0 * shape.cell_m;
     if (message.file().empty()) check.in(message).complain("organ.file is empty", "name a closed mesh, .ply or .obj");
-    if (check.error()) return effects::Organ(organ);
+    if (check.error()) return organ;
     const auto read = organs::read_organ_shape(reading.folder / message.file(), shape);
     if (!read) {
       check.in(message).fail_in_file("organ: ", read.error());
-      return effects::Organ(organ);
+      return organ;
     }
     organ.shape = *read;
-    reading.scene.organs.push_back({*read, static_cast<std::uint32_t>(reading.scene.effects.size())});
-    return effects::Organ(organ);
+    return organ;
   }
 };
 
 template <>
 struct Read<effects::Solid> {
-  static effects::Solid from(const Reading& reading, const msg::SolidEffect& message) {
-    FieldCheck& check = reading.check;
-    Scene& scene = reading.scene;
-    const effects::Solid layer = read_layer(check, message, reading.folder);
-    if (std::ranges::any_of(scene.layers, [&](const SceneLayer& one) { return one.solid->name == message.name(); }))
-      check.in(message).complain("an earlier layer has the name " + message.name(),
-                                 "give each layer a name of its own, as in name: \"" + message.name() + " 2\"");
-    if (layer.layer()) scene.layers.push_back({layer.layer(), static_cast<std::uint32_t>(scene.effects.size())});
+  static effects::Solid::Settings from(const Reading& reading, const msg::SolidEffect& message) {
+    const auto has_its_name = [&](const effects::Recipe& one) {
+      const auto* layer = std::get_if<effects::SolidSettings>(&one);
+      return layer != nullptr && layer->layer && layer->layer->name == message.name();
+    };
+    effects::SolidSettings layer = read_layer(reading.check, message, reading.folder, reading.detail);
+    if (std::ranges::any_of(reading.before, has_its_name))
+      reading.check.in(message).complain("an earlier layer has the name " + message.name(),
+                                         "give each layer a name of its own, as in name: \"" + message.name() + " 2\"");
     return layer;
   }
 };
 
 template <>
 struct Read<effects::Membrane> {
-  static effects::Membrane from(const Reading& reading, const msg::MembraneEffect& message) {
+  static effects::Membrane::Settings from(const Reading& reading, const msg::MembraneEffect& message) {
     FieldCheck& check = reading.check;
     effects::Membrane::Settings membrane;
     membrane.at.m = read_xyz(check, "membrane.at_m", message.at_m(), {-1, 1, "m"});
@@ -204,25 +206,25 @@ struct Read<effects::Membrane> {
     TELEPALP_READ(check, "membrane.", message, tears_at_n, membrane.tears_at_N, {0.1, 20, "N"});
     TELEPALP_READ(check, "membrane.", message, friction_n, membrane.friction_N, {0, 3, "N"});
     TELEPALP_READ(check, "membrane.", message, skin_left, membrane.skin_left, {0, 1, "N/N"});
-    return effects::Membrane(membrane);
+    return membrane;
   }
 };
 
-template <class Kind, class Message>
-effects::Effect read_with(Kind (*from)(const Reading&, const Message&), const Reading& reading,
+template <class Settings, class Message>
+effects::Recipe read_with(Settings (*from)(const Reading&, const Message&), const Reading& reading,
                           const google::protobuf::Message& message) {
   return from(reading, static_cast<const Message&>(message));
 }
 
-/// The effect of the kind whose kName is `name`.
+/// The recipe of the kind whose kName is `name`.
 template <class... Kinds>
-std::optional<effects::Effect> read_kind(std::type_identity<std::variant<Kinds...>>, const Reading& reading,
-                                         const std::string& name, const google::protobuf::Message& message) {
-  std::optional<effects::Effect> effect;
+effects::Recipe read_kind(std::type_identity<std::variant<Kinds...>>, const Reading& reading, const std::string& name,
+                          const google::protobuf::Message& message) {
+  std::optional<effects::Recipe> recipe;
   const bool known =
-      ((name == Kinds::kName && (effect = read_with(&Read<Kinds>::from, reading, message)).has_value()) || ...);
+      ((name == Kinds::kName && (recipe = read_with(&Read<Kinds>::from, reading, message)).has_value()) || ...);
   demand(known, "each field of msg::Effect has the kName of an effect");
-  return effect;
+  return std::move(*recipe);
 }
 
 /// The field of `effect` that names its kind; nullptr: none is set.
@@ -232,8 +234,10 @@ const google::protobuf::FieldDescriptor* kind_of(const msg::Effect& effect) {
 
 }  // namespace
 
-void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
-  const Reading reading{check, message, folder, scene};
+std::vector<effects::Recipe> read_effects(FieldCheck& check, const msg::Scene& message,
+                                          const std::filesystem::path& folder, MeshDetail detail) {
+  std::vector<effects::Recipe> recipes;
+  const Reading reading{check, message, folder, detail, recipes};
   if (message.effects().empty())
     check.in(message).complain("the scene names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
@@ -242,13 +246,13 @@ void read_effects(FieldCheck& check, const msg::Scene& message, const std::files
       check.in(effect).complain("the effect has no kind", "name its kind, as in effects { skin {} }");
       continue;
     }
-    const auto read = read_kind(std::type_identity<effects::Effect>(), reading, std::string(kind->name()),
-                                effect.GetReflection()->GetMessage(effect, kind));
-    if (!scene.effects.add(*read))
-      check.in(effect).complain(
-          "the scene names more than " + std::to_string(effects::EffectBank::kMostEffects) + " effects",
-          "leave some effects out");
+    if (recipes.size() == effects::kMostEffects)
+      check.in(effect).complain("the scene names more than " + std::to_string(effects::kMostEffects) + " effects",
+                                "leave some effects out");
+    recipes.push_back(read_kind(std::type_identity<effects::Effect>(), reading, std::string(kind->name()),
+                                effect.GetReflection()->GetMessage(effect, kind)));
   }
+  return recipes;
 }
 
 }  // namespace telepalp::scenes

@@ -7,8 +7,9 @@
 
 namespace telepalp::scenes {
 
-/// Reads the effects of a scene into `effects`, `layers` and `organs` of `scene`, with the files that the effects name.
-/// Records the first error in `check`. `folder`: the scene file's folder, for relative paths.
-void read_effects(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene);
+/// Reads the recipes of a scene's effects, with the files that the effects name. Records the first error in `check`.
+/// `folder`: the scene file's folder, for relative paths.
+[[nodiscard]] std::vector<effects::Recipe> read_effects(FieldCheck& check, const msg::Scene& message,
+                                                        const std::filesystem::path& folder, MeshDetail detail);
 
 }  // namespace telepalp::scenes

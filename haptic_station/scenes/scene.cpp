@@ -4,6 +4,7 @@
 
 #include "haptic_station/scenes/field_check.h"
 #include "haptic_station/scenes/read_effects.h"
+#include "haptic_station/scenes/removed_fields.h"
 #include "haptic_station/scenes/scene_warnings.h"
 #include "support/program/files/shipped.h"
 #include "support/program/text_format.h"
@@ -16,39 +17,18 @@ void read_plane_and_transitions(FieldCheck& check, const msg::Scene& message, co
   TELEPALP_READ(check, "plane.", plane, height_m, control.plane.height_m, {-0.5, 0.5, "m"});
   TELEPALP_READ(check, "plane.", plane, clearance_m, control.plane.clearance_m, {0.002, 0.3, "m"});
   TELEPALP_READ(check, "plane.", plane, offset_m, control.plane.offset_m, {0, 0.02, "m"});
-  TELEPALP_READ(check, "plane.", plane, speed_m_per_s, control.plane.speed_m_per_s, {0, 1, "m/s"});
-  const msg::Transitions& change = message.transitions();
-  TELEPALP_READ(check, "transitions.", change, dwell_s, control.transitions.dwell_s, {0, 5, "s"});
-  TELEPALP_READ(check, "transitions.", change, offset_fade_s, control.transitions.offset_fade_s, {0.02, 5, "s"});
-  TELEPALP_READ(check, "transitions.", change, hand_rose_m, control.transitions.hand_rose_m, {0.005, 0.3, "m"});
-  TELEPALP_READ(check, "transitions.", change, force_fade_n_per_s, control.transitions.force_fade_N_per_s,
-                {1, 1000, "N/s"});
-}
-
-void read_position_control(FieldCheck& check, const msg::PositionControl& message,
-                           control::PositionControlSettings& position) {
-  TELEPALP_READ(check, "position_control.", message, stiffness_n_per_m, position.stiffness_N_per_m, {1, 5000, "N/m"});
-  TELEPALP_READ(check, "position_control.", message, damping_n_s_per_m, position.damping_N_s_per_m, {0, 100, "N s/m"});
-  TELEPALP_READ(check, "position_control.", message, most_n, position.most_N, {0.1, 10, "N"});
-  TELEPALP_READ(check, "position_control.", message, fastest_m_per_s, position.fastest_m_per_s, {0.01, 3, "m/s"});
-  TELEPALP_READ(check, "position_control.", message, lift_speed_m_per_s, position.lift_speed_m_per_s,
-                {0.005, 0.5, "m/s"});
-  TELEPALP_READ(check, "position_control.", message, lift_damping_n_s_per_m, position.lift_damping_N_s_per_m,
-                {0.1, 100, "N s/m"});
-  TELEPALP_READ(check, "position_control.", message, lift_most_n, position.lift_most_N, {0.1, 5, "N"});
+  TELEPALP_READ(check, "transitions.", message.transitions(), dwell_s, control.transitions.dwell_s, {0, 5, "s"});
 }
 
 void read_limits(FieldCheck& check, const msg::Scene& message, control::ControlSettings& control) {
   const msg::AgeLimit& age = message.age_limits();
   TELEPALP_READ(check, "age_limits.", age, tracker_s, control.ages.tracker_s, {0.01, 10, "s"});
-  TELEPALP_READ(check, "age_limits.", age, tracker_in_contact_s, control.ages.tracker_in_contact_s, {0.01, 10, "s"});
   TELEPALP_READ(check, "age_limits.", age, surface_s, control.ages.surface_s, {0.01, 10, "s"});
   TELEPALP_READ(check, "age_limits.", age, device_s, control.ages.device_s, {0.001, 1, "s"});
   const msg::ForceLimit& limit = message.limits();
   TELEPALP_READ(check, "limits.", limit, peak_n, control.limits.peak_N, {0, 10, "N"});
   TELEPALP_READ(check, "limits.", limit, continuous_n, control.limits.continuous_N, {0, 10, "N"});
   TELEPALP_READ(check, "limits.", limit, thermal_time_s, control.limits.thermal_time_s, {0.1, 600, "s"});
-  TELEPALP_READ(check, "limits.", limit, slew_n_per_s, control.limits.slew_N_per_s, {10, 5000, "N/s"});
   if (control.limits.continuous_N > control.limits.peak_N)
     check.in(limit).complain("limits.continuous_N, " + number_text(control.limits.continuous_N) +
                                  " N, is above limits.peak_N, " + number_text(control.limits.peak_N) + " N",
@@ -62,9 +42,6 @@ void read_workspace(FieldCheck& check, const msg::Scene& message, control::Index
   TELEPALP_READ(check, "workspace.", workspace, touch_radius_m, indexing.touch_radius_m, {0.01, 1, "m"});
   TELEPALP_READ(check, "workspace.", workspace, center_x_m, indexing.center_x_m, {-1, 1, "m"});
   TELEPALP_READ(check, "workspace.", workspace, center_z_m, indexing.center_z_m, {-1, 1, "m"});
-  TELEPALP_READ(check, "workspace.", workspace, recall_n_per_m, indexing.recall_N_per_m, {1, 1000, "N/m"});
-  TELEPALP_READ(check, "workspace.", workspace, recall_most_n, indexing.recall_most_N, {0.1, 5, "N"});
-  TELEPALP_READ(check, "workspace.", workspace, shift_m_per_s_per_n, indexing.shift_m_per_s_per_N, {0, 0.5, "m/s/N"});
   TELEPALP_READ(check, "workspace.", workspace, most_shift_x_m, indexing.most_shift_x_m, {0, 1, "m"});
   TELEPALP_READ(check, "workspace.", workspace, most_shift_z_m, indexing.most_shift_z_m, {0, 1, "m"});
 }
@@ -87,25 +64,20 @@ void check_file(FieldCheck& check, const std::string& field, const std::string& 
                    "give the path of " + kind + ", relative to the scene's folder");
 }
 
-void read_model(FieldCheck& check, const msg::PatientSurface& message, const std::filesystem::path& folder) {
-  if (message.has_static_model())
-    check_file(check.in(message.static_model()), "static_model.file", message.static_model().file(), folder,
-               "a .ply, .obj or .pcd file");
+void read_model(FieldCheck& check, const msg::PatientSurface& message, const std::filesystem::path& folder,
+                Scene& scene) {
+  if (!message.has_static_model()) return;
+  const msg::PatientSurface::StaticModel& given = message.static_model();
+  PatientModel& model = scene.model.emplace();
+  check_file(check.in(given), "static_model.file", given.file(), folder, "a .ply, .obj or .pcd file");
+  model.file = given.file();
+  TELEPALP_READ(check, "static_model.", given, unit_m, model.unit_m, {1e-9, 1e6, "m"});
+  if (given.has_samples()) model.samples = given.samples();
+  model.haptic_from_model = read_transform(check, "static_model.haptic_from_model", given.haptic_from_model());
+  model.flip_normals = given.flip_normals();
 }
 
-void read_simulation(FieldCheck& check, const msg::Scene& message, const std::filesystem::path& folder, Scene& scene) {
-  const msg::SimulatedDevice& device = message.simulated_device();
-  TELEPALP_READ(check, "simulated_device.", device, mass_kg, scene.simulated_device.mass_kg, {0.01, 10, "kg"});
-  TELEPALP_READ(check, "simulated_device.", device, damping_n_s_per_m, scene.simulated_device.damping_N_s_per_m,
-                {0, 100, "N s/m"});
-  TELEPALP_READ(check, "simulated_device.", device, encoder_step_m, scene.simulated_device.encoder_step_m,
-                {0, 0.001, "m"});
-  TELEPALP_READ(check, "simulated_device.", device, peak_n, scene.simulated_device.peak_N, {0.1, 50, "N"});
-  scene.control.coupling.device_damping_N_s_per_m = scene.simulated_device.damping_N_s_per_m;
-  const msg::HandIntention& hand = message.hand();
-  TELEPALP_READ(check, "hand.", hand, arm_stiffness_n_per_m, scene.simulated_hand.stiffness_N_per_m, {1, 5000, "N/m"});
-  TELEPALP_READ(check, "hand.", hand, arm_damping_n_s_per_m, scene.simulated_hand.damping_N_s_per_m, {0, 200, "N s/m"});
-  TELEPALP_READ(check, "hand.", hand, hand_mass_kg, scene.simulated_hand.mass_kg, {0.05, 10, "kg"});
+void read_hand(FieldCheck& check, const msg::HandIntention& hand, const std::filesystem::path& folder, Scene& scene) {
   if (hand.trial() >= msg::HandIntention::TRIAL_INDENT_SEVERAL_POINTS)
     scene.trial = static_cast<device::Trial>(hand.trial() - msg::HandIntention::TRIAL_INDENT_SEVERAL_POINTS);
   if (!hand.has_trace()) return;
@@ -114,13 +86,14 @@ void read_simulation(FieldCheck& check, const msg::Scene& message, const std::fi
   TELEPALP_READ(check, "hand.trace.", hand.trace(), deepest_m, scene.trace_deepest_m, {0, 0.2, "m"});
 }
 
-}  // namespace
-
+/// Checks a message and converts it to plain values. `places`: positions in the file, for errors.
 Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name,
-                         const program::NumberPlaces& places) {
+                         const program::NumberPlaces& places, MeshDetail detail) {
   FieldCheck check(name.string(), places);
   Scene scene;
-  scene.message = message;
+  scene.purpose = message.purpose();
+  scene.surface = message.surface().name();
+  scene.text = places.source();
   scene.name = message.name().empty() ? name.stem().string() : message.name();
   if (!message.has_haptic_from_camera())
     check.complain("haptic_from_camera, the pose of the camera in the haptic base's frame, is missing",
@@ -128,35 +101,50 @@ Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path&
                    "translation_m { y: 0.8 } rotation_vector_rad { x: 1.5708 } }");
   scene.haptic_from_camera.iso = read_transform(check, "haptic_from_camera", message.haptic_from_camera());
   scene.center_on_surface = message.center_on_surface();
-  read_model(check, message.patient_surface(), name.parent_path());
+  read_model(check, message.patient_surface(), name.parent_path(), scene);
   scene.haptic_from_tracker.iso.linear() =
       Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();  // S1 eq. (4)
   if (message.has_haptic_from_tracker())
     scene.haptic_from_tracker.iso = read_transform(check, "haptic_from_tracker", message.haptic_from_tracker());
-  read_effects(check, message, name.parent_path(), scene);
+  scene.effects = read_effects(check, message, name.parent_path(), detail);
   read_plane_and_transitions(check, message, scene.control);
-  read_position_control(check, message.position_control(), scene.control.position);
   read_limits(check, message, scene.control);
   read_workspace(check, message, scene.control.indexing);
   read_probe(check, message, scene);
-  read_simulation(check, message, name.parent_path(), scene);
+  read_hand(check, message.hand(), name.parent_path(), scene);
   if (check.error()) return *check.error();
   warn_about_scene(check, message, scene);
   scene.warnings = check.warnings();
   return scene;
 }
 
-Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name) {
+}  // namespace
+
+Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name, MeshDetail detail) {
   msg::Scene message;
   const Result<program::NumberPlaces> parsed = program::parse_text_format(text, name.string(), message);
-  if (!parsed) return parsed.error();
-  return make_scene(message, name, *parsed);
+  if (!parsed) return with_what_to_write_instead(parsed.error());
+  return make_scene(message, name, *parsed, detail);
+}
+
+std::vector<SceneLayer> Scene::layers() const {
+  std::vector<SceneLayer> layers;
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    if (const auto* solid = std::get_if<effects::SolidSettings>(&effects[i]); solid != nullptr && solid->layer)
+      layers.push_back({solid->layer, static_cast<std::uint32_t>(i)});
+  return layers;
 }
 
 std::vector<std::shared_ptr<const effects::SolidLayer>> Scene::solids() const {
   std::vector<std::shared_ptr<const effects::SolidLayer>> solids;
-  for (const SceneLayer& layer : layers) solids.push_back(layer.solid);
+  for (const SceneLayer& layer : layers()) solids.push_back(layer.solid);
   return solids;
+}
+
+const effects::SkinSettings* Scene::skin() const noexcept {
+  for (const effects::Recipe& recipe : effects)
+    if (const auto* skin = std::get_if<effects::SkinSettings>(&recipe)) return skin;
+  return nullptr;
 }
 
 Result<std::filesystem::path> find_scene(const std::string& scene) {
@@ -174,8 +162,8 @@ Result<std::filesystem::path> find_scene(const std::string& scene) {
 Result<Scene> read_scene(const std::filesystem::path& file) {
   msg::Scene message;
   const Result<program::NumberPlaces> read = program::read_text_format(file, message);
-  if (!read) return read.error();
-  return make_scene(message, file, *read);
+  if (!read) return with_what_to_write_instead(read.error());
+  return make_scene(message, file, *read, MeshDetail::AsGiven);
 }
 
 }  // namespace telepalp::scenes

@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "haptic_station/control/values/encountered_settings.h"
-#include "haptic_station/device/simulated_pair.h"
 #include "haptic_station/device/trial.h"
 #include "haptic_station/effects/effect_bank.h"
-#include "messages/scene.pb.h"
 #include "proto/words/result.h"
-#include "support/program/text_format.h"
 
 namespace telepalp::scenes {
 
@@ -22,39 +19,45 @@ struct Probe {
   double depth_m = 0.10;
 };
 
+/// A patient from a model file, in place of the one that a camera sees.
+struct PatientModel {
+  std::string file;  ///< PLY, OBJ or PCD; a relative path starts at the scene file's folder
+  double unit_m = 1.0;
+  std::optional<std::uint32_t> samples;  ///< points on a mesh; nullopt or 0: as many as the shape needs
+  Eigen::Isometry3d haptic_from_model = Eigen::Isometry3d::Identity();
+  bool flip_normals = false;
+};
+
 /// A layer of the scene: a solid inside the body.
 struct SceneLayer {
-  std::shared_ptr<const effects::SolidLayer> solid;  ///< shared with the layer's effect
-  std::uint32_t effect = 0;                          ///< index of this effect in Scene::effects
+  std::shared_ptr<const effects::SolidLayer> solid;  ///< shared with the layer's recipe and effect
+  std::uint32_t effect = 0;                          ///< index of its recipe in Scene::effects
 };
 
-/// The lattice of signed distances of an organ effect.
-struct SceneOrgan {
-  std::shared_ptr<const solids::DistanceLattice> shape;  ///< shared with the organ's effect
-  std::uint32_t effect = 0;                              ///< index of this effect in Scene::effects
-};
-
-/// A checked scene in plain values. `message`: the parsed file; message.surface() names the setting of the surface.
+/// A checked scene in plain values. Nothing outside this room reads the file's message.
 struct Scene {
   std::string name;
+  std::string purpose;  ///< one sentence; may be empty
   Transform<HapticBase, DepthCamera> haptic_from_camera;
   bool center_on_surface = false;  ///< H's origin moves to the skin; see placed() in placement.h
   Transform<HapticBase, HandTracker> haptic_from_tracker;
-  effects::EffectBank effects;
-  std::vector<SceneLayer> layers;  ///< of the solid effects, for pictures and meshes
-  std::vector<SceneOrgan> organs;  ///< of the organ effects, for pictures
-  std::optional<Probe> probe;      ///< nullopt: the hand holds no probe
+  std::string surface;                   ///< the setting of the surface; empty: the default
+  std::optional<PatientModel> model;     ///< nullopt: the patient whom the camera sees
+  std::vector<effects::Recipe> effects;  ///< core::build_effects() makes effects of them
+  std::optional<Probe> probe;            ///< nullopt: the hand holds no probe
   control::ControlSettings control;
-  device::SimulatedDeviceSettings simulated_device;
-  device::SimulatedHandSettings simulated_hand;
   device::Trial trial = device::Trial::IndentSeveralPoints;
   std::optional<std::filesystem::path> hand_trace;  ///< file of a recorded hand, which replaces the trial
   double trace_deepest_m = 0.04;                    ///< how far the recorded hand's lowest point is below H's origin
-  msg::Scene message;
-  std::vector<Error> warnings;  ///< what is valid and yet hardly meant, such as a ball 5 m away
+  std::string text;                                 ///< of the file, so that a journal can keep it
+  std::vector<Error> warnings;                      ///< what is valid and yet hardly meant, such as a ball 5 m away
 
-  /// The solids of `layers`.
+  /// The recipes of layers, for pictures and meshes.
+  [[nodiscard]] std::vector<SceneLayer> layers() const;
+  /// The solids of layers().
   [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;
+  /// The recipe of the first skin; nullptr without a skin.
+  [[nodiscard]] const effects::SkinSettings* skin() const noexcept;
 };
 
 /// The file of a scene: `scene` itself if it is a file, else the scene of this name in telepalp's library, such as
@@ -65,11 +68,12 @@ struct Scene {
 /// line and column; a value out of its range, reported with field, unit and range; or an unreadable file.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
 
-/// Parses and checks the text of a scene file. `name`: the file's path, for errors and as the base of relative paths.
-[[nodiscard]] Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name);
+/// How densely meshes are sampled: as the scene says, or twice as densely, with nodes 1 mm apart or more, to judge what
+/// the scene's sampling costs in accuracy.
+enum class MeshDetail { AsGiven, Finer };
 
-/// Checks a message and converts it to plain values. `places`: position of each number in the file, for errors.
-[[nodiscard]] Result<Scene> make_scene(const msg::Scene& message, const std::filesystem::path& name,
-                                       const program::NumberPlaces& places = program::NumberPlaces());
+/// Parses and checks the text of a scene file. `name`: the file's path, for errors and as the base of relative paths.
+[[nodiscard]] Result<Scene> parse_scene(const std::string& text, const std::filesystem::path& name,
+                                        MeshDetail detail = MeshDetail::AsGiven);
 
 }  // namespace telepalp::scenes

@@ -22,65 +22,57 @@ SceneObject object(std::string name, const Solid& solid) {
   return {.name = std::move(name), .tree = std::move(tree).value()};
 }
 
-SceneObject cylinder(const msg::CylinderEffect& message) {
-  effects::InnerCylinderSettings cylinder;
-  if (message.has_radius_m()) cylinder.radius_m = message.radius_m();
-  if (message.has_height_m()) cylinder.height_m = message.height_m();
-  const msg::Vec3& top = message.top_center_m();
-  return object("cylinder", {node("tr", {top.x(), top.y() - 0.5 * cylinder.height_m, top.z()}),
-                             node("cylindery", {cylinder.radius_m, 0.5 * cylinder.height_m})});
-}
+std::array<double, 7> numbers_of(const Eigen::Vector3d& at) { return {at.x(), at.y(), at.z()}; }
 
-SceneObject sphere(const msg::SphereEffect& message) {
-  effects::InnerSphereSettings sphere;
-  if (message.has_radius_m()) sphere.radius_m = message.radius_m();
-  const msg::Vec3& center = message.center_m();
-  return object("sphere", {node("tr", {center.x(), center.y(), center.z()}), node("sphere", {sphere.radius_m})});
-}
+/// The objects of an effect; most effects have one or none.
+struct Objects {
+  std::vector<SceneObject> all;
 
-/// A region as far as its full stiffness reaches.
-SceneObject region(const msg::RegionsEffect::Region& message) {
-  effects::StiffRegion region;
-  if (message.has_radius_m()) region.radius_m = message.radius_m();
-  constexpr double kLeast_m = 0.001;  // a region may be a point with a rim
-  return object(message.name().empty() ? "region" : message.name(),
-                {node("tr", {message.center_m().x(), 0.0, message.center_m().z()}),
-                 node("cylindery", {std::max(region.radius_m, kLeast_m), kDisc_m})});
-}
-
-/// A membrane has no edge; the picture shows a part of it.
-SceneObject membrane(const msg::MembraneEffect& message) {
-  constexpr double kShown_m = 0.03;
-  const msg::Vec3& at = message.at_m();
-  return object("membrane", {node("tr", {at.x(), at.y(), at.z()}), node("cylindery", {kShown_m, kDisc_m})});
-}
-
-SceneObject organ(const SceneOrgan& organ) {
-  Node mesh = node("mesh", {1.0, organ.shape->spacing_m});
-  mesh.file = "organ";
-  mesh.lattice = organ.shape;
-  return object("organ", {mesh});
-}
+  void operator()(const effects::InnerCylinderSettings& cylinder) {
+    const Eigen::Vector3d middle = cylinder.top_center.m - Eigen::Vector3d(0.0, 0.5 * cylinder.height_m, 0.0);
+    all.push_back(object(
+        "cylinder", {node("tr", numbers_of(middle)), node("cylindery", {cylinder.radius_m, 0.5 * cylinder.height_m})}));
+  }
+  void operator()(const effects::InnerSphereSettings& sphere) {
+    all.push_back(object("sphere", {node("tr", numbers_of(sphere.center.m)), node("sphere", {sphere.radius_m})}));
+  }
+  /// Each region as far as its full stiffness reaches.
+  void operator()(const effects::StiffRegionsSettings& regions) {
+    constexpr double kLeast_m = 0.001;  // a region may be a point with a rim
+    for (const auto& [name, region] : regions.regions)
+      all.push_back(
+          object(name.empty() ? "region" : name, {node("tr", {region.center.m.x(), 0.0, region.center.m.z()}),
+                                                  node("cylindery", {std::max(region.radius_m, kLeast_m), kDisc_m})}));
+  }
+  /// A membrane has no edge; the picture shows a part of it.
+  void operator()(const effects::MembraneSettings& membrane) {
+    constexpr double kShown_m = 0.03;
+    all.push_back(object("membrane", {node("tr", numbers_of(membrane.at.m)), node("cylindery", {kShown_m, kDisc_m})}));
+  }
+  void operator()(const effects::OrganSettings& organ) {
+    if (!organ.shape) return;
+    Node mesh = node("mesh", {1.0, organ.shape->spacing_m});
+    mesh.file = "organ";
+    mesh.lattice = organ.shape;
+    all.push_back(object("organ", {mesh}));
+  }
+  void operator()(const effects::SolidSettings& solid) {
+    if (solid.layer) all.push_back({.name = solid.layer->name, .tree = solid.layer->tree});
+  }
+  void operator()(const effects::SkinSettings&) {}
+  void operator()(const effects::FrictionSettings&) {}
+};
 
 }  // namespace
 
 std::vector<SceneObject> objects_of(const Scene& scene) {
-  std::vector<SceneObject> objects;
-  for (int i = 0; i < scene.message.effects_size(); ++i) {
-    const msg::Effect& effect = scene.message.effects(i);
-    const auto index = static_cast<std::uint32_t>(i);
-    const std::size_t before = objects.size();
-    if (effect.has_cylinder()) objects.push_back(cylinder(effect.cylinder()));
-    if (effect.has_sphere()) objects.push_back(sphere(effect.sphere()));
-    if (effect.has_membrane()) objects.push_back(membrane(effect.membrane()));
-    for (const msg::RegionsEffect::Region& given : effect.regions().region()) objects.push_back(region(given));
-    for (const SceneOrgan& given : scene.organs)
-      if (given.effect == index) objects.push_back(organ(given));
-    for (const SceneLayer& layer : scene.layers)
-      if (layer.effect == index) objects.push_back({.name = layer.solid->name, .tree = layer.solid->tree});
-    for (std::size_t k = before; k < objects.size(); ++k) objects[k].effect = index;
+  Objects objects;
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) {
+    const std::size_t before = objects.all.size();
+    std::visit(objects, scene.effects[i]);
+    for (std::size_t k = before; k < objects.all.size(); ++k) objects.all[k].effect = static_cast<std::uint32_t>(i);
   }
-  return objects;
+  return objects.all;
 }
 
 }  // namespace telepalp::scenes

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/commands/calibrate_command.h"
@@ -103,9 +104,8 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
 Result<void> check_surface(const std::string& word) {
   scenes::Scene scene;
   if (const Result<void> asked = station::ask_for_surface(word, scene); !asked) return asked.error();
-  const std::string& name = scene.message.surface().name();
-  if (name.empty()) return {};
-  if (const auto settings = surface::surface_settings(name); !settings) return settings.error();
+  if (scene.surface.empty()) return {};
+  if (const auto settings = surface::surface_settings(scene.surface); !settings) return settings.error();
   return {};
 }
 
@@ -124,17 +124,16 @@ int check(const Result<scenes::Scene>& scene, const std::filesystem::path& scene
   const Result<station::SceneParts> parts = station::read_parts(*scene, scene_file, anyway);
   if (!parts) return program::fail(parts.error());
   const std::optional<station::StaticPatient>& model = parts->model;
-  const std::string touched = model ? std::to_string(model->snapshot->points) + " points of " +
-                                          scene->message.patient_surface().static_model().file() +
+  const std::string touched = model ? std::to_string(model->snapshot->points) + " points of " + scene->model->file +
                                           (model->remarks.empty() ? "" : " (" + model->remarks + ")")
                                     : "setting " + parts->surface.name;
   std::printf("%s; surface: %s\n", station::validity_in_words(*scene).c_str(), touched.c_str());
-  for (const msg::Effect& effect : scene->message.effects())
-    if (const effects::TissuePreset* tissue = effects::find_tissue(effect.skin().tissue()))
+  if (const effects::SkinSettings* skin = scene->skin(); skin != nullptr)
+    if (const effects::TissuePreset* tissue = skin->tissue)
       std::printf(
           "skin: tissue %s, fitted to the compression test of the silicone %s; RMS error %.1f %% of the largest load\n",
           tissue->name.data(), tissue->material.data(), 100.0 * tissue->rms_error_share);
-  const double effects_N_per_m = scene->effects.stiffest_N_per_m(scene->control.limits.peak_N);
+  const double effects_N_per_m = core::bank_of(scene->effects).stiffest_N_per_m(scene->control.limits.peak_N);
   if (const control::VirtualCoupling coupling(scene->control.coupling, effects_N_per_m); coupling.engaged())
     std::printf(
         "the stiffness of all effects together is %.0f N/m; the hand feels at most %.0f N/m, the largest stiffness "

@@ -105,8 +105,7 @@ void Station::start_surface_thread(const surface::SurfaceSettings& surface) {
            [this](const wire::Message& unreadable) {
              boost::asio::post(io_, [this, unreadable] { link_.request_key_frame(unreadable); });
            },
-       .on_image = viewer_hand_.image_handler()},
-      scene_.effects);
+       .on_image = viewer_hand_.image_handler()});
 }
 
 Result<void> Station::run() {

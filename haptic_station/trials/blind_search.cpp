@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/trials/loop_station.h"
 
 namespace telepalp::trials {
@@ -50,9 +51,10 @@ VirtualStationSettings scene(const BlindSearchSettings& settings, const Point<Ha
   VirtualStationSettings station;
   station.seed = settings.seed;
   station.control.transitions.dwell_s = 0.1;  // shorter than S1's, because the script is fast
-  (void)station.effects.add(effects::Skin{});
+  std::vector<effects::Recipe> recipes{effects::SkinSettings{}};
   if (settings.with_cylinder)
-    (void)station.effects.add(effects::InnerCylinder({.top_center = {cylinder.m - Eigen::Vector3d{0.0, 0.03, 0.0}}}));
+    recipes.emplace_back(effects::InnerCylinderSettings{.top_center = {cylinder.m - Eigen::Vector3d{0.0, 0.03, 0.0}}});
+  station.effects = core::bank_of(recipes);
   return station;
 }
 

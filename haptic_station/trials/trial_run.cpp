@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/trials/loop_station.h"
 
 namespace telepalp::trials {
@@ -66,8 +67,9 @@ TrialResult run_trial(device::Trial trial, const VirtualStationSettings& setting
 
 VirtualStationSettings paper_settings() {
   VirtualStationSettings settings;
-  (void)settings.effects.add(effects::Skin{});
-  (void)settings.effects.add(effects::InnerCylinder({.top_center = {{0.0, -0.03, 0.0}}}));
+  const effects::Recipe recipes[] = {effects::SkinSettings{},
+                                     effects::InnerCylinderSettings{.top_center = {{0.0, -0.03, 0.0}}}};
+  settings.effects = core::bank_of(recipes);
   return settings;
 }
 

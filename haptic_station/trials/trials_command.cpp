@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/trials/trial_report.h"
 #include "support/program/options.h"
@@ -35,9 +36,7 @@ Result<VirtualStationSettings> settings_of(const program::Arguments& arguments) 
   if (!scene) return scene.error();
   VirtualStationSettings settings;
   settings.control = scene->control;
-  settings.effects = scene->effects;
-  settings.device = scene->simulated_device;
-  settings.hand = scene->simulated_hand;
+  settings.effects = core::bank_of(scene->effects);
   return settings;
 }
 

@@ -56,13 +56,16 @@ class NumberPlaces {
   [[nodiscard]] std::string where(const std::string& file, const google::protobuf::Message& part,
                                   std::string_view field, double value) const;
 
+  /// The parsed text.
+  [[nodiscard]] const std::string& source() const noexcept { return source_; }
+
  private:
   [[nodiscard]] const Part* find(const google::protobuf::Message& part) const noexcept;
 
   std::vector<Place> places_;
   std::vector<Text> texts_;
   std::vector<Part> parts_;
-  std::string source_;  // the parsed text
+  std::string source_;
 };
 
 /// Reads a Protobuf text-format file (a scene, a camera) into `message`. Error: an unknown field, a wrong type or a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/station/bill/thread_time.h"
 #include "haptic_station/station/rigs/inner_layers.h"
 #include "haptic_station/station/rigs/placement.h"
@@ -41,7 +42,8 @@ double StationCost::share() const noexcept {
 BilledStation::BilledStation(const scenes::Scene& scene, const SceneParts& parts, const BodyStream& stream)
     : scene_(scene),
       stream_(stream),
-      loop_(loop_of(scene)),
+      effects_(core::bank_of(scene.effects)),
+      loop_(loop_of(scene, effects_)),
       rig_(rig_of(scene, parts.trace)),
       haptic_(loop_, *rig_, surfaces_, *ticks_, device_to_surface_),
       telemetry_(
@@ -61,7 +63,7 @@ void BilledStation::start_surface_stage(const SceneParts& parts) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     return haptic_from_camera_ = placed(scene_, depth, camera);
   };
-  surface_stage_.emplace(parts.surface, placement, scene_.effects);
+  surface_stage_.emplace(parts.surface, placement, effects_);
 }
 
 void BilledStation::start_inside_stages() {
@@ -71,7 +73,7 @@ void BilledStation::start_inside_stages() {
   double spent_us = 0.0;
   if (auto made = run_stage(driver, surfaces, spent_us)) surfaces.hand_over(std::move(*made), now_);
   start_ms_ = 1e-3 * spent_us;
-  if (scene_.layers.empty() && !scene_.probe) return;
+  if (scene_.layers().empty() && !scene_.probe) return;
   publish(core::Outbox::inside(*surfaces.placed(now_, scene_.haptic_from_camera), now_));
 }
 

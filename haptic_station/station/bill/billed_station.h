@@ -90,6 +90,7 @@ class BilledStation {
   LatestValue<loop::TouchableSurface> surfaces_;
   LatestValue<Point<HapticBase>> device_to_surface_;
   std::unique_ptr<TickRing> ticks_ = std::make_unique<TickRing>();
+  effects::EffectBank effects_;
   loop::HapticLoop loop_;
   std::unique_ptr<ports::Rig> rig_;
   HapticThread haptic_;  // never started: its ticks run on the caller's thread

@@ -1,13 +1,12 @@
 #include "haptic_station/station/bill/error_in_motion.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <sstream>
+#include <iterator>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/surface_stage.h"
 #include "haptic_station/core/virtual_driver.h"
 #include "haptic_station/loop/rig_tick.h"
-#include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
 
@@ -21,7 +20,6 @@ constexpr double kTick_s = 0.0005;
 constexpr auto kLate = 40ms;  // from an image's exposure to the first tick that feels its surface
 constexpr SessionTime kBegin{100s};
 constexpr solids::ProxySettings kFinest{.rounds = 60, .tolerance_m = 1e-10, .remembers = false};
-constexpr double kLeastCell_m = 0.001;
 
 /// The smallest value that is at least as large as a share `q` of all; 0 without values.
 double quantile(std::vector<float>& values, double q) {
@@ -31,39 +29,20 @@ double quantile(std::vector<float>& values, double q) {
   return double{values[static_cast<std::size_t>(place)]};
 }
 
-/// Polish text with the cell of each mesh halved: `mesh FILE UNIT CELL`.
-std::string finer(const std::string& polish) {
-  std::istringstream words(polish);
-  std::string text;
-  int until_cell = -1;  // words up to a mesh's cell
-  for (std::string word; words >> word; text += word + ' ') {
-    if (until_cell-- == 0) word = std::to_string(std::max(kLeastCell_m, 0.5 * std::atof(word.c_str())));
-    if (word == "mesh") until_cell = 2;
-  }
-  return text;
-}
-
-/// The scene with effect `i` alone, as the last of its effects; friction keeps the skin that it acts on.
-msg::Scene alone(const scenes::Scene& scene, int i) {
-  msg::Scene one = scene.message;
-  one.clear_effects();
-  if (scene.message.effects(i).has_friction())
-    for (const msg::Effect& effect : scene.message.effects())
-      if (effect.has_skin()) *one.add_effects() = effect;
-  *one.add_effects() = scene.message.effects(i);
+/// Effect `i` of the scene alone, as the last of its effects; friction keeps the skin that it acts on.
+std::vector<effects::Recipe> alone(const scenes::Scene& scene, std::size_t i) {
+  std::vector<effects::Recipe> one;
+  if (std::holds_alternative<effects::FrictionSettings>(scene.effects[i]))
+    std::ranges::copy_if(scene.effects, std::back_inserter(one), [](const effects::Recipe& recipe) {
+      return std::holds_alternative<effects::SkinSettings>(recipe);
+    });
+  one.push_back(scene.effects[i]);
   return one;
 }
 
-/// alone(), with the effect's meshes sampled twice as densely.
-msg::Scene finest_of(const scenes::Scene& scene, int i) {
-  msg::Scene one = alone(scene, i);
-  msg::Effect& effect = *one.mutable_effects()->rbegin();
-  if (effect.has_organ())
-    effect.mutable_organ()->set_cell_m(
-        std::max(kLeastCell_m,
-                 0.5 * (effect.organ().has_cell_m() ? effect.organ().cell_m() : organs::OrganShapeSettings{}.cell_m)));
-  if (effect.solid().has_polish()) effect.mutable_solid()->set_polish(finer(effect.solid().polish()));
-  return one;
+bool may_have_mesh(const effects::Recipe& recipe) {
+  return std::holds_alternative<effects::OrganSettings>(recipe) ||
+         std::holds_alternative<effects::SolidSettings>(recipe);
 }
 
 /// One effect twice: as the station computes it, and as it should be.
@@ -83,14 +62,19 @@ struct Twins {
   }
 };
 
+/// The truth has meshes that are sampled twice as densely, and exact proxies.
 Result<std::vector<Twins>> twins_of(const scenes::Scene& scene, const std::filesystem::path& file) {
   std::vector<Twins> all;
-  for (int i = 0; i < scene.message.effects_size(); ++i) {
-    const Result<scenes::Scene> shown = scenes::make_scene(alone(scene, i), file);
-    if (!shown) return shown.error();
-    const Result<scenes::Scene> truth = scenes::make_scene(finest_of(scene, i), file);
-    if (!truth) return truth.error();
-    all.push_back({shown->effects, truth->effects});
+  std::optional<scenes::Scene> finer;
+  if (std::ranges::any_of(scene.effects, may_have_mesh)) {
+    Result<scenes::Scene> read = scenes::parse_scene(scene.text, file, scenes::MeshDetail::Finer);
+    if (!read) return read.error();
+    finer = std::move(read).value();
+  }
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) {
+    std::vector<effects::Recipe> truth = alone(scene, i);
+    if (may_have_mesh(truth.back())) truth.back() = finer->effects.at(i);
+    all.push_back({core::bank_of(alone(scene, i)), core::bank_of(truth)});
     all.back().truth.find_proxies_with(kFinest);
   }
   return all;
@@ -100,14 +84,13 @@ Result<std::vector<Twins>> twins_of(const scenes::Scene& scene, const std::files
 class Pair {
  public:
   Pair(const scenes::Scene& scene, const SceneParts& parts, const SeenBody& body, std::vector<Twins> twins)
-      : scene_(scene),
-        body_(body),
+      : body_(body),
         stage_(
             parts.surface,
             [&scene](const DepthImage& depth, const Intrinsics& camera) { return placed(scene, depth, camera); },
-            scene.effects),
-        shown_(loop_of(scene)),
-        truth_(loop_of(scene)),
+            core::bank_of(scene.effects)),
+        shown_(loop_of(scene, core::bank_of(scene.effects))),
+        truth_(loop_of(scene, core::bank_of(scene.effects))),
         rig_(rig_of(scene, parts.trace)),
         twins_(std::move(twins)) {
     if (!parts.model) return;
@@ -155,8 +138,9 @@ class Pair {
   /// Where the body really carries the objects now.
   [[nodiscard]] effects::Placements true_places() const noexcept {
     effects::Placements places{};
-    for (std::size_t i = 0; i < scene_.effects.size(); ++i)
-      if (const auto at = scene_.effects.object_at(i); at && !model_) {
+    const effects::EffectBank& bank = shown_.controller().effects();
+    for (std::size_t i = 0; i < bank.size(); ++i)
+      if (const auto at = bank.object_at(i); at && !model_) {
         const double y_m = (haptic_from_camera_->inverse() * *at).m.y();
         places[i].moved.v = haptic_from_camera_->iso.linear() * Vector3d(0.0, 0.0, -body_.risen_m(y_m, time_s()));
       }
@@ -200,7 +184,6 @@ class Pair {
     }
   }
 
-  const scenes::Scene& scene_;
   const SeenBody& body_;
   core::SurfaceStage stage_;
   loop::HapticLoop shown_;

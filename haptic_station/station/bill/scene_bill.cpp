@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/station/bill/receiving.h"
 
 namespace telepalp::station {
@@ -14,48 +15,35 @@ constexpr double kTurn_s = 0.5;
 constexpr double kWarmUp_s = 1.0;
 constexpr std::size_t kReceived = 30;  // images whose receiving is measured
 
-/// A scene that lacks what one line of the bill prices.
+/// A scene that lacks what one line of the bill prices. A file cannot name a scene without effects, but its price is
+/// needed.
 struct Without {
   std::string name;
-  msg::Scene message;
+  scenes::Scene scene;
 };
 
-std::string name_of(const scenes::Scene& scene, std::size_t effect) { return scene.effects.bill()[effect].name; }
-
 /// Removes effect `i`, and with a skin also the friction on it, which cannot be without a skin.
-void remove_effect(Without& from, int i) {
-  auto& effects = *from.message.mutable_effects();
-  const bool is_skin = effects.at(i).has_skin();
-  effects.DeleteSubrange(i, 1);
-  if (!is_skin) return;
-  for (int other = effects.size() - 1; other >= 0; --other) {
-    if (!effects.at(other).has_friction()) continue;
-    effects.DeleteSubrange(other, 1);
+void remove_effect(Without& from, std::size_t i) {
+  std::vector<effects::Recipe>& effects = from.scene.effects;
+  const bool is_skin = std::holds_alternative<effects::SkinSettings>(effects[i]);
+  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
+  if (is_skin && std::erase_if(effects, [](const effects::Recipe& recipe) {
+                   return std::holds_alternative<effects::FrictionSettings>(recipe);
+                 }) > 0)
     from.name = "skin and friction";
-  }
 }
 
 std::vector<Without> scenes_without(const scenes::Scene& scene, Detail detail) {
   std::vector<Without> all;
   const bool each = detail == Detail::EachEffect;
-  const int effects = each ? scene.message.effects_size() : 0;
-  for (int i = 0; i < effects; ++i) {
-    remove_effect(all.emplace_back(name_of(scene, static_cast<std::size_t>(i)), scene.message), i);
-  }
-  if (scene.probe && each) all.emplace_back("ultrasound probe", scene.message).message.clear_probe();
-  Without& bare = all.emplace_back("all of these", scene.message);
-  bare.message.clear_effects();
-  bare.message.clear_probe();
+  const effects::EffectBank bank = core::bank_of(scene.effects);
+  for (std::size_t i = 0; each && i < scene.effects.size(); ++i)
+    remove_effect(all.emplace_back(bank.bill()[i].name, scene), i);
+  if (scene.probe && each) all.emplace_back("ultrasound probe", scene).scene.probe.reset();
+  scenes::Scene& bare = all.emplace_back("all of these", scene).scene;
+  bare.effects.clear();
+  bare.probe.reset();
   return all;
-}
-
-/// A file cannot name a scene without effects, but its price is needed.
-Result<scenes::Scene> scene_of(msg::Scene message, const std::filesystem::path& file) {
-  const bool bare = message.effects().empty();
-  if (bare) message.add_effects()->mutable_skin();
-  Result<scenes::Scene> scene = scenes::make_scene(message, file);
-  if (scene && bare) scene->effects = {};
-  return scene;
 }
 
 struct Session {
@@ -63,11 +51,8 @@ struct Session {
   StationCost cost;
 };
 
-Result<Session> session_of(const msg::Scene& message, const std::filesystem::path& file, const SceneParts& parts,
-                           const BodyStream& stream) {
-  Result<scenes::Scene> scene = scene_of(message, file);
-  if (!scene) return scene.error();
-  return Session{std::make_unique<BilledStation>(*scene, parts, stream), {}};
+Session session_of(const scenes::Scene& scene, const SceneParts& parts, const BodyStream& stream) {
+  return {std::make_unique<BilledStation>(scene, parts, stream), {}};
 }
 
 /// How much more processor time a part takes when its steps come at their own times, because its data have left the
@@ -95,25 +80,18 @@ void describe(const scenes::Scene& scene, const std::vector<double>& effects_us,
     bill.prices[i].tick_us = effects_us[i];
     bill.prices[i].error = errors[i];
   }
-  for (const scenes::SceneLayer& layer : scene.layers) {
+  for (const scenes::SceneLayer& layer : scene.layers()) {
     bill.prices[layer.effect].shapes = layer.solid->tree->shapes;
     bill.prices[layer.effect].bytes = layer.solid->tree->bytes();
   }
 }
 
 /// The first session is the scene as it is; one for each of scenes_without() follows.
-Result<std::vector<Session>> sessions_of(const scenes::Scene& scene, const std::vector<Without>& without,
-                                         const std::filesystem::path& file, const SceneParts& parts,
-                                         const BodyStream& stream) {
+std::vector<Session> sessions_of(const scenes::Scene& scene, const std::vector<Without>& without,
+                                 const SceneParts& parts, const BodyStream& stream) {
   std::vector<Session> all;
-  Result<Session> whole = session_of(scene.message, file, parts, stream);
-  if (!whole) return whole.error();
-  all.push_back(std::move(whole).value());
-  for (const Without& one : without) {
-    Result<Session> session = session_of(one.message, file, parts, stream);
-    if (!session) return session.error();
-    all.push_back(std::move(session).value());
-  }
+  all.push_back(session_of(scene, parts, stream));
+  for (const Without& one : without) all.push_back(session_of(one.scene, parts, stream));
   return all;
 }
 
@@ -160,23 +138,21 @@ Result<SceneBill> bill_of(const scenes::Scene& scene, const std::filesystem::pat
   static const SeenBody body;  // takes half a second to make
   const BodyStream stream(body, seconds + kWarmUp_s + 2.0 * kTurn_s);
   const std::vector<Without> without = scenes_without(scene, detail);
-  Result<std::vector<Session>> sessions = sessions_of(scene, without, file, *parts, stream);
-  if (!sessions) return sessions.error();
-  Result<Session> live = session_of(scene.message, file, *parts, stream);
-  if (!live) return live.error();
+  std::vector<Session> sessions = sessions_of(scene, without, *parts, stream);
+  Session live = session_of(scene, *parts, stream);
   const auto tell = [&](double done_s) {
     if (begun) begun(static_cast<int>(done_s), static_cast<int>(2.0 * (seconds + kWarmUp_s)));
   };
-  run_in_turn(*sessions, seconds, tell);
-  run_live(*live, seconds, [&](double done_s) { tell(seconds + kWarmUp_s + done_s); });
-  const Session& whole = sessions->front();
+  run_in_turn(sessions, seconds, tell);
+  run_live(live, seconds, [&](double done_s) { tell(seconds + kWarmUp_s + done_s); });
+  const Session& whole = sessions.front();
   SceneBill bill{.whole = whole.cost,
-                 .live = live->cost,
+                 .live = live.cost,
                  .receiving_us = parts->model ? 0.0 : receiving_us(std::span(stream.images).first(kReceived)),
                  .start_ms = whole.station->start_ms(),
                  .prices = {}};
   for (std::size_t i = 0; i < without.size(); ++i)
-    bill.prices.push_back(price_of(without[i].name, bill, (*sessions)[i + 1].cost));
+    bill.prices.push_back(price_of(without[i].name, bill, sessions[i + 1].cost));
   if (detail == Detail::EachEffect) {
     Result<std::vector<MovingError>> errors = errors_in_motion(scene, *parts, file, body, seconds);
     if (!errors) return errors.error();

@@ -63,7 +63,7 @@ Result<std::vector<calibration::Touch>> measure_touches(const program::Arguments
   const RigChoice choice = *rig_of(arguments);
   const program::Patience patience = *program::patience_of(arguments);
   const auto within = std::chrono::duration_cast<std::chrono::milliseconds>(patience.value_or(program::kForEver));
-  Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, {}, within);
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, within);
   if (!device) return device.error();
   Result<std::unique_ptr<tracking::LeapTracker>> tracker = connect_leap(std::get<Leap>(choice.tracker), {}, within);
   if (!tracker) return tracker.error();

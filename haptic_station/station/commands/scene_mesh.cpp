@@ -47,9 +47,10 @@ Result<std::optional<double>> smallest_cell_m(const program::Arguments& argument
 
 Result<solids::CheckedMesh> mesh_of_layer(const scenes::Scene& scene, const program::Arguments& arguments) {
   const std::string name = arguments.text("layer");
+  const std::vector<scenes::SceneLayer> layers = scene.layers();
   const auto layer =
-      std::ranges::find_if(scene.layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
-  if (layer == scene.layers.end())
+      std::ranges::find_if(layers, [&](const auto& one) { return name.empty() || one.solid->name == name; });
+  if (layer == layers.end())
     return Error{
         .what = name.empty() ? "the scene has no layer" : "the scene has no layer '" + name + "'",
         .where = name.empty() ? scene.name : "--layer",

@@ -8,7 +8,7 @@ namespace telepalp::station {
 
 void InsideView::start(boost::asio::io_context& network, const scenes::Scene& scene, Handlers handlers) {
   surfaces_.emplace(inner_layers(scene));
-  if (scene.layers.empty() && !scene.probe) return;
+  if (scene.layers().empty() && !scene.probe) return;
   thread_.emplace(network, handlers.now);
   surfaces_driver_.emplace(
       *surfaces_, *thread_,

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/station/picture/ground.h"
 #include "haptic_station/station/picture/picture_view.h"
 #include "haptic_station/station/picture/pixels.h"
@@ -84,9 +85,10 @@ std::vector<LegendLine> legend_of(const scenes::Scene& scene, const std::vector<
   for (std::size_t i = 0; i < objects.size(); ++i) lines.push_back({color_of(i), objects[i].name});
   bool friction = false;
   std::string tissue;
-  for (const msg::Effect& effect : scene.message.effects()) {
-    friction = friction || effect.has_friction();
-    if (effect.has_skin() && !effect.skin().tissue().empty()) tissue = " of " + effect.skin().tissue();
+  for (const effects::Recipe& recipe : scene.effects) {
+    friction = friction || std::holds_alternative<effects::FrictionSettings>(recipe);
+    if (const auto* skin = std::get_if<effects::SkinSettings>(&recipe); skin != nullptr && skin->tissue != nullptr)
+      tissue = " of " + std::string(skin->tissue->name);
   }
   lines.push_back({kSkin, "skin" + tissue + (friction ? " with friction" : "") +
                               (is_model ? "" : " (drawn flat; its shape comes from the camera)")});
@@ -135,7 +137,7 @@ struct Title {
 Title title_of(const scenes::Scene& scene, const Directions& directions) {
   const int width_px = kCanvas_px - 2 * kMargin_px;
   return {images::lines_of(scene.name + ", " + directions.name, width_px, 2),
-          images::lines_of(scene.message.purpose(), width_px, 1)};
+          images::lines_of(scene.purpose, width_px, 1)};
 }
 
 void draw_title(ColorImage& canvas, const Title& title) {

@@ -12,7 +12,7 @@ namespace telepalp::station {
 /// The layers of a scene, for the core's stages.
 [[nodiscard]] inline std::vector<core::InnerLayer> inner_layers(const scenes::Scene& scene) {
   std::vector<core::InnerLayer> layers;
-  for (const scenes::SceneLayer& layer : scene.layers) layers.push_back({layer.solid, layer.effect});
+  for (const scenes::SceneLayer& layer : scene.layers()) layers.push_back({layer.solid, layer.effect});
   return layers;
 }
 

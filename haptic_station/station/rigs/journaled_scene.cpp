@@ -30,7 +30,7 @@ msg::JournalHeader journal_header(const scenes::Scene& scene, const std::filesys
   header.set_commit(program::commit());
   header.set_machine(processor_model());
   header.set_scene_file(std::filesystem::absolute(file).string());
-  *header.mutable_scene() = scene.message;
+  header.set_scene(scene.text);
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column)
       header.add_haptic_from_camera(scene.haptic_from_camera.iso(row, column));
@@ -45,7 +45,11 @@ Result<JournaledScene> journaled_scene(const msg::JournalHeader& header) {
     return Error{.what = "the journal's header holds no haptic_from_camera",
                  .where = header.scene_file(),
                  .fix = "record the journal again"};
-  Result<scenes::Scene> scene = scenes::make_scene(header.scene(), header.scene_file());
+  if (header.scene().empty())
+    return Error{.what = "the journal's header holds no scene",
+                 .where = header.scene_file(),
+                 .fix = "record the journal again: an earlier telepalp-station wrote it"};
+  Result<scenes::Scene> scene = scenes::parse_scene(header.scene(), header.scene_file());
   if (!scene) return scene.error();
   const Result<surface::SurfaceSettings> surface = surface::surface_settings(header.surface_setting());
   if (!surface) return surface.error();

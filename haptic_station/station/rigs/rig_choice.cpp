@@ -77,8 +77,7 @@ Result<RigChoice> read_rig_choice(const std::string& device, const std::string& 
   return RigChoice{*chosen_device, *chosen_tracker};
 }
 
-Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice, const scenes::Scene& scene,
-                                                      std::chrono::milliseconds within) {
+Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice, std::chrono::milliseconds within) {
   if (const auto* haply = std::get_if<Haply>(&choice)) {
     auto made = std::make_unique<device::HaplyDevice>(haply->url, haply->origin, say);
     if (const Result<void> started = made->start(within); !started) return started.error();
@@ -90,8 +89,9 @@ Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice
     if (const Result<void> started = (*made)->start(within); !started) return started.error();
     return std::unique_ptr<ports::Device>(std::move(made).value());
   }
-  return std::unique_ptr<ports::Device>(std::make_unique<device::HandDrivenDevice>(
-      scene.simulated_device, scene.simulated_hand, Point<HapticBase>{{0.0, kRestHeight_m, 0.0}}));
+  return std::unique_ptr<ports::Device>(
+      std::make_unique<device::HandDrivenDevice>(device::SimulatedDeviceSettings{}, device::SimulatedHandSettings{},
+                                                 Point<HapticBase>{{0.0, kRestHeight_m, 0.0}}));
 }
 
 Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice, const scenes::Scene& scene,
@@ -104,7 +104,7 @@ Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(const Leap& choice, 
 Result<ConnectedRig> connect_rig(const RigChoice& choice, const scenes::Scene& scene) {
   ConnectedRig connected;
   if (choice.is_simulated()) return connected;
-  Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device, scene);
+  Result<std::unique_ptr<ports::Device>> device = connect_device(choice.device);
   if (!device) return device.error();
   if (auto* const udp = dynamic_cast<device::UdpDevice*>(device->get()))
     connected.device_refusals = [udp] { return udp->new_refusals(); };

@@ -55,7 +55,6 @@ inline constexpr std::chrono::milliseconds kAnswerWithin{3000};
 
 /// Connects to the device or tracker. Simulated gives a device that the tracked hand moves. Error: no answer in time.
 [[nodiscard]] Result<std::unique_ptr<ports::Device>> connect_device(const DeviceChoice& choice,
-                                                                    const scenes::Scene& scene,
                                                                     std::chrono::milliseconds within = kAnswerWithin);
 [[nodiscard]] Result<std::unique_ptr<tracking::LeapTracker>> connect_leap(
     const Leap& choice, const scenes::Scene& scene, std::chrono::milliseconds within = kAnswerWithin);

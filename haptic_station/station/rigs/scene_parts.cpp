@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "haptic_station/core/built_effects.h"
 #include "support/program/log.h"
 #include "support/program/terminal.h"
 
@@ -9,8 +10,8 @@ namespace telepalp::station {
 
 Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem::path& scene_file, bool anyway) {
   SceneParts parts;
-  if (const std::string& name = scene.message.surface().name(); !name.empty()) {
-    const Result<surface::SurfaceSettings> surface = surface::surface_settings(name);
+  if (!scene.surface.empty()) {
+    const Result<surface::SurfaceSettings> surface = surface::surface_settings(scene.surface);
     if (!surface) return surface.error();
     parts.surface = *surface;
   }
@@ -19,7 +20,7 @@ Result<SceneParts> read_parts(const scenes::Scene& scene, const std::filesystem:
     if (!trace) return trace.error();
     parts.trace = std::move(trace).value();
   }
-  if (scene.message.patient_surface().has_static_model()) {
+  if (scene.model) {
     Result<StaticPatient> model = open_static_patient(scene, scene_file.parent_path(), anyway);
     if (!model) return model.error();
     parts.model = std::move(model).value();
@@ -36,10 +37,11 @@ void print_warnings(const scenes::Scene& scene) {
 
 std::string validity_in_words(const scenes::Scene& scene) {
   std::string effects;
-  for (const effects::EffectBill& line : scene.effects.bill())
+  const effects::EffectBank bank = core::bank_of(scene.effects);
+  for (const effects::EffectBill& line : bank.bill())
     effects += (effects.empty() ? std::string() : std::string(", ")) + line.name;
-  const std::string& purpose = scene.message.purpose();
-  return scene.name + ": the scene is valid; " + purpose + (purpose.empty() ? "" : "; ") + "effects: " + effects;
+  return scene.name + ": the scene is valid; " + scene.purpose + (scene.purpose.empty() ? "" : "; ") +
+         "effects: " + effects;
 }
 
 }  // namespace telepalp::station

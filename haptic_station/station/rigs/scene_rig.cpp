@@ -16,20 +16,18 @@ loop::SimulatedRig::Person person_of(const scenes::Scene& scene, const std::opti
 
 }  // namespace
 
-loop::HapticLoop loop_of(const scenes::Scene& scene) {
-  control::EncounteredController controller(scene.control, scene.effects);
+loop::HapticLoop loop_of(const scenes::Scene& scene, const effects::EffectBank& effects) {
+  control::EncounteredController controller(scene.control, effects);
   controller.book_costs_with(&cycles_now);
   return loop::HapticLoop({}, controller);
 }
 
 std::unique_ptr<ports::Rig> rig_of(const scenes::Scene& scene, const std::optional<tracking::HandTrace>& trace) {
   const auto wrist = scene.probe ? std::optional(device::SimulatedWristSettings{}) : std::nullopt;
-  return std::make_unique<loop::SimulatedRig>(loop::SimulatedRig::Settings{.device = scene.simulated_device,
-                                                                           .hand = scene.simulated_hand,
-                                                                           .tracker = {},
-                                                                           .wrist = wrist,
-                                                                           .rest = {{0.0, kRestHeight_m, 0.0}}},
-                                              person_of(scene, trace));
+  return std::make_unique<loop::SimulatedRig>(
+      loop::SimulatedRig::Settings{
+          .device = {}, .hand = {}, .tracker = {}, .wrist = wrist, .rest = {{0.0, kRestHeight_m, 0.0}}},
+      person_of(scene, trace));
 }
 
 }  // namespace telepalp::station

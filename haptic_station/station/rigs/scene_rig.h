@@ -10,8 +10,8 @@
 
 namespace telepalp::station {
 
-/// The haptic loop of a scene. It measures the computing time of each effect.
-[[nodiscard]] loop::HapticLoop loop_of(const scenes::Scene& scene);
+/// The haptic loop of a scene, with the scene's effects. It measures the computing time of each effect.
+[[nodiscard]] loop::HapticLoop loop_of(const scenes::Scene& scene, const effects::EffectBank& effects);
 
 /// The simulated device, hand and tracker of a scene: the hand carries out the scene's trial, or repeats `trace` when
 /// there is one.

@@ -4,8 +4,6 @@
 
 #include "haptic_station/station/rigs/model_cache.h"
 #include "haptic_station/surface/cloud/static_model.h"
-#include "proto/wire/vector_message.h"
-#include "proto/words/rotation_vector.h"
 #include "support/models/text_cursor.h"
 #include "support/program/log.h"
 
@@ -17,10 +15,6 @@ using models::TextCursor;
 
 constexpr std::string_view kModel = "model:";
 constexpr double kBesideAxis_m = 0.015;
-
-Eigen::Isometry3d transform_of(const msg::RigidTransform& message) {
-  return isometry_of(wire::vector_of(message.rotation_vector_rad()), wire::vector_of(message.translation_m()));
-}
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -59,12 +53,12 @@ std::vector<SkinPoint> skin_of(const surface::CloudSnapshot& snapshot, const Eig
 
 Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std::filesystem::path& folder,
                                           bool anyway) {
-  const msg::PatientSurface::StaticModel& asked = scene.message.patient_surface().static_model();
-  const std::filesystem::path file = folder / asked.file();
+  const scenes::PatientModel& asked = *scene.model;
+  const std::filesystem::path file = folder / asked.file;
   surface::StaticModelSettings settings;
-  if (asked.has_unit_m()) settings.unit_m = asked.unit_m();
-  if (asked.has_samples()) settings.samples = asked.samples();
-  settings.flip_normals = asked.flip_normals();
+  settings.unit_m = asked.unit_m;
+  settings.samples = asked.samples.value_or(0);
+  settings.flip_normals = asked.flip_normals;
   settings.anyway = anyway;
   settings.on_progress = [](const std::string& text) { program::log("telepalp-station", "model: " + text); };
   if (!(settings.unit_m > 0.0) || (settings.samples > 0 && settings.samples < 100) || settings.samples > 1'000'000)
@@ -82,11 +76,7 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
   }
   const std::string between = made->remarks.empty() || made->sampling.empty() ? "" : "; ";
   StaticPatient patient{made->snapshot, {}, made->remarks + between + made->sampling, {}};
-  patient.haptic_from_model.iso = transform_of(asked.haptic_from_model());
-  if (!patient.haptic_from_model.iso.matrix().allFinite())
-    return Error{.what = "patient_surface.static_model.haptic_from_model is not finite",
-                 .where = scene.name,
-                 .fix = "give translation_m and rotation_vector_rad finite numbers"};
+  patient.haptic_from_model.iso = asked.haptic_from_model;
   patient.skin = skin_of(*made->snapshot, patient.haptic_from_model.iso);
   if (!scene.center_on_surface) return patient;
   const Vector3d origin = skin_on_top(patient.skin);
@@ -98,10 +88,10 @@ Result<StaticPatient> open_static_patient(const scenes::Scene& scene, const std:
 Result<void> ask_for_surface(const std::string& word, scenes::Scene& scene) {
   if (word.empty()) return {};
   if (!word.starts_with(kModel)) {
-    scene.message.mutable_surface()->set_name(word);
+    scene.surface = word;
     return {};
   }
-  msg::PatientSurface::StaticModel* model = scene.message.mutable_patient_surface()->mutable_static_model();
+  if (!scene.model) scene.model.emplace();
   std::string_view rest = std::string_view(word).substr(kModel.size());
   const auto take = [&rest] {
     const std::size_t comma = std::min(rest.find(','), rest.size());
@@ -109,16 +99,16 @@ Result<void> ask_for_surface(const std::string& word, scenes::Scene& scene) {
     rest.remove_prefix(std::min(comma + 1, rest.size()));
     return part;
   };
-  model->set_file(std::filesystem::absolute(take()).string());
+  scene.model->file = std::filesystem::absolute(take()).string();
   while (!rest.empty()) {
     const std::string_view part = take();
     const std::string_view value = part.substr(std::min(part.find('=') + 1, part.size()));
     const auto metres = TextCursor::number<double>(value);
     const auto count = TextCursor::number<std::uint32_t>(value);
     if (part.starts_with("unit_m=") && metres)
-      model->set_unit_m(*metres);
+      scene.model->unit_m = *metres;
     else if (part.starts_with("samples=") && count)
-      model->set_samples(*count);
+      scene.model->samples = *count;
     else
       return Error{.what = "'" + std::string(part) + "' is not understood",
                    .where = "--surface",

@@ -86,6 +86,8 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
         if (kept) keep(in, *kept);
         device_.put(loop_.in_patient_frame(in.reading.at));
         device_to_surface_.put(loop_.in_patient_frame(in.reading.at));
+        for (LatestValue<core::ToolAt>* stage : stages_)
+          stage->put({loop_.in_patient_frame(in.reading.at), in.reading.attitude});
       },
       [&decided](const loop::TickIn&, const loop::TickOut&) { decided = Clock::now(); });
   if (kept) {

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <cstdint>
 #include <thread>
+#include <vector>
 
+#include "haptic_station/core/effect_stage.h"
 #include "haptic_station/core/outbox/outbox.h"
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/ports/rig.h"
@@ -43,6 +45,8 @@ class HapticThread {
       : loop_(loop), rig_(rig), surfaces_(surfaces), ticks_(ticks), device_to_surface_(device_to_surface) {}
   /// Keeps each tick in `journal`, which must outlive this object. Call it before start().
   void write_to(JournalThread& journal) noexcept { journal_ = &journal; }
+  /// Tells the slow stage of an effect at each tick where the tool is. Call it before start().
+  void tell(LatestValue<core::ToolAt>& stage) { stages_.push_back(&stage); }
   ~HapticThread() { stop(); }
   HapticThread(const HapticThread&) = delete;
   HapticThread& operator=(const HapticThread&) = delete;
@@ -86,7 +90,8 @@ class HapticThread {
   std::atomic<std::int64_t> clock_offset_ns_{0};
   std::atomic<bool> running_{false};
   std::atomic<bool> rearm_{false};
-  JournalThread* journal_ = nullptr;  // nullptr: no journal is written
+  JournalThread* journal_ = nullptr;                // nullptr: no journal is written
+  std::vector<LatestValue<core::ToolAt>*> stages_;  // read by: the threads of the effects' slow stages
   std::uint64_t tick_ = 0;
   std::thread thread_;
 };

@@ -28,7 +28,7 @@ class SurfaceWorker {
   /// `placement`: called on the surface thread. `device`: its position in H. `effects`: the scene's.
   SurfaceWorker(const surface::SurfaceSettings& settings, core::SurfaceStage::Placement placement, Handlers handlers,
                 LatestValue<loop::TouchableSurface>& to_haptic, LatestValue<Point<HapticBase>>& device,
-                const effects::EffectBank& effects = {});
+                const effects::EffectBank& effects);
   ~SurfaceWorker();
   SurfaceWorker(const SurfaceWorker&) = delete;
   SurfaceWorker& operator=(const SurfaceWorker&) = delete;

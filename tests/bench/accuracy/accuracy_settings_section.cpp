@@ -3,6 +3,7 @@
 
 #include "codec/color.h"
 #include "codec/depth_stream.h"
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/error_in_motion.h"
 #include "haptic_station/ultrasound/b_mode.h"
@@ -104,15 +105,14 @@ Result<PageTable> anchors_table() {
   const Result<scenes::Scene> shipped = scenes::read_scene(file);
   if (!shipped) return shipped.error();
   const station::SeenBody body;
-  for (const auto anchor :
-       {msg::SkinEffect::ANCHOR_FOLLOWS_SURFACE, msg::SkinEffect::ANCHOR_FIXED, msg::SkinEffect::ANCHOR_SLIDING}) {
-    msg::Scene message = shipped->message;
-    message.mutable_effects(0)->mutable_skin()->set_anchor(anchor);
-    const Result<scenes::Scene> scene = scenes::make_scene(message, file);
-    if (!scene) return scene.error();
-    const auto errors = station::errors_in_motion(*scene, {}, file, body, 10.0);
+  for (const auto& [word, anchor] : {std::pair("ANCHOR_FOLLOWS_SURFACE", effects::SkinAnchor::FollowsSurface),
+                                     std::pair("ANCHOR_FIXED", effects::SkinAnchor::Fixed),
+                                     std::pair("ANCHOR_SLIDING", effects::SkinAnchor::Sliding)}) {
+    scenes::Scene scene = *shipped;
+    std::get<effects::SkinSettings>(scene.effects[0]).anchor = anchor;
+    const auto errors = station::errors_in_motion(scene, {}, file, body, 10.0);
     if (!errors) return errors.error();
-    effects::EffectBank bank = scene->effects;
+    effects::EffectBank bank = core::bank_of(scene.effects);
     effects::EffectInput in;
     in.device = {{0.0, -0.03, 0.0}};
     in.contact = {
@@ -122,7 +122,7 @@ Result<PageTable> anchors_table() {
     const double ms = median_ms(15, [&] {
       for (int i = 0; i < kTicks; ++i) (void)bank.step(in, 0.0005, 10.0);
     });
-    table.rows.push_back({"`" + msg::SkinEffect::Anchor_Name(anchor) + "`", cell(1e3 * ms / kTicks),
+    table.rows.push_back({"`" + std::string(word) + "`", cell(1e3 * ms / kTicks),
                           cell(1e3 * errors->front().p50_N) + " / " + cell(1e3 * errors->front().p99_N)});
   }
   return table;

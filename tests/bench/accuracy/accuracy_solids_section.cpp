@@ -183,7 +183,7 @@ PageTable tips_table(const SolidTree& ribs) {
 Result<Section> solids_section() {
   const auto scene = scenes::read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/ribs-ultrasound.scene.textproto");
   if (!scene) return scene.error();
-  const SolidTree& ribs = *scene->layers.front().solid->tree;
+  const SolidTree& ribs = *scene->layers().front().solid->tree;
   const std::vector<Tried> all = settings_tried(ribs);
   Section section;
   for (const Tried& one : all) {

@@ -147,7 +147,7 @@ Result<void> measure_absent(Report& report) {
     if (std::string_view(line.name) != "skin") ++others;
   report.rows.push_back(at_most("scene with skin alone: number of other effects in its bill", others, "", 0.0));
   report.rows.push_back(
-      at_most("scene with skin alone: number of solids", static_cast<double>(plain->layers.size()), "", 0.0));
+      at_most("scene with skin alone: number of solids", static_cast<double>(plain->layers().size()), "", 0.0));
   return {};
 }
 
@@ -166,7 +166,8 @@ void measure_image(const scenes::Scene& scene, Report& report) {
 void measure_mesh(const SolidTree& ribs, Report& report) {
   const auto mesh = solids::mesh_of(ribs, 0.003);
   report.rows.push_back(at_most("number of open edges of the ribs' mesh",
-                                mesh ? static_cast<double>(isosurface::facts_of(*mesh).open_edges) : HUGE_VAL, "", 0.0));
+                                mesh ? static_cast<double>(isosurface::facts_of(*mesh).open_edges) : HUGE_VAL, "",
+                                0.0));
 }
 
 }  // namespace
@@ -175,7 +176,7 @@ Result<Report> run_effects(const program::Arguments&) {
   Report report{.bench = "effects", .rows = {}, .notes = {}};
   const auto scene = scenes::read_scene(std::string(kScenes) + "ribs-ultrasound.scene.textproto");
   if (!scene) return scene.error();
-  const SolidTree& ribs = *scene->layers.front().solid->tree;
+  const SolidTree& ribs = *scene->layers().front().solid->tree;
   measure_proxy(ribs, report);
   measure_growth(report);
   measure_gradient(ribs, report);

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/solids/polish.h"
@@ -144,11 +145,11 @@ effects::EffectBank belly_with(const std::optional<Mass>& mass, const Vector3d& 
 
 RibCount count_ribs(const scenes::Scene& scene, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const solids::SolidTree& ribs = *scene.layers.front().solid->tree;
+  const solids::SolidTree& ribs = *scene.layers().front().solid->tree;
   const ChestPath finger(ribs, random);
   const Tremor tremor(random);
   std::normal_distribution<double> noise(0.0, kNoise_N);
-  effects::EffectBank bank = scene.effects;
+  effects::EffectBank bank = core::bank_of(scene.effects);
   std::vector<Vector3d> path;
   std::vector<double> trace_N;
   RibCount count;

@@ -13,6 +13,8 @@
 #include "haptic_station/device/trial.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/scene_bill.h"
+#include "messages/scene.pb.h"
+#include "support/program/text_format.h"
 #include "tests/bench/users/body_session.h"
 #include "tests/bench/users/sections.h"
 #include "tests/support/child_process.h"
@@ -149,8 +151,9 @@ double median(std::vector<double> values) {
 }
 
 /// The scene with one effect, a skin without force, and without probe, as a file.
-fs::path bare_file(const UsersPlace& place, const scenes::Scene& scene, const fs::path& file) {
-  msg::Scene bare = scene.message;
+fs::path bare_file(const UsersPlace& place, const fs::path& file) {
+  msg::Scene bare;
+  (void)program::read_text_format(file, bare);  // the scene has been read from it
   bare.clear_effects();
   bare.add_effects()->mutable_skin()->set_alpha_n_per_m2(1.0);
   bare.clear_probe();
@@ -180,13 +183,13 @@ double window_of(const scenes::Scene& scene) {
 Result<void> add_rows(const UsersPlace& place, const fs::path& file, std::vector<Row>& rows) {
   const Result<scenes::Scene> scene = scenes::read_scene(file);
   if (!scene) return scene.error();
-  const fs::path bare = bare_file(place, *scene, file);
+  const fs::path bare = bare_file(place, file);
   const double window_s = window_of(*scene);
   std::vector<double> whole;
   std::vector<double> added;
   for (int pair = 0; pair < kPairs; ++pair) {
     const std::optional<Shares> shares =
-        measured_pair(place, file, bare, !scene->layers.empty(), window_s, pair % 2 == 1);
+        measured_pair(place, file, bare, !scene->layers().empty(), window_s, pair % 2 == 1);
     if (!shares)
       return Error{.what = "the station does not run its control loop within 60 s",
                    .where = file.string(),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "haptic_station/control/phases/phase.h"
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "support/program/files/shipped.h"
 
@@ -52,8 +53,8 @@ HoverSweep::HoverSweep(const scenes::Scene& scene, std::shared_ptr<const capture
                  },
              .link = {.one_way_s = kDelay_s, .jitter_s = 0.0, .loss = 0.0},
              .builder = {}}),
-      loop_({}, control::EncounteredController(scene.control, scene.effects)),
-      device_(scene.simulated_device, scene.simulated_hand, {{0.0, 0.10, 0.0}}),
+      loop_({}, control::EncounteredController(scene.control, core::bank_of(scene.effects))),
+      device_({}, {}, {{0.0, 0.10, 0.0}}),
       height_m_(kHover_m) {}
 
 /// Takes the images that have arrived by now: the page and the guided hand see the newest. True: a newer surface came.

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/journal/journal_replay.h"
 #include "haptic_station/station/parts/core_threads.h"
 #include "haptic_station/station/rigs/journaled_scene.h"
@@ -52,8 +53,7 @@ std::string live_journal(const std::string& scene_name, const std::string& setti
       {.now = steady_now,
        .on_report = [](const msg::SurfaceReport&) {},
        .on_bad_frame = [](const Error& error) { ADD_FAILURE() << to_string(error); },
-       .request_key_frame = [](const wire::Message&) {}},
-      scene.effects);
+       .request_key_frame = [](const wire::Message&) {}});
   EXPECT_TRUE(threads.start_haptic(station::Realtime::Prefer, 0ns, steady_now).ok());
   const capture::SyntheticPatient patient(capture::open_patient("torso,motion=irregular,width=160")->patient);
   codec::DepthEncoder encoder({.mode = codec::DepthMode::Temporal, .key_every = 12});
@@ -97,11 +97,11 @@ Replayed replay(const std::string& bytes) {
   const auto journaled = station::journaled_scene(reader->header());
   EXPECT_TRUE(journaled.ok());
   const scenes::Scene& scene = journaled->scene;
-  loop::HapticLoop loop({}, {scene.control, scene.effects});
+  loop::HapticLoop loop({}, {scene.control, bank_of(scene.effects)});
   SurfaceStage surfaces(
       journaled->surface,
       [&scene](const DepthImage& depth, const Intrinsics& camera) { return station::placed(scene, depth, camera); },
-      scene.effects);
+      bank_of(scene.effects));
   CollisionStage collision;
   Replayed replayed;
   JournalReplay run(loop, surfaces, surface::runs_in_tick(journaled->surface) ? nullptr : &collision,

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/trials/virtual_station.h"
@@ -146,7 +147,7 @@ TEST_P(NamedEffects, AreTheOnlyOnesWhoseCodeIsEntered) {
   const auto scene = scenes::read_scene(file_of(GetParam().scene));
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
   trials::VirtualStationSettings settings;
-  settings.effects = scene->effects;
+  settings.effects = core::bank_of(scene->effects);
   settings.control = scene->control;
   trials::VirtualStation station(settings);
   station.place({{0.0, 0.03, 0.0}}, {{0.0, 0.07, 0.0}});

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/loop/plane_snapshot.h"
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/scenes/scene.h"
@@ -73,10 +74,9 @@ Outcome run(const capture::SyntheticPatient& patient, double seconds) {
 
   surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
   LatestValue<TouchableSurface> surfaces;
-  HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
-  SimulatedRig rig(
-      {.device = scene.simulated_device, .hand = scene.simulated_hand, .tracker = {}, .rest = {{0.0, 0.1, 0.0}}},
-      device::ScriptedIntention(device::waypoints(scene.trial), {}));
+  HapticLoop loop({}, control::EncounteredController(scene.control, core::bank_of(scene.effects)));
+  SimulatedRig rig({.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.1, 0.0}}},
+                   device::ScriptedIntention(device::waypoints(scene.trial), {}));
   Outcome outcome;
   TickOut before;
   std::optional<surface::Reach> reach;
@@ -153,7 +153,7 @@ TEST(HapticLoop, TellsTheHandsAttitudePredictedToNowInTheCamerasFrame) {
 
 TEST(HapticLoop, WithoutASurfaceThereIsNoForce) {
   const scenes::Scene scene = palpation();
-  HapticLoop loop({}, control::EncounteredController(scene.control, scene.effects));
+  HapticLoop loop({}, control::EncounteredController(scene.control, core::bank_of(scene.effects)));
   for (int tick = 0; tick < 2000; ++tick) {
     const TickOut out = loop.tick({.now = at_tick(tick),
                                    .dt_s = kTick_s,

@@ -1,4 +1,5 @@
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/core/built_effects.h"
 #include "where.h"
 
 #include <gtest/gtest.h>
@@ -55,12 +56,6 @@ TEST(Scene, AnUnknownFieldIsAnErrorWithLineAndColumn) {
       << complaint("plane { hight_m: 0.02 }");
 }
 
-/// The field from_body_within_m was S1's d_thr. No value of this field had an effect, so the field was removed.
-TEST(Scene, AThresholdWithoutEffectIsRefused) {
-  EXPECT_NE(complaint("transitions { from_body_within_m: 0.5 }").find("bad.scene.textproto:2:"), std::string::npos)
-      << complaint("transitions { from_body_within_m: 0.5 }");
-}
-
 TEST(Scene, AValueInAWrongUnitIsNamedWithItsUnitAndRange) {
   const std::string text = complaint("plane { height_m: 30 }");  // millimetres
   EXPECT_NE(text.find("plane.height_m is 30 m, outside -0.5 to 0.5 m"), std::string::npos) << text;
@@ -94,9 +89,10 @@ TEST(Scene, EachEffectHasASceneThatNamesItAfterTheSkinAndNoOther) {
   for (const std::string name : {"sphere", "friction", "regions", "organ"}) {
     const Result<Scene> scene = read_scene(folder + name + ".scene.textproto");
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
-    ASSERT_EQ(scene->effects.bill().size(), 2U);
-    EXPECT_STREQ(scene->effects.bill()[0].name, "skin");
-    EXPECT_EQ(scene->effects.bill()[1].name, name);
+    const effects::EffectBank bank = core::bank_of(scene->effects);
+    ASSERT_EQ(bank.bill().size(), 2U);
+    EXPECT_STREQ(bank.bill()[0].name, "skin");
+    EXPECT_EQ(bank.bill()[1].name, name);
   }
 }
 
@@ -122,7 +118,7 @@ TEST(Scene, ASkinTakesACurveThatWasMeasured) {
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
   effects::EffectInput in;
   in.contact.normal = {Eigen::Vector3d::UnitY()};
-  effects::EffectBank bank = scene->effects;
+  effects::EffectBank bank = core::bank_of(scene->effects);
   bank.begin(in);
   in.device.m = {0.0, -0.01, 0.0};
   in.contact.distance_m = -0.01;

@@ -3,6 +3,7 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/scenes/scene.h"
 #include "tests/haptic_station/solids/random_solid.h"
 #include "where.h"
@@ -76,7 +77,8 @@ TEST(SolidText, EachLayerIsOnTheBillUnderItsName) {
   const auto scene = read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/liver-enlarged.scene.textproto");
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
   std::string names;
-  for (const effects::EffectBill& line : scene->effects.bill()) names += std::string(line.name) + " ";
+  const effects::EffectBank bank = core::bank_of(scene->effects);
+  for (const effects::EffectBill& line : bank.bill()) names += std::string(line.name) + " ";
   EXPECT_EQ(names, "skin liver spleen aorta ");
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/station/bill/receiving.h"
 #include "haptic_station/station/bill/thread_time.h"
 #include "haptic_station/surface/build/mark_tracker.h"
@@ -29,16 +30,14 @@ scenes::Scene scene_named(const std::string& name) {
 }
 
 /// The scene without its effects, but for the first `kept` of them, and without probe.
-scenes::Scene cut(const std::string& name, int kept) {
-  msg::Scene message = scene_named(name).message;
-  message.clear_probe();
-  const int named = std::max(1, kept);  // a file cannot name a scene without effects
-  message.mutable_effects()->DeleteSubrange(named, message.effects_size() - named);
-  Result<scenes::Scene> scene = scenes::make_scene(message, scene_file(name));
-  EXPECT_TRUE(scene.ok()) << to_string(scene.error());
-  if (kept == 0) scene->effects = {};
-  return std::move(scene).value();
+scenes::Scene cut(const std::string& name, std::size_t kept) {
+  scenes::Scene scene = scene_named(name);
+  scene.probe.reset();
+  scene.effects.resize(kept);
+  return scene;
 }
+
+effects::EffectBank effects_of(const scenes::Scene& scene) { return core::bank_of(scene.effects); }
 
 const SeenBody& body() {
   static const SeenBody kBody;
@@ -121,8 +120,8 @@ TEST(Bill, AnObjectThatTheSceneDoesNotNameTakesNoMemory) {
   surface::SurfaceBuilder never{surface::SurfaceSettings{}};
   surface::SurfaceBuilder without{surface::SurfaceSettings{}};
   surface::SurfaceBuilder with{surface::SurfaceSettings{}};
-  without.watch(loop::mark_lines(cut("palpation", 1).effects, camera_from_haptic));
-  with.watch(loop::mark_lines(scene_named("palpation").effects, camera_from_haptic));
+  without.watch(loop::mark_lines(effects_of(cut("palpation", 1)), camera_from_haptic));
+  with.watch(loop::mark_lines(effects_of(scene_named("palpation")), camera_from_haptic));
   EXPECT_EQ(heap_of(without, 0, 20), heap_of(never, 0, 20));
   EXPECT_GT(heap_of(with, 0, 20).bytes, heap_of(never, 20, 20).bytes);
 }
@@ -157,8 +156,8 @@ std::array<double, 3> ticks_ns(std::array<effects::EffectBank, 3> banks) {
 }
 
 TEST(Bill, AnEffectThatTheSceneDoesNotNameTakesNoTimeInATick) {
-  const auto [none, skin, both] =
-      ticks_ns({cut("palpation", 0).effects, cut("palpation", 1).effects, scene_named("palpation").effects});
+  const auto [none, skin, both] = ticks_ns(
+      {effects_of(cut("palpation", 0)), effects_of(cut("palpation", 1)), effects_of(scene_named("palpation"))});
   EXPECT_LT(none, 0.5 * skin);
   EXPECT_LT(skin, 0.5 * both) << "the skin alone, without the liver";
 }
@@ -176,9 +175,9 @@ TEST(Bill, AnObjectThatTheSceneDoesNotNameTakesNoTimeAtTheSurface) {
     for (int i = 0; i < 20; ++i) marks.add(field, field, body().camera(), 1.0 / SeenBody::kFrames_per_s);
     return least_ns([&] { marks.add(field, field, body().camera(), 1.0 / SeenBody::kFrames_per_s); });
   };
-  const double with = image_ns(scene_named("palpation").effects);
+  const double with = image_ns(effects_of(scene_named("palpation")));
   EXPECT_GT(with, 50e3) << "an object costs the registration of its patch of skin";
-  EXPECT_LT(image_ns(cut("palpation", 1).effects), 0.02 * with);
+  EXPECT_LT(image_ns(effects_of(cut("palpation", 1))), 0.02 * with);
 }
 
 TEST(Bill, HoldsWhatAnEffectCostsOutsideTheTick) {
@@ -231,7 +230,7 @@ TEST(Bill, FrictionIsPricedOnTheSkinThatItNeeds) {
   const scenes::Scene scene = scene_named("friction");
   const auto errors = errors_in_motion(scene, {}, scene_file("friction"), body(), 3.0);
   ASSERT_TRUE(errors.ok()) << to_string(errors.error());
-  EXPECT_EQ(errors->size(), static_cast<std::size_t>(scene.message.effects_size()));
+  EXPECT_EQ(errors->size(), scene.effects.size());
 }
 
 TEST(Bill, OnAModelTheSkinIsFeltWithoutError) {

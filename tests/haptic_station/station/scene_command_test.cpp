@@ -140,8 +140,9 @@ TEST_F(SceneCommand, ShowDrawsEachObjectOfEachSceneThatShips) {
     if (!entry.path().string().ends_with(".scene.textproto")) continue;
     const Result<scenes::Scene> scene = scenes::read_scene(entry.path());
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
-    const auto objects = std::ranges::count_if(scene->effects.bill(), [](const effects::EffectBill& line) {
-      return std::string_view(line.name) != "skin" && std::string_view(line.name) != "friction";
+    const auto objects = std::ranges::count_if(scene->effects, [](const effects::Recipe& recipe) {
+      return !std::holds_alternative<effects::SkinSettings>(recipe) &&
+             !std::holds_alternative<effects::FrictionSettings>(recipe);
     });
     EXPECT_GE(static_cast<std::ptrdiff_t>(scenes::objects_of(*scene).size()), objects) << entry.path();
     ++read;

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMostRecent = 256;
 
 const effects::SkinLaw* law_of(const scenes::Scene& scene) {
-  return scene.effects.skin() == nullptr ? nullptr : &scene.effects.skin()->law();
+  return scene.skin() == nullptr ? nullptr : &scene.skin()->law;
 }
 
 /// The message of an arrived frame. Its image is known if the tape has decoded the same bytes.

@@ -105,13 +105,11 @@ class RecordedRig final : public ports::Rig {
 
 }  // namespace
 
-std::unique_ptr<ports::Rig> scripted_hand(const scenes::Scene& scene, HandScript script, std::uint64_t seed) {
-  return std::make_unique<loop::SimulatedRig>(loop::SimulatedRig::Settings{.device = scene.simulated_device,
-                                                                           .hand = scene.simulated_hand,
-                                                                           .tracker = {},
-                                                                           .rest = {{0.0, kRestHeight_m, 0.0}},
-                                                                           .seed = seed},
-                                              device::ScriptedIntention(waypoints(script), Point<HapticBase>{}));
+std::unique_ptr<ports::Rig> scripted_hand(HandScript script, std::uint64_t seed) {
+  return std::make_unique<loop::SimulatedRig>(
+      loop::SimulatedRig::Settings{
+          .device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, kRestHeight_m, 0.0}}, .seed = seed},
+      device::ScriptedIntention(waypoints(script), Point<HapticBase>{}));
 }
 
 std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/loop/rig_tick.h"
 
 namespace telepalp::replay {
@@ -12,7 +13,7 @@ constexpr std::uint64_t kTicksPerTotals = 2000;
 
 std::unique_ptr<ports::Rig> rig_of(const StationSetup& setup, const Scenario& scenario) {
   return setup.recorded != nullptr ? recorded_hand(*setup.recorded)
-                                   : scripted_hand(setup.scene, scenario.hand, scenario.seed);
+                                   : scripted_hand(scenario.hand, scenario.seed);
 }
 
 }  // namespace
@@ -58,10 +59,10 @@ class ReplayedStation::Telemetry {
 ReplayedStation::ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish)
     : scenario_(scenario),
       rig_(rig_of(setup, scenario)),
-      loop_({}, {setup.scene.control, setup.scene.effects}),
+      loop_({}, {setup.scene.control, core::bank_of(setup.scene.effects)}),
       surfaces_(
           setup.surface, [placed = setup.haptic_from_camera](const DepthImage&, const Intrinsics&) { return placed; },
-          setup.scene.effects),
+          core::bank_of(setup.scene.effects)),
       telemetry_(publish ? std::make_unique<Telemetry>(setup.scene.name, std::move(publish)) : nullptr) {
   if (!surface::runs_in_tick(setup.surface)) collision_.emplace();
 }

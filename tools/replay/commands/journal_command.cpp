@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/journal/journal_replay.h"
 #include "haptic_station/station/rigs/journaled_scene.h"
 #include "haptic_station/station/rigs/placement.h"
@@ -47,11 +48,11 @@ class ForceFiles {
 
 JournalVerdict verdict_of(JournalReader& reader, const station::JournaledScene& journaled, ForceFiles* files) {
   const scenes::Scene& scene = journaled.scene;
-  loop::HapticLoop loop({}, {scene.control, scene.effects});
+  loop::HapticLoop loop({}, {scene.control, core::bank_of(scene.effects)});
   core::SurfaceStage surfaces(
       journaled.surface,
       [&scene](const DepthImage& depth, const Intrinsics& camera) { return station::placed(scene, depth, camera); },
-      scene.effects);
+      core::bank_of(scene.effects));
   core::CollisionStage collision;
   const bool in_tick = surface::runs_in_tick(journaled.surface);
   core::JournalReplay replay(loop, surfaces, in_tick ? nullptr : &collision,

@@ -28,17 +28,16 @@ Result<void> read_scene(const program::Arguments& arguments, Request& request) {
   request.scene_file = *file;
   Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
-  if (scene->message.patient_surface().has_static_model())
+  if (scene->model)
     return Error{.what = "the scene's patient_surface is a static model, which does not cross the network",
                  .where = file->string(),
                  .fix = "give a scene whose patient_surface is streamed"};
-  const std::string& name = scene->message.surface().name();
+  const std::string& name = scene->surface;
   const Result<surface::SurfaceSettings> surface =
       name.empty() ? surface::SurfaceSettings{} : surface::surface_settings(name);
   if (!surface) return surface.error();
   request.surface = *surface;
-  std::ifstream text(*file);
-  request.scene_text.assign(std::istreambuf_iterator<char>(text), {});
+  request.scene_text = scene->text;
   request.scene = std::make_unique<const scenes::Scene>(std::move(*scene));
   return {};
 }

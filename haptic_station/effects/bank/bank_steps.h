@@ -1,10 +1,14 @@
-#include "haptic_station/effects/effect_bank.h"
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/effects/effect_bank.h"
+
+// How BasicEffectBank steps its effects: the definitions of its members, for the one file that instantiates it for a
+// list of kinds.
+
 namespace telepalp::effects {
-namespace {
 
 /// std::visit may throw, and the haptic thread must not; std::get_if never throws.
 template <std::size_t I = 0, class Effect, class Do>
@@ -128,9 +132,8 @@ Eigen::Vector3d carried_at(const Effect& effect, const EffectInput& in, const Pl
     return effect.carried_at(in).v;
 }
 
-}  // namespace
-
-std::optional<Point<HapticBase>> EffectBank::object_at(std::size_t effect) const noexcept {
+template <class Kinds>
+std::optional<Point<HapticBase>> BasicEffectBank<Kinds>::object_at(std::size_t effect) const noexcept {
   if (effect >= count_) return std::nullopt;
   return with(effects_[effect], [](const auto& e) noexcept -> std::optional<Point<HapticBase>> {
     if constexpr (InnerObject<std::remove_cvref_t<decltype(e)>>)
@@ -140,12 +143,14 @@ std::optional<Point<HapticBase>> EffectBank::object_at(std::size_t effect) const
   });
 }
 
-void EffectBank::find_proxies_with(const solids::ProxySettings& settings) noexcept {
+template <class Kinds>
+void BasicEffectBank<Kinds>::find_proxies_with(const solids::ProxySettings& settings) noexcept {
   for (std::size_t i = 0; i < count_; ++i)
     if (Solid* solid = std::get_if<Solid>(&effects_[i])) solid->find_proxy_with(settings);
 }
 
-const char* EffectBank::name(const Effect& effect) noexcept {
+template <class Kinds>
+const char* BasicEffectBank<Kinds>::name(const Effect& effect) noexcept {
   return with(effect, [](const auto& e) noexcept -> const char* {
     if constexpr (HasLabel<std::remove_cvref_t<decltype(e)>>)
       return e.label();
@@ -154,7 +159,8 @@ const char* EffectBank::name(const Effect& effect) noexcept {
   });
 }
 
-bool EffectBank::add(const Effect& effect) noexcept {
+template <class Kinds>
+bool BasicEffectBank<Kinds>::add(const Effect& effect) noexcept {
   if (count_ == kMostEffects) return false;
   bill_[count_] = EffectBill{.name = name(effect)};
   with(effect, [this](const auto& e) noexcept {
@@ -167,7 +173,8 @@ bool EffectBank::add(const Effect& effect) noexcept {
   return true;
 }
 
-void EffectBank::begin(const EffectInput& in) noexcept {
+template <class Kinds>
+void BasicEffectBank<Kinds>::begin(const EffectInput& in) noexcept {
   held_ = {};
   relaxed_m_ = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
@@ -176,7 +183,8 @@ void EffectBank::begin(const EffectInput& in) noexcept {
   if (weakens_skin_) weaken_skin(1.0);
 }
 
-double EffectBank::held_by_states_N() const noexcept {
+template <class Kinds>
+double BasicEffectBank<Kinds>::held_by_states_N() const noexcept {
   double sum_N = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](const auto& e) noexcept {
@@ -185,7 +193,8 @@ double EffectBank::held_by_states_N() const noexcept {
   return sum_N;
 }
 
-double EffectBank::wanted_skin_left() const noexcept {
+template <class Kinds>
+double BasicEffectBank<Kinds>::wanted_skin_left() const noexcept {
   double left = 1.0;
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](const auto& e) noexcept {
@@ -194,7 +203,8 @@ double EffectBank::wanted_skin_left() const noexcept {
   return left;
 }
 
-void EffectBank::weaken_skin(double left) noexcept {
+template <class Kinds>
+void BasicEffectBank<Kinds>::weaken_skin(double left) noexcept {
   skin_left_ = left;
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](auto& e) noexcept {
@@ -202,7 +212,8 @@ void EffectBank::weaken_skin(double left) noexcept {
     });
 }
 
-double EffectBank::loaded_J(const EffectInput& in) const noexcept {
+template <class Kinds>
+double BasicEffectBank<Kinds>::loaded_J(const EffectInput& in) const noexcept {
   double sum_J = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](const auto& e) noexcept {
@@ -214,7 +225,8 @@ double EffectBank::loaded_J(const EffectInput& in) const noexcept {
 
 /// Steps each effect, and adds up the work of the wrenches that it held over the tick that ends now. Lowering the
 /// skin's stiffness takes energy out of it; raising it would create energy, so its share only falls.
-void EffectBank::advance(const EffectInput& in, double dt_s, CostClock clock) noexcept {
+template <class Kinds>
+void BasicEffectBank<Kinds>::advance(const EffectInput& in, double dt_s, CostClock clock) noexcept {
   absorbed_J_ = 0.0;
   if (weakens_skin_)
     if (const double left = wanted_skin_left(); left < skin_left_) weaken_skin(left);
@@ -238,7 +250,9 @@ void EffectBank::advance(const EffectInput& in, double dt_s, CostClock clock) no
   }
 }
 
-Wrench<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, double most_N, CostClock clock) noexcept {
+template <class Kinds>
+Wrench<HapticBase> BasicEffectBank<Kinds>::step(const EffectInput& in, double dt_s, double most_N,
+                                                CostClock clock) noexcept {
   advance(in, dt_s, clock);
   const double bound_N = std::max(0.0, most_N);
   const double share = states_hold_N_ > bound_N ? bound_N / states_hold_N_ : 1.0;
@@ -258,14 +272,16 @@ Wrench<HapticBase> EffectBank::step(const EffectInput& in, double dt_s, double m
   return sum;
 }
 
-double EffectBank::energy_J() const noexcept {
+template <class Kinds>
+double BasicEffectBank<Kinds>::energy_J() const noexcept {
   double sum_J = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
     sum_J += with(effects_[i], [&](const auto& e) noexcept { return relaxed_energy_J(e, relaxed_m_); });
   return sum_J;
 }
 
-Pull EffectBank::pull(double relaxed_m) const noexcept {
+template <class Kinds>
+Pull BasicEffectBank<Kinds>::pull(double relaxed_m) const noexcept {
   Pull sum;
   for (std::size_t i = 0; i < count_; ++i)
     with(effects_[i], [&](const auto& e) noexcept {
@@ -274,7 +290,8 @@ Pull EffectBank::pull(double relaxed_m) const noexcept {
   return sum;
 }
 
-Force<HapticBase> EffectBank::change_with_skin_at(const Eigen::Vector3d& indentation_m) const noexcept {
+template <class Kinds>
+Force<HapticBase> BasicEffectBank<Kinds>::change_with_skin_at(const Eigen::Vector3d& indentation_m) const noexcept {
   const Skin* own = skin();
   if (own == nullptr) return {};
   const auto pull_at = [&](double relaxed_m) noexcept {
@@ -294,27 +311,31 @@ Force<HapticBase> EffectBank::change_with_skin_at(const Eigen::Vector3d& indenta
   return change;
 }
 
-double EffectBank::stiffest_N_per_m(double most_N) const noexcept {
+template <class Kinds>
+double BasicEffectBank<Kinds>::stiffest_N_per_m(double most_N) const noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < count_; ++i)
     sum += with(effects_[i], [&](const auto& e) noexcept { return e.stiffest_N_per_m(most_N); });
   return sum;
 }
 
-ObjectTouch EffectBank::touch() const noexcept {
+template <class Kinds>
+ObjectTouch BasicEffectBank<Kinds>::touch() const noexcept {
   ObjectTouch nearest = ObjectTouch::None;
   for (std::size_t i = 0; i < count_; ++i)
     nearest = std::max(nearest, with(effects_[i], [](const auto& e) noexcept { return e.touch(); }));
   return nearest;
 }
 
-const Skin* EffectBank::skin() const noexcept {
+template <class Kinds>
+const Skin* BasicEffectBank<Kinds>::skin() const noexcept {
   for (std::size_t i = 0; i < count_; ++i)
     if (const Skin* skin = std::get_if<Skin>(&effects_[i])) return skin;
   return nullptr;
 }
 
-Vector<HapticBase> EffectBank::indentation() const noexcept {
+template <class Kinds>
+Vector<HapticBase> BasicEffectBank<Kinds>::indentation() const noexcept {
   const Skin* first = skin();
   return first != nullptr ? first->indentation() : Vector<HapticBase>{};
 }
