@@ -323,10 +323,11 @@ TEST_F(ReplayProgram, SaysWhatLimitsTheComparisonOfAJournalAndWhatToDo) {
   EXPECT_NE(machine_words.find("with the processor An Abacus of 13 Rods; this one has "), std::string::npos)
       << machine_words;
   int runs = 0;
-  change_journal(in(""), [&](msg::JournalBlock& block) { return !block.has_surface_run() || ++runs != 20; });
+  change_journal(in(""), [&](msg::JournalBlock& block) { return !block.has_surface_run() || ++runs != 3; });
   const auto [missing, missing_words] = verdict();
   EXPECT_EQ(missing, 1) << missing_words;
-  EXPECT_NE(missing_words.find(" adopts surface 20, which the journal does not hold. The ticks before it are compared, "
+  EXPECT_NE(missing_words.find(" adopts surface "), std::string::npos) << missing_words;
+  EXPECT_NE(missing_words.find(", which the journal does not hold. The ticks before it are compared, "
                                "those behind it cannot be. fix: keep the journal again"),
             std::string::npos)
       << missing_words;
