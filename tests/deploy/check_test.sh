@@ -58,6 +58,14 @@ checkout fault
 write fault codec/a.cpp "$FAULT"
 check fault && failed "a fault passes"
 grep -q 'codec/a.cpp:2:.*bugprone-implicit-widening' "$work/log" || failed "the fault is not named"
+write fault codec/a.cpp "$FAULT
+int g() { return 3; }"
+check fault || failed "an old fault in a line that did not change is refused"
+printf '%s\n' "$FAULT" >"$work/fault/codec/new.cpp"
+sed 's/c\.cpp/new.cpp/g' "$work/fault/build/release/compile_commands.json" | sed 's/proto.wire.new/codec\/new/g' >"$work/commands"
+mv "$work/commands" "$work/fault/build/release/compile_commands.json"
+check fault && failed "a fault in a file that is not yet known to git passes"
+grep -q 'codec/new.cpp:2:.*bugprone-implicit-widening' "$work/log" || failed "the fault of the new file is not named"
 
 checkout shallow
 check shallow || failed "a clone without an earlier commit is refused"
