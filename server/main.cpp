@@ -361,14 +361,15 @@ int run(Asked asked) {
   return program::kDone;
 }
 
+int run_asked(const program::Arguments& arguments) {
+  const Result<Asked> asked = read_asked(arguments);
+  if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
+  return run(*asked);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   program::say_when_stopped("telepalp-server: stopped before it listened; nothing was sent");
-  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const Result<Asked> asked = read_asked(**read);
-  if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
-  return run(*asked);
+  return program::run_program(usage(), argc, argv, run_asked);
 }

@@ -74,18 +74,10 @@ Result<std::string> file_of(const program::Arguments& arguments, const program::
   return asked_wrongly("one session file is needed, but " + std::to_string(named) + " are named", usage);
 }
 
-/// Reads the arguments of a command and runs it: an exit code, also after --help or a wrong option.
-template <class Run>
-int with_arguments(const program::Usage& usage, int argc, const char* const* argv, Run run) {
-  const auto arguments = program::read_arguments(usage, argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  return *arguments ? run(**arguments) : program::kDone;
-}
-
-/// The same for a command with one file.
+/// A command with one file.
 template <class Run>
 int with_file(const program::Usage& usage, int argc, const char* const* argv, Run run) {
-  return with_arguments(usage, argc, argv, [&](const program::Arguments& arguments) {
+  return program::run_program(usage, argc, argv, [&](const program::Arguments& arguments) {
     const Result<std::string> file = file_of(arguments, usage);
     return file ? run(*file, arguments) : program::fail(file.error(), program::kAskedWrongly);
   });
@@ -220,7 +212,7 @@ int cut_command(int argc, const char* const* argv) {
 }
 
 int merge_command(int argc, const char* const* argv) {
-  return with_arguments(merge_usage(), argc, argv, [](const program::Arguments& arguments) {
+  return program::run_program(merge_usage(), argc, argv, [](const program::Arguments& arguments) {
     const std::vector<std::filesystem::path> files(arguments.positional().begin(), arguments.positional().end());
     if (files.size() < 2 || files.size() > kMostMerged || !arguments.has("out"))
       return program::fail(

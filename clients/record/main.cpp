@@ -98,6 +98,11 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
 }
 
 int run_recording(const program::Arguments& arguments) {
+  if (!arguments.has("out"))
+    return program::fail({.what = "neither a file to record to nor a command is given",
+                          .where = kProgram,
+                          .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge"},
+                         program::kAskedWrongly);
   Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =
@@ -115,14 +120,5 @@ int run_recording(const program::Arguments& arguments) {
 int main(int argc, char** argv) {
   program::say_when_stopped(
       "telepalp-record: stopped: the sessions that it read are unchanged; an unfinished copy ends with .partial");
-  if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
-  const auto arguments = program::read_arguments(usage(), argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  if (!*arguments) return program::kDone;
-  const program::Arguments& asked = **arguments;
-  if (asked.has("out")) return run_recording(asked);
-  return program::fail({.what = "neither a file to record to nor a command is given",
-                        .where = kProgram,
-                        .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge"},
-                       program::kAskedWrongly);
+  return program::run_program(usage(), argc, argv, run_recording);
 }

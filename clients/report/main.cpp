@@ -173,25 +173,24 @@ int run(const program::Arguments& given) {
   return *holds ? program::kDone : program::kFailed;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const auto arguments = program::read_arguments(usage(), argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  if (!*arguments) return program::kDone;
-  const std::vector<std::string>& sessions = (**arguments).positional();
+int run_asked(const program::Arguments& arguments) {
+  const std::vector<std::string>& sessions = arguments.positional();
   if (sessions.empty() || sessions.size() > 2)
     return program::fail(
         {.what = "one or two session files are needed, but " + std::to_string(sessions.size()) + " are named",
          .where = "telepalp-report",
          .fix = "name one session file to report on, or two to compare: telepalp-report SESSION.mcap [OTHER.mcap]"},
         program::kAskedWrongly);
-  if (sessions.size() == 1 && (**arguments).has("assert"))
+  if (sessions.size() == 1 && arguments.has("assert"))
     return program::fail({.what = "one session alone cannot be compared",
                           .where = "--assert",
                           .fix = "name the baseline and the run: telepalp-report A B --assert same"},
                          program::kAskedWrongly);
-  program::say_when_stopped("telepalp-report: stopped: the report in " + (**arguments).text("out") +
+  program::say_when_stopped("telepalp-report: stopped: the report in " + arguments.text("out") +
                             " is not complete; each of its files is whole or as it was before");
-  return run(**arguments);
+  return run(arguments);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run_asked); }

@@ -184,18 +184,17 @@ class View {
   wire::ClientLink link_;
 };
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const auto arguments = program::read_arguments(usage(), argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  if (!*arguments) return program::kDone;
-  Result<Asked> asked = asked_of(**arguments);
+int run(const program::Arguments& arguments) {
+  Result<Asked> asked = asked_of(arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =
-      keys::load_client_key((*arguments)->text("key"), std::chrono::system_clock::now());
+      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
   if (!key) return program::fail(key.error());
   asked->key = std::move(key).value();
   const Result<void> done = View(*asked).run();
   return done ? program::kDone : program::fail(done.error());
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run); }

@@ -218,17 +218,8 @@ int path(const program::Arguments& arguments) {
   return program::kDone;
 }
 
-int path_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(path_usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  return *read ? path(**read) : program::kDone;
-}
+int path_command(int argc, const char* const* argv) { return program::run_program(path_usage(), argc, argv, path); }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (const std::optional<int> code = program::run_command(touch_usage(), argc, argv)) return *code;
-  const auto read = program::read_arguments(touch_usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  return *read ? touch(**read) : program::kDone;
-}
+int main(int argc, char** argv) { return program::run_program(touch_usage(), argc, argv, touch); }

@@ -214,35 +214,35 @@ int run(const station::StationOptions& options, const station::StationSignals::R
   return program::kDone;
 }
 
+int run_asked(const program::Arguments& arguments) {
+  Result<station::StationOptions> options = options_of(arguments);
+  if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  if (const Result<void> surface = check_surface(arguments.text("surface")); !surface)
+    return program::fail(surface.error(), program::kAskedWrongly);
+  const Result<station::RigChoice> rig = station::read_rig_choice(arguments.text("device"), arguments.text("tracker"));
+  if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
+  Result<std::shared_ptr<const keys::KeyFile>> key =
+      keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
+  if (!key) return program::fail(key.error());
+  options->key = std::move(key).value();
+  const Result<std::filesystem::path> scene = scenes::find_scene(arguments.text("scene"));
+  if (!scene) return program::fail(scene.error());
+  const bool anyway = arguments.has("anyway");
+  // telepalp-replay, which computes a journal again, has no PCL.
+  if (arguments.has("journal")) surface::use_nanoflann_indexes();
+  if (arguments.has("check")) return check(read_calibrated(*scene, arguments), *scene, anyway);
+  return run(
+      *options, [&] { return load(*scene, arguments, anyway); }, *rig,
+      [&](int count, const station::LoadedScene& loaded) -> Result<std::unique_ptr<station::JournalThread>> {
+        if (!arguments.has("journal")) return std::unique_ptr<station::JournalThread>();
+        return open_journal(arguments.text("journal"), count, loaded, *scene);
+      });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   program::say_when_stopped("telepalp-station: stopped: no file was written");
   surface::use_pcl_indexes();
-  if (const std::optional<int> code = program::run_command(usage(), argc, argv)) return *code;
-  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  Result<station::StationOptions> options = options_of(**read);
-  if (!options) return program::fail(options.error(), program::kAskedWrongly);
-  if (const Result<void> surface = check_surface((*read)->text("surface")); !surface)
-    return program::fail(surface.error(), program::kAskedWrongly);
-  const Result<station::RigChoice> rig = station::read_rig_choice((*read)->text("device"), (*read)->text("tracker"));
-  if (!rig) return program::fail(rig.error(), program::kAskedWrongly);
-  Result<std::shared_ptr<const keys::KeyFile>> key =
-      keys::load_client_key((*read)->text("key"), std::chrono::system_clock::now());
-  if (!key) return program::fail(key.error());
-  options->key = std::move(key).value();
-  const Result<std::filesystem::path> scene = scenes::find_scene((*read)->text("scene"));
-  if (!scene) return program::fail(scene.error());
-  const bool anyway = (*read)->has("anyway");
-  // telepalp-replay, which computes a journal again, has no PCL.
-  if ((*read)->has("journal")) surface::use_nanoflann_indexes();
-  if ((*read)->has("check")) return check(read_calibrated(*scene, **read), *scene, anyway);
-  return run(
-      *options, [&] { return load(*scene, **read, anyway); }, *rig,
-      [&](int count, const station::LoadedScene& loaded) -> Result<std::unique_ptr<station::JournalThread>> {
-        if (!(*read)->has("journal")) return std::unique_ptr<station::JournalThread>();
-        return open_journal((*read)->text("journal"), count, loaded, *scene);
-      });
+  return program::run_program(usage(), argc, argv, run_asked);
 }

@@ -57,13 +57,7 @@ void run_all(const VirtualStationSettings& settings, double breathing_m, bool by
   }
 }
 
-}  // namespace
-
-int trials_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const program::Arguments& arguments = **read;
+int run_trials(const program::Arguments& arguments) {
   const Result<double> breathing_mm = arguments.number("breathing-mm", 0.0, 50.0);
   if (!breathing_mm) return program::fail(breathing_mm.error(), program::kAskedWrongly);
   const Result<VirtualStationSettings> settings = settings_of(arguments);
@@ -80,5 +74,9 @@ int trials_command(int argc, const char* const* argv) {
   const Result<void> written = write_report(results, arguments.text("out"));
   return written ? program::kDone : program::fail(written.error());
 }
+
+}  // namespace
+
+int trials_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, run_trials); }
 
 }  // namespace telepalp::trials

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <system_error>
 
 #include "proto/words/error_line.h"
+#include "proto/words/number_word.h"
 #include "support/program/log.h"
 #include "support/program/terminal.h"
 
@@ -63,18 +63,15 @@ bool takes_words(const Usage& usage) {
 
 template <class T>
 Result<T> parse_bounded(std::string_view option, const std::string& text, T least, T most) {
-  T value{};
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || end != text.data() + text.size() || !(value >= least) || !(value <= most)) {
-    std::string bounds;
-    if constexpr (std::is_floating_point_v<T>)
-      bounds = "number from " + number_text(least) + " to " + number_text(most);
-    else
-      bounds = "whole number from " + std::to_string(least) + " to " + std::to_string(most);
-    return Error{
-        .what = "'" + text + "' is not a " + bounds, .where = "--" + std::string(option), .fix = "give a " + bounds};
-  }
-  return value;
+  const std::optional<T> value = number_of<T>(text);
+  if (value && *value >= least && *value <= most) return *value;
+  std::string bounds;
+  if constexpr (std::is_floating_point_v<T>)
+    bounds = "number from " + number_text(least) + " to " + number_text(most);
+  else
+    bounds = "whole number from " + std::to_string(least) + " to " + std::to_string(most);
+  return Error{
+      .what = "'" + text + "' is not a " + bounds, .where = "--" + std::string(option), .fix = "give a " + bounds};
 }
 
 Error output_error() {
@@ -160,10 +157,13 @@ Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, co
   return asked_wrongly(usage, error.what());
 }
 
-std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv) {
+int run_program(const Usage& usage, int argc, const char* const* argv,
+                const std::function<int(const Arguments&)>& run) {
   for (const Command& command : usage.commands)
     if (argc > 1 && command.run != nullptr && argv[1] == command.name) return command.run(argc - 1, argv + 1);
-  return std::nullopt;
+  const Result<std::optional<Arguments>> arguments = read_arguments(usage, argc, argv);
+  if (!arguments) return fail(arguments.error(), kAskedWrongly);
+  return *arguments ? run(**arguments) : kDone;
 }
 
 int print(const std::string& text) {

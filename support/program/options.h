@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,9 +43,11 @@ class Arguments {
 /// kFailed.
 [[nodiscard]] Result<std::optional<Arguments>> read_arguments(const Usage& usage, int argc, const char* const* argv);
 
-/// Runs the command that argv[1] names and returns the command's exit code; nullopt: argv[1] names no command whose
-/// Command::run is set.
-[[nodiscard]] std::optional<int> run_command(const Usage& usage, int argc, const char* const* argv);
+/// What a program, or one of its commands, does with a command line; returns the exit code. It runs the command that
+/// argv[1] names, if that command has a Command::run, else `run` with the arguments. A wrong command line gives
+/// kAskedWrongly, after its error was printed to stderr; `--help` and `--version` give kDone.
+[[nodiscard]] int run_program(const Usage& usage, int argc, const char* const* argv,
+                              const std::function<int(const Arguments&)>& run);
 
 /// Prints `text` to stdout and returns kDone, for `return print(text)` in main; kFailed if stdout cannot take all of
 /// it, as on a full disk.

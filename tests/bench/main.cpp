@@ -86,14 +86,7 @@ int run(const bench::Bench& bench, const program::Arguments& arguments) {
   return report->holds() ? program::kDone : program::kFailed;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  surface::use_pcl_indexes();
-  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const program::Arguments& arguments = **read;
+int run_asked(const program::Arguments& arguments) {
   if (arguments.has("list")) return list();
   const std::string wanted = arguments.positional().size() == 1 ? arguments.positional().front() : "";
   for (const bench::Bench& bench : kBenches)
@@ -103,4 +96,11 @@ int main(int argc, char** argv) {
                         .where = "telepalp-bench",
                         .fix = "to list the names: telepalp-bench --list"},
                        program::kAskedWrongly);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  surface::use_pcl_indexes();
+  return program::run_program(usage(), argc, argv, run_asked);
 }

@@ -229,6 +229,29 @@ TEST(TextFormat, AnUnknownFieldIsNamedWithLineAndColumn) {
   EXPECT_NE(read.error().what.find("fx_px"), std::string::npos) << read.error().what;
 }
 
+int command_of_seven(int argc, const char* const*) { return argc == 2 ? 7 : kFailed; }
+
+/// The exit code of `words`, after the program's name, and how often the program itself ran.
+std::pair<int, int> run_with(std::vector<const char*> words) {
+  words.insert(words.begin(), "telepalp-x");
+  Usage with_command = usage();
+  with_command.commands = {{"look", "FILE", "tell"}, {"seven", "", "has options of its own", command_of_seven}};
+  int runs = 0;
+  const int code = run_program(with_command, static_cast<int>(words.size()), words.data(), [&](const Arguments& given) {
+    ++runs;
+    return given.has("loop") ? 5 : 6;
+  });
+  return {code, runs};
+}
+
+TEST(RunProgram, RunsTheProgramOrItsCommandAndNothingAfterAWrongWordOrHelp) {
+  EXPECT_EQ(run_with({"a.file", "--loop"}), std::pair(5, 1));
+  EXPECT_EQ(run_with({"look", "a.file"}), std::pair(6, 1)) << "a command without a function is a word of the program";
+  EXPECT_EQ(run_with({"seven", "a.file"}), std::pair(7, 0));
+  EXPECT_EQ(run_with({"--speed", "3"}), std::pair(kAskedWrongly, 0));
+  EXPECT_EQ(run_with({"--help"}), std::pair(kDone, 0));
+}
+
 TEST(Log, ControlCharactersOfAPeerAreEscaped) {
   EXPECT_EQ(escaped("a\nb\x1b[2J\x7f"), "a\\x0ab\\x1b[2J\\x7f");
   EXPECT_EQ(escaped("\xc2\x9b"

@@ -264,7 +264,5 @@ int main(int argc, char** argv) {
                              .options = {{"http-port", "PORT", "where to listen; 0: any free port", "0"},
                                          {"viewer", "DIR", "the viewer's files", ""}},
                              .example = "telepalp-gateway-stage --http-port 8080 --viewer build/release/viewer"};
-  const auto arguments = program::read_arguments(usage, argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  return *arguments ? run(**arguments) : program::kDone;
+  return program::run_program(usage, argc, argv, run);
 }

@@ -89,14 +89,13 @@ Result<void> run(const Asked& asked) {
   return codec_tool::encode_recording(asked.words[1], asked.words[2], asked.settings, asked.unit_m);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const Result<Asked> asked = read_asked(**read);
+int run_asked(const program::Arguments& arguments) {
+  const Result<Asked> asked = read_asked(arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
   const Result<void> done = run(*asked);
   return done ? program::kDone : program::fail(done.error());
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run_asked); }

@@ -151,13 +151,7 @@ int run(const std::string& file, const program::Arguments& asked) {
   return run_csv(file, asked);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const auto arguments = program::read_arguments(usage(), argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  if (!*arguments) return program::kDone;
-  const program::Arguments& asked = **arguments;
+int run_asked(const program::Arguments& asked) {
   int formats = 0;
   for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "report"}) formats += asked.has(option) ? 1 : 0;
   if (asked.positional().size() != 1 || formats != 1)
@@ -174,3 +168,7 @@ int main(int argc, char** argv) {
     return program::fail(out.error(), program::kAskedWrongly);
   return run(asked.positional().front(), asked);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run_asked); }

@@ -88,15 +88,10 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   return asked;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const auto arguments = program::read_arguments(usage(), argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  if (!*arguments) return program::kDone;
-  const Result<const Row*> command = command_of(**arguments);
+int run_asked(const program::Arguments& arguments) {
+  const Result<const Row*> command = command_of(arguments);
   if (!command) return program::fail(command.error(), program::kAskedWrongly);
-  const Result<Asked> asked = read_asked(**arguments);
+  const Result<Asked> asked = read_asked(arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
   if (const auto check = (*command)->check)
     if (const Result<void> complete = check(*asked); !complete)
@@ -106,3 +101,7 @@ int main(int argc, char** argv) {
   if (!said) return program::fail(said.error());
   return program::print(*said);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run_asked); }

@@ -61,15 +61,14 @@ int run(const program::Arguments& arguments, const link_proxy::ProxyOptions& opt
   return program::kDone;
 }
 
+int run_asked(const program::Arguments& arguments) {
+  const auto options = link_proxy::proxy_options(arguments);
+  if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
+  if (!seconds) return program::fail(seconds.error(), program::kAskedWrongly);
+  return run(arguments, *options, *seconds);
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto arguments = program::read_arguments(link_proxy::usage(), argc, argv);
-  if (!arguments) return program::fail(arguments.error(), program::kAskedWrongly);
-  if (!*arguments) return program::kDone;
-  const auto options = link_proxy::proxy_options(**arguments);
-  if (!options) return program::fail(options.error(), program::kAskedWrongly);
-  const Result<double> seconds = (*arguments)->number("seconds", 0.0, 1e7);
-  if (!seconds) return program::fail(seconds.error(), program::kAskedWrongly);
-  return run(**arguments, *options, *seconds);
-}
+int main(int argc, char** argv) { return program::run_program(link_proxy::usage(), argc, argv, run_asked); }

@@ -6,13 +6,13 @@
 #include "tools/replay/commands/storm_command.h"
 #include "tools/replay/commands/sweep_command.h"
 
-int main(int argc, char** argv) {
-  using namespace telepalp;
-  if (const std::optional<int> code = program::run_command(replay::usage(), argc, argv)) return *code;
-  Result<std::optional<replay::Request>> read = replay::read_command_line(argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  std::optional<replay::Request>& request = *read;
+namespace {
+
+using namespace telepalp;
+
+int run(const program::Arguments& arguments, const std::vector<std::string>& words) {
+  Result<replay::Request> request = replay::read_command_line(arguments, words);
+  if (!request) return program::fail(request.error(), program::kAskedWrongly);
   request->tape.clock = replay::thread_ns;
   const Result<bool> holds = !request->journal.empty() ? replay::run_journal(*request)
                              : request->storm_seeds    ? replay::run_storm(*request)
@@ -21,4 +21,12 @@ int main(int argc, char** argv) {
   // A gate must tell a run that cannot be made from an assertion that fails.
   if (!holds) return program::fail(holds.error(), program::kAskedWrongly);
   return *holds ? program::kDone : program::kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return program::run_program(replay::usage(), argc, argv, [&](const program::Arguments& arguments) {
+    return run(arguments, {argv + 1, argv + argc});
+  });
 }

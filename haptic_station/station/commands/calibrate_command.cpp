@@ -68,13 +68,7 @@ Result<void> keep(const Measured& measured, const std::filesystem::path& file) {
   return calibration::write_calibration(file, calibration);
 }
 
-}  // namespace
-
-int calibrate_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const program::Arguments& arguments = **read;
+int calibrate(const program::Arguments& arguments) {
   const bool one = arguments.positional().size() == 1;
   const std::string how = one ? arguments.positional().front() : "";
   const auto method = std::ranges::find(kMethods, how, &Method::name);
@@ -97,6 +91,12 @@ int calibrate_command(int argc, const char* const* argv) {
       m.residual_mean_m() * 1e3, m.residual_deviation_m() * 1e3, m.residual_largest_m() * 1e3,
       arguments.text("out").c_str());
   return program::kDone;
+}
+
+}  // namespace
+
+int calibrate_command(int argc, const char* const* argv) {
+  return program::run_program(usage(), argc, argv, calibrate);
 }
 
 }  // namespace telepalp::station

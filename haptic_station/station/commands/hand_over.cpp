@@ -49,6 +49,22 @@ Result<std::string> command_of(const program::Arguments& arguments) {
   return std::string(kOffer) + to;
 }
 
+int run_asked(const program::Arguments& arguments) {
+  const Result<std::string> command = command_of(arguments);
+  if (!command) return program::fail(command.error(), program::kAskedWrongly);
+  const Result<program::Patience> patience = program::patience_of(arguments);
+  if (!patience) return program::fail(patience.error(), program::kAskedWrongly);
+  const Result<std::filesystem::path> path =
+      arguments.has("control") ? Result<std::filesystem::path>(arguments.text("control")) : find_control_socket();
+  if (!path) return program::fail(path.error());
+  const Result<std::string> answer = ask_station(*path, *command, patience->value_or(program::kForEver));
+  if (!answer) return program::fail(answer.error());
+  const bool done = answer->starts_with(kDone);
+  const std::string text = program::escaped(done ? answer->substr(kDone.size()) : *answer);
+  std::fprintf(done ? stdout : stderr, "%s%s\n", done ? "" : "error: ", text.c_str());
+  return done ? program::kDone : program::kFailed;
+}
+
 }  // namespace
 
 bool HandOver::on_command(const std::string& command, const ControlSocket::Reply& reply) {
@@ -85,22 +101,7 @@ void HandOver::on_answer(bool done, const std::string& outcome) {
 }
 
 int hand_over_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const Result<std::string> command = command_of(**read);
-  if (!command) return program::fail(command.error(), program::kAskedWrongly);
-  const Result<program::Patience> patience = program::patience_of(**read);
-  if (!patience) return program::fail(patience.error(), program::kAskedWrongly);
-  const Result<std::filesystem::path> path =
-      (*read)->has("control") ? Result<std::filesystem::path>((*read)->text("control")) : find_control_socket();
-  if (!path) return program::fail(path.error());
-  const Result<std::string> answer = ask_station(*path, *command, patience->value_or(program::kForEver));
-  if (!answer) return program::fail(answer.error());
-  const bool done = answer->starts_with(kDone);
-  const std::string text = program::escaped(done ? answer->substr(kDone.size()) : *answer);
-  std::fprintf(done ? stdout : stderr, "%s%s\n", done ? "" : "error: ", text.c_str());
-  return done ? program::kDone : program::kFailed;
+  return program::run_program(usage(), argc, argv, run_asked);
 }
 
 }  // namespace telepalp::station

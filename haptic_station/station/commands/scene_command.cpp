@@ -199,13 +199,7 @@ constexpr std::array kTasks{Task{"check", check_nothing, check}, Task{"bill", ch
                             Task{"show", check_show, show}, Task{"image", check_image, image},
                             Task{"mesh", check_mesh, mesh}};
 
-}  // namespace
-
-int scene_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const program::Arguments& arguments = **read;
+int run_task(const program::Arguments& arguments) {
   const std::vector<std::string>& words = arguments.positional();
   const auto task = std::ranges::find(kTasks, words.empty() ? "" : words.front(), &Task::name);
   if (task == kTasks.end() || words.size() != 2)
@@ -222,5 +216,9 @@ int scene_command(int argc, const char* const* argv) {
   const Result<void> done = task->run(*scene, arguments);
   return done ? program::kDone : program::fail(done.error());
 }
+
+}  // namespace
+
+int scene_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, run_task); }
 
 }  // namespace telepalp::station

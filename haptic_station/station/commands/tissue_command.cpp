@@ -79,13 +79,7 @@ Result<calibration::TissueFit> fit(const std::filesystem::path& file, const Aske
   return calibration::fit_tissue(calibration::under_hand(*test, asked.specimen, asked.tissue));
 }
 
-}  // namespace
-
-int tissue_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const program::Arguments& arguments = **read;
+int print_fit(const program::Arguments& arguments) {
   if (!arguments.has("test")) return list_presets();
   const Result<Asked> asked = asked_of(arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
@@ -97,5 +91,9 @@ int tissue_command(int argc, const char* const* argv) {
   print_law(found->law);
   return program::kDone;
 }
+
+}  // namespace
+
+int tissue_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, print_fit); }
 
 }  // namespace telepalp::station

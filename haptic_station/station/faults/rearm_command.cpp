@@ -26,19 +26,18 @@ Result<std::string> ask(const program::Arguments& arguments, std::chrono::durati
   return path ? ask_station(*path, "rearm", patience) : path.error();
 }
 
-}  // namespace
-
-int rearm_command(int argc, const char* const* argv) {
-  const auto read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  const Result<program::Patience> patience = program::patience_of(**read);
+int rearm(const program::Arguments& arguments) {
+  const Result<program::Patience> patience = program::patience_of(arguments);
   if (!patience) return program::fail(patience.error(), program::kAskedWrongly);
-  const Result<std::string> answer = ask(**read, patience->value_or(program::kForEver));
+  const Result<std::string> answer = ask(arguments, patience->value_or(program::kForEver));
   if (!answer) return program::fail(answer.error());
   const bool done = answer->starts_with("re-armed");
   std::fprintf(done ? stdout : stderr, "%s%s\n", done ? "" : "error: ", program::escaped(*answer).c_str());
   return done ? program::kDone : program::kFailed;
 }
+
+}  // namespace
+
+int rearm_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, rearm); }
 
 }  // namespace telepalp::station

@@ -65,8 +65,8 @@ std::string line_of(const std::vector<std::string>& words) {
   return line;
 }
 
-Result<std::optional<program::Arguments>> arguments_of(const char* program, const std::vector<std::string>& words) {
-  std::vector<const char*> all{program};
+Result<std::optional<program::Arguments>> arguments_of(const std::vector<std::string>& words) {
+  std::vector<const char*> all{"telepalp-replay"};
   for (const std::string& word : words) all.push_back(word.c_str());
   return program::read_arguments(usage(), static_cast<int>(all.size()), all.data());
 }
@@ -98,16 +98,12 @@ std::vector<std::string> words_again(const Again& again, const std::vector<std::
   return all;
 }
 
-Result<std::optional<Request>> read_command_line(int argc, const char* const* argv) {
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  Result<std::optional<program::Arguments>> given = arguments_of(argv[0], words);
-  if (!given) return given.error();
-  if (!*given) return std::optional<Request>();
-  const std::vector<std::string>& positional = (*given)->positional();
+Result<Request> read_command_line(const program::Arguments& given, const std::vector<std::string>& words) {
+  const std::vector<std::string>& positional = given.positional();
   const bool is_again = !positional.empty() && positional.front().starts_with(kAgain);
   const Result<Again> again = is_again ? read_again(positional.front().substr(kAgain.size())) : Again{};
   if (!again) return again.error();
-  const auto merged = arguments_of(argv[0], is_again ? words_again(*again, words) : words);
+  const auto merged = arguments_of(is_again ? words_again(*again, words) : words);
   if (!merged) return merged.error();
   Result<Request> request = read_request(**merged);
   if (!request) return request.error();
@@ -116,7 +112,7 @@ Result<std::optional<Request>> read_command_line(int argc, const char* const* ar
   if (is_again && !gives(words, "scene") && request->scene_text != again->scene_text)
     return changed("the scene", request->scene_file.string(), "--scene");
   request->command = line_of(words);
-  return std::optional<Request>(std::move(*request));
+  return request;
 }
 
 }  // namespace telepalp::replay

@@ -25,8 +25,9 @@ struct Again {
 /// its options are added where `words` do not give them.
 [[nodiscard]] std::vector<std::string> words_again(const Again& again, const std::vector<std::string>& words);
 
-/// Reads the command line. With the source again:DIR, source and options of that run fill what is not given. nullopt:
-/// the user asked for help. Error: a wrong command line, or a source or scene file that has changed since that run.
-[[nodiscard]] Result<std::optional<Request>> read_command_line(int argc, const char* const* argv);
+/// The run that the arguments `given` ask for; `words` are the same command line, without the program's name. With the
+/// source again:DIR, source and options of that run fill what is not given. Error: a wrong command line, or a source or
+/// scene file that has changed since that run.
+[[nodiscard]] Result<Request> read_command_line(const program::Arguments& given, const std::vector<std::string>& words);
 
 }  // namespace telepalp::replay

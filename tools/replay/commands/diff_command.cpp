@@ -19,19 +19,14 @@ program::Usage usage() {
           .example = "telepalp-replay diff session.mcap out/session.mcap"};
 }
 
-}  // namespace
-
-int diff_command(int argc, const char* const* argv) {
-  const Result<std::optional<program::Arguments>> read = program::read_arguments(usage(), argc, argv);
-  if (!read) return program::fail(read.error(), program::kAskedWrongly);
-  if (!*read) return program::kDone;
-  if ((*read)->positional().size() != 2)
+int diff(const program::Arguments& arguments) {
+  if (arguments.positional().size() != 2)
     return program::fail({.what = "the command does not name exactly two sessions",
                           .where = "telepalp-replay diff",
                           .fix = "give two session files, or folders of --out: telepalp-replay diff A.mcap B.mcap"},
                          program::kAskedWrongly);
-  const auto difference = wire::first_difference(report::session_file((*read)->positional()[0]),
-                                                 report::session_file((*read)->positional()[1]));
+  const auto difference = wire::first_difference(report::session_file(arguments.positional()[0]),
+                                                 report::session_file(arguments.positional()[1]));
   if (!difference) return program::fail(difference.error(), program::kAskedWrongly);
   if (!*difference) {
     std::puts("the two sessions are equal: every message has the same topic, time and bytes");
@@ -40,5 +35,9 @@ int diff_command(int argc, const char* const* argv) {
   std::fputs((*difference)->c_str(), stdout);
   return program::kFailed;
 }
+
+}  // namespace
+
+int diff_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, diff); }
 
 }  // namespace telepalp::replay
