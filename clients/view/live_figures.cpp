@@ -1,18 +1,16 @@
 #include "clients/view/live_figures.h"
 
-#include <algorithm>
 #include <cstdio>
 
+#include "proto/words/quantile.h"
 #include "support/program/json.h"
 
 namespace telepalp::view {
 namespace {
 
-double quantile(std::vector<float> values, double q) {
-  if (values.empty()) return 0.0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return static_cast<double>(*at);
+/// 0 without values.
+double quantile(std::vector<float> values, double share) {
+  return values.empty() ? 0.0 : double{quantile_of(values, share)};
 }
 
 }  // namespace

@@ -1,26 +1,19 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
+
+#include "proto/words/little_endian.h"
 
 namespace telepalp::codec {
-
-static_assert(std::endian::native == std::endian::little,
-              "samples and header fields are copied byte for byte: the machine must be little-endian");
 
 /// Appends a little-endian number.
 template <class T>
 void append(std::string& bytes, T value) {
-  static_assert(std::is_arithmetic_v<T>);
-  const std::size_t at = bytes.size();
-  bytes.resize(at + sizeof value);
-  std::memcpy(bytes.data() + at, &value, sizeof value);
+  append_little_endian<T>(bytes, value);
 }
 
 /// Appends a number of up to 32 bits, seven bits a byte, the lowest first; the top bit of a byte is set if another byte
@@ -38,8 +31,7 @@ class ByteReader {
   template <class T>
   [[nodiscard]] std::optional<T> number() noexcept {
     if (bytes_.size() < sizeof(T)) return std::nullopt;
-    T value;
-    std::memcpy(&value, bytes_.data(), sizeof value);
+    const auto value = get_little_endian<T>(bytes_.data());
     bytes_ = bytes_.subspan(sizeof value);
     return value;
   }

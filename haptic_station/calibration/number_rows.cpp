@@ -19,12 +19,4 @@ Result<std::string> read_rows(const std::filesystem::path& file) {
   return text.str();
 }
 
-std::string_view next_line(std::string_view& text) noexcept {
-  const std::size_t end = text.find('\n');
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
 }  // namespace telepalp::calibration

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "haptic_station/calibration/number_rows.h"
+#include "proto/words/number_row.h"
 
 namespace telepalp::calibration {
 namespace {
@@ -15,15 +16,15 @@ constexpr std::size_t kMostRows = 100'000;
 
 Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::string_view name) {
   const std::string file(name);
-  if (next_line(text) != kHeader)
+  if (take_line(text) != kHeader)
     return Error{.what = "the first row is not the header",
                  .where = file + ":1",
                  .fix = "write this first row: " + std::string(kHeader)};
   std::vector<PointPair> pairs;
   for (std::size_t number = 2; !text.empty(); ++number) {
-    const std::string_view line = next_line(text);
+    const std::string_view line = take_line(text);
     if (line.empty()) continue;
-    const auto row = numbers<7>(line);
+    const auto row = number_row<7>(line);
     const bool good = row && std::abs((*row)[0]) < 1e6 && std::floor((*row)[0]) == (*row)[0];
     if (!good || pairs.size() == kMostRows)
       return Error{

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "haptic_station/calibration/number_rows.h"
+#include "proto/words/number_row.h"
 #include "proto/words/rotation_vector.h"
 
 namespace telepalp::calibration {
@@ -16,21 +17,21 @@ Eigen::Isometry3d pose_of(const double* six) { return isometry_of({six[3], six[4
 }  // namespace
 
 std::optional<Eigen::Isometry3d> parse_pose(std::string_view text) {
-  const auto six = numbers<6>(text);
+  const auto six = number_row<6>(text);
   return six ? std::optional(pose_of(six->data())) : std::nullopt;
 }
 
 Result<std::vector<HandOnProbe>> parse_hand_on_probe(std::string_view text, std::string_view name) {
   const std::string file(name);
-  if (next_line(text) != kPoseHeader)
+  if (take_line(text) != kPoseHeader)
     return Error{.what = "the first row is not the header",
                  .where = file + ":1",
                  .fix = "write this first row: " + std::string(kPoseHeader)};
   std::vector<HandOnProbe> poses;
   for (std::size_t number = 2; !text.empty(); ++number) {
-    const std::string_view line = next_line(text);
+    const std::string_view line = take_line(text);
     if (line.empty()) continue;
-    const auto row = numbers<12>(line);
+    const auto row = number_row<12>(line);
     if (!row || poses.size() == kMostRows)
       return Error{.what = row ? "the file has more than 10000 rows" : "the row is not twelve finite numbers",
                    .where = file + ":" + std::to_string(number),

@@ -8,6 +8,7 @@
 
 #include "haptic_station/calibration/number_rows.h"
 #include "proto/words/counted.h"
+#include "proto/words/number_row.h"
 
 namespace telepalp::calibration {
 namespace {
@@ -84,14 +85,14 @@ Result<std::vector<CompressionSample>> read_compression_test(const std::filesyst
   if (!rows) return rows.error();
   std::string_view text = *rows;
   if (text.empty()) return Error{.what = "is empty", .where = file.string(), .fix = "give a file that has rows"};
-  (void)next_line(text);  // the header
+  (void)take_line(text);  // the header
   std::vector<CompressionSample> samples;
   for (std::size_t number = 2; !text.empty(); ++number) {
-    const std::string_view line = next_line(text);
+    const std::string_view line = take_line(text);
     if (line.empty()) continue;
     if (samples.size() == kMostSamples)
       return Error{.what = "has more than 1000000 rows", .where = file.string(), .fix = "give fewer rows"};
-    const auto row = numbers<2>(line);
+    const auto row = number_row<2>(line);
     if (!row)
       return Error{.what = "the row is not two finite numbers",
                    .where = file.string() + ":" + std::to_string(number),

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "proto/words/quantile.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {
@@ -26,9 +27,7 @@ Vector3d middle_of(const std::vector<Vector3d>& points) {
     std::vector<double> values;
     values.reserve(points.size());
     for (const Vector3d& at : points) values.push_back(at[axis]);
-    const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), median, values.end());
-    middle[axis] = *median;
+    middle[axis] = median_of(values);
   }
   return middle;
 }

@@ -10,6 +10,7 @@
 
 #include "haptic_station/surface/touch/touch.h"
 #include "proto/words/counted.h"
+#include "proto/words/quantile.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {
@@ -74,12 +75,10 @@ std::string in_words(const std::vector<Felt>& felt) {
     most_N = std::max(most_N, one.force_N.norm());
     step_us.push_back(one.step_us);
   }
-  const auto middle = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
-  std::nth_element(step_us.begin(), middle, step_us.end());
   std::array<char, 400> text{};
   std::snprintf(text.data(), text.size(),
                 "waypoints: %zu, in contact: %zu; largest force %.3g N; median computing time of a waypoint %.3g us",
-                felt.size(), in_body, most_N, step_us.empty() ? 0.0 : *middle);
+                felt.size(), in_body, most_N, step_us.empty() ? 0.0 : median_of(step_us));
   std::string words = text.data();
   if (without_surface > 0)
     words += "\nnothing is felt at " + counted(without_surface, "waypoint", "waypoints") +

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "haptic_station/tracking/hand_axes.h"
+#include "proto/words/number_row.h"
 #include "proto/words/number_word.h"
 
 namespace telepalp::tracking {
@@ -24,13 +25,6 @@ std::vector<std::string_view> fields(std::string_view line) {
     if (comma == std::string_view::npos) return out;
     start = comma + 1;
   }
-}
-
-std::string_view next_line(std::string_view& text) {
-  const std::size_t end = text.find('\n');
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  return line;
 }
 
 enum Column { kTime, kX, kY, kZ, kVx, kVy, kVz, kHand, kQx, kQy, kQz, kQw, kNx, kNy, kNz, kDx, kDy, kDz, kColumns };
@@ -95,7 +89,7 @@ std::optional<ParsedRow> parse_row(const std::vector<std::string_view>& row, con
 }  // namespace
 
 Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name) {
-  const Columns columns = find_columns(next_line(text));
+  const Columns columns = find_columns(take_line(text));
   for (const Column c : {kTime, kX, kY, kZ})
     if (!columns[c])
       return Error{.what = "there is no column " + std::string(kNames[c]),
@@ -105,8 +99,8 @@ Result<HandTrace> parse_hand_trace(std::string_view text, std::string_view name)
   std::optional<ParsedRow> first;
   double last_us = 0.0;
   while (!text.empty()) {
-    const std::string_view line = next_line(text);
-    if (line.empty() || line == "\r") continue;
+    const std::string_view line = take_line(text);
+    if (line.empty()) continue;
     std::optional<ParsedRow> row = parse_row(fields(line), columns);
     if (!row || (first && (row->hand != first->hand || row->time_us <= last_us))) {
       ++trace.skipped;

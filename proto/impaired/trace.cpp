@@ -1,12 +1,12 @@
+#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <string>
 
 #include "proto/impaired/profiles.h"
+#include "proto/words/number_row.h"
 
 namespace telepalp::impaired {
 namespace {
@@ -17,26 +17,11 @@ constexpr double kMost = 1e6;  ///< of any figure: eleven days, a quarter of an 
 
 using Figures = std::array<double, 5>;
 
-std::string_view take_line(std::string_view& rest) noexcept {
-  const std::size_t end = rest.find('\n');
-  std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-/// The line's five numbers, each from 0 to kMost; false: it does not hold these.
-bool parse_figures(std::string_view line, Figures& figures) noexcept {
-  const char* at = line.data();
-  const char* const end = line.data() + line.size();
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const auto [after, code] = std::from_chars(at, end, figures[i]);
-    if (code != std::errc{} || !(figures[i] >= 0.0 && figures[i] <= kMost)) return false;
-    const bool last = i + 1 == figures.size();
-    if (last ? after != end : (after == end || *after != ',')) return false;
-    at = after + (last ? 0 : 1);
-  }
-  return true;
+/// The line's five numbers, each from 0 to kMost; nullopt: it does not hold these.
+std::optional<Figures> parse_figures(std::string_view line) noexcept {
+  const std::optional<Figures> figures = number_row<5>(line);
+  const auto is_possible = [](double figure) { return figure >= 0.0 && figure <= kMost; };
+  return figures && std::ranges::all_of(*figures, is_possible) ? figures : std::nullopt;
 }
 
 TraceRow row_of(const Figures& figures) noexcept {
@@ -79,10 +64,9 @@ Result<Trace> parse_trace(std::string_view text, std::string_view where) {
   if (take_line(text) != kHeader) return wrong(1, {"this is not the header of a network trace", header});
   Trace trace;
   for (std::size_t line = 2; !text.empty(); ++line) {
-    Figures figures{};
-    if (!parse_figures(take_line(text), figures))
-      return wrong(line, {"the line is not five numbers from 0 to 1000000", rows});
-    const TraceRow row = row_of(figures);
+    const std::optional<Figures> figures = parse_figures(take_line(text));
+    if (!figures) return wrong(line, {"the line is not five numbers from 0 to 1000000", rows});
+    const TraceRow row = row_of(*figures);
     if (const std::optional<Wrong> that = wrong_with(trace, row)) return wrong(line, *that);
     trace.push_back(row);
   }

@@ -3,12 +3,10 @@
 #include <cstring>
 
 #include "proto/words/demand.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::wire {
 namespace {
-
-using link::get_little_endian;
-using link::put_little_endian;
 
 constexpr std::size_t kLabelBytes = 16;
 
@@ -23,8 +21,8 @@ link::Frame frame_of(const Message& message, SessionTime now) {
                     .key_frame = message.key_frame,
                     .captured = fresh ? message.published : now,
                     .bytes = std::vector<std::byte>(kLabelBytes + message.payload->size())};
-  put_little_endian(frame.bytes.data(), static_cast<std::uint64_t>(to_nanoseconds(message.published)), 8);
-  put_little_endian(frame.bytes.data() + 8, message.sequence, 8);
+  put_little_endian<std::int64_t>(frame.bytes.data(), to_nanoseconds(message.published));
+  put_little_endian<std::uint64_t>(frame.bytes.data() + 8, message.sequence);
   std::memcpy(frame.bytes.data() + kLabelBytes, message.payload->data(), message.payload->size());
   return frame;
 }
@@ -34,9 +32,9 @@ std::optional<Message> message_of(const link::Frame& frame) {
   if (!topic || frame.bytes.size() < kLabelBytes || (!frame.key_frame && !topic->predicted)) return std::nullopt;
   const auto* const payload = reinterpret_cast<const char*>(frame.bytes.data() + kLabelBytes);
   return Message{.topic = *topic,
-                 .published = session_time(static_cast<std::int64_t>(get_little_endian(frame.bytes.data(), 8))),
+                 .published = session_time(get_little_endian<std::int64_t>(frame.bytes.data())),
                  .payload = std::make_shared<const std::string>(payload, frame.bytes.size() - kLabelBytes),
-                 .sequence = get_little_endian(frame.bytes.data() + 8, 8),
+                 .sequence = get_little_endian<std::uint64_t>(frame.bytes.data() + 8),
                  .key_frame = frame.key_frame};
 }
 

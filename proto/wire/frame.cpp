@@ -1,15 +1,12 @@
 #include "proto/wire/frame.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <utility>
+
+#include "proto/words/little_endian.h"
 
 namespace telepalp::wire {
 namespace {
-
-static_assert(std::endian::native == std::endian::little,
-              "header fields are copied byte for byte: the machine must be little-endian");
 
 /// Offsets of WIRE.md's byte table.
 constexpr std::size_t kLengthAt = 0;
@@ -24,14 +21,12 @@ constexpr std::uint16_t kPredictedFlag = 1;
 
 template <class T>
 void put(HeaderBytes& bytes, std::size_t at, T value) noexcept {
-  std::memcpy(bytes.data() + at, &value, sizeof value);
+  put_little_endian<T>(bytes.data() + at, value);
 }
 
 template <class T>
 T get(const HeaderBytes& bytes, std::size_t at) noexcept {
-  T value{};
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
+  return get_little_endian<T>(bytes.data() + at);
 }
 
 Error refused(std::string what) {
@@ -55,7 +50,7 @@ HeaderBytes encode_header(const FrameHeader& header) noexcept {
   HeaderBytes bytes{};
   put(bytes, kLengthAt, header.payload_bytes);
   put(bytes, kVersionAt, header.version);
-  put(bytes, kKindAt, header.kind);
+  put(bytes, kKindAt, static_cast<std::uint8_t>(header.kind));
   if (header.predicted && header.version >= kFirstVersionThatMarks) put(bytes, kFlagsAt, kPredictedFlag);
   put(bytes, kSequenceAt, header.sequence);
   put(bytes, kPublishedAt, to_nanoseconds(header.published));

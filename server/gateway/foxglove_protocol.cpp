@@ -5,6 +5,7 @@
 #include "messages/foxglove_websocket.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
 #include "proto/words/demand.h"
+#include "proto/words/little_endian.h"
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/origin/resources.h"
 #include "server/views/view_topics.h"
@@ -132,19 +133,15 @@ std::string status(Level level, std::string_view text) {
 
 std::array<std::uint8_t, kMessageHeaderBytes> message_header(std::uint32_t subscription, SessionTime at) {
   std::array<std::uint8_t, kMessageHeaderBytes> header{0x01};
-  const auto nanoseconds = static_cast<std::uint64_t>(to_nanoseconds(at));
-  for (std::size_t byte = 0; byte < 4; ++byte) header[1 + byte] = static_cast<std::uint8_t>(subscription >> (8 * byte));
-  for (std::size_t byte = 0; byte < 8; ++byte) header[5 + byte] = static_cast<std::uint8_t>(nanoseconds >> (8 * byte));
+  put_little_endian<std::uint32_t>(header.data() + 1, subscription);
+  put_little_endian<std::int64_t>(header.data() + 5, to_nanoseconds(at));
   return header;
 }
 
 std::optional<ClientData> read_client_data(std::string_view bytes) {
   constexpr std::size_t kHeaderBytes = 5;
   if (bytes.size() < kHeaderBytes || bytes[0] != 0x01) return std::nullopt;
-  ClientData data{0, std::string(bytes.substr(kHeaderBytes))};
-  for (std::size_t byte = 0; byte < 4; ++byte)
-    data.channel |= static_cast<std::uint32_t>(static_cast<std::uint8_t>(bytes[1 + byte])) << (8 * byte);
-  return data;
+  return ClientData{get_little_endian<std::uint32_t>(bytes.data() + 1), std::string(bytes.substr(kHeaderBytes))};
 }
 
 Result<Request> read_request(const std::string& text) {

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <initializer_list>
 
 #include "proto/wire/camera/camera_stamp.h"
 #include "proto/words/color_at.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::views {
 namespace {
@@ -66,8 +66,7 @@ foxglove::RawImage depth_view(const DepthImage& depth, SessionTime captured) {
   std::string& bytes = *image.mutable_data();
   bytes.resize(depth.samples.size() * 2);
   for (std::size_t pixel = 0; pixel < depth.samples.size(); ++pixel) {
-    const std::uint16_t depth_mm = millimetres(depth.samples[pixel], depth.unit_m);
-    std::memcpy(bytes.data() + 2 * pixel, &depth_mm, sizeof depth_mm);  // little-endian, like this machine
+    put_little_endian<std::uint16_t>(bytes.data() + 2 * pixel, millimetres(depth.samples[pixel], depth.unit_m));
   }
   return image;
 }

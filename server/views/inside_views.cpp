@@ -6,6 +6,7 @@
 
 #include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/vector_message.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::views {
 namespace {
@@ -25,8 +26,7 @@ std::string frame_of(const msg::InnerStructure& structure) {
 
 /// Number `place` of a string of unsigned 16-bit numbers, little-endian.
 std::uint32_t number_at(const std::string& numbers, std::size_t place) noexcept {
-  const auto byte = [&](std::size_t at) { return std::uint32_t{static_cast<std::uint8_t>(numbers[at])}; };
-  return byte(2 * place) + 256 * byte(2 * place + 1);
+  return get_little_endian<std::uint16_t>(numbers.data() + 2 * place);
 }
 
 void set_color(foxglove::Color& color, const std::array<int, 3>& rgb) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "proto/words/error_line.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::models {
 namespace {
@@ -35,12 +36,9 @@ double extent(const PointModel& model) {
     for (const Eigen::Vector3f& at : model.points)
       if (at.allFinite()) values.push_back(at[axis]);
     if (values.size() < 2) return 0.0;
-    const auto low = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 100);
-    const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
-    std::nth_element(values.begin(), low, values.end());
-    const float least = *low;
-    std::nth_element(values.begin(), high, values.end());
-    widest = std::max(widest, static_cast<double>(*high - least));
+    const std::size_t strays = values.size() / 100;
+    const float least = value_at_rank(std::span(values), strays);
+    widest = std::max(widest, double{value_at_rank(std::span(values), values.size() - 1 - strays) - least});
   }
   return widest;
 }

@@ -26,7 +26,7 @@ void must(bool holds) {
 /// Takes a record of at most 65535 bytes from the front of `rest`.
 Bytes take_record(Bytes& rest) {
   if (rest.size() < 2) return std::exchange(rest, {});
-  const std::size_t size = std::min<std::size_t>(get_little_endian(rest.data(), 2), rest.size() - 2);
+  const std::size_t size = std::min<std::size_t>(get_little_endian<std::uint16_t>(rest.data()), rest.size() - 2);
   const Bytes record = rest.subspan(2, size);
   rest = rest.subspan(2 + size);
   return record;

@@ -7,7 +7,10 @@
 #include "proto/words/error_line.h"
 #include "proto/words/frames.h"
 #include "proto/words/latest_value.h"
+#include "proto/words/little_endian.h"
+#include "proto/words/number_row.h"
 #include "proto/words/number_word.h"
+#include "proto/words/quantile.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 #include "proto/words/rotation_vector.h"
@@ -51,6 +54,41 @@ TEST(NumberWord, TheWholeTextSpellsTheNumber) {
   EXPECT_EQ(finite_number_of("7"), 7.0);
   EXPECT_EQ(signed_number_of("+1.5"), 1.5);
   EXPECT_FALSE(signed_number_of("++1"));
+}
+
+TEST(NumberRow, HasExactlyItsNumbersAndALineIsTakenWithoutItsEnd) {
+  EXPECT_EQ(number_row<3>("1,-2.5,3e1"), (std::array{1.0, -2.5, 30.0}));
+  for (const char* line : {"", "1,2", "1,2,3,4", "1,2,3,", "1,,3", "1, 2,3", "1,2,inf", "1;2;3", "1,5,2,5,3,5"})
+    EXPECT_FALSE(number_row<3>(line)) << line;
+  std::string_view text = "first\r\n\nlast";
+  EXPECT_EQ(take_line(text), "first");
+  EXPECT_EQ(take_line(text), "");
+  EXPECT_EQ(take_line(text), "last");
+  EXPECT_TRUE(text.empty());
+}
+
+TEST(Quantile, IsTheFirstValueThatIsAtLeastAsLargeAsItsShareOfAll) {
+  std::vector<double> values{5, 1, 4, 2, 3};
+  EXPECT_EQ(quantile_of(values, 0.0), 1.0);
+  EXPECT_EQ(quantile_of(values, 0.2), 1.0);
+  EXPECT_EQ(quantile_of(values, 0.21), 2.0);
+  EXPECT_EQ(quantile_of(values, 0.99), 5.0);
+  EXPECT_EQ(quantile_of(values, 1.0), 5.0);
+  EXPECT_EQ(median_of(values), 3.0);
+  values = {7, 9};
+  EXPECT_EQ(median_of(values), 9.0) << "of an even number, the larger one";
+  EXPECT_EQ(quantile_of(values, 0.5), 7.0);
+}
+
+TEST(LittleEndian, WritesTheLowestByteFirstAndReadsItBack) {
+  std::string bytes(1, '\x01');
+  append_little_endian<std::uint32_t>(bytes, 0xa1b2c3d4);
+  append_little_endian<float>(bytes, 1.0F);
+  EXPECT_EQ(bytes, std::string("\x01\xd4\xc3\xb2\xa1\x00\x00\x80\x3f", 9));
+  put_little_endian<std::int16_t>(bytes.data(), -2);
+  EXPECT_EQ(bytes.substr(0, 3), "\xfe\xff\xc3");
+  EXPECT_EQ(get_little_endian<std::int16_t>(bytes.data()), -2);
+  EXPECT_EQ(get_little_endian<float>(bytes.data() + 5), 1.0F);
 }
 
 TEST(Result, AnErrorSaysWhatWhereAndHowToFix) {

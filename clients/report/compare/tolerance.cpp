@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "clients/report/compare/comparison.h"
+#include "proto/words/number_word.h"
 #include "support/plot/number.h"
 
 namespace telepalp::report {
@@ -122,9 +123,9 @@ Result<void> replace(std::vector<Tolerance>& tolerances, std::string_view word, 
   const auto place =
       std::find_if(tolerances.begin(), tolerances.end(), [&](const auto& one) { return one.name == name; });
   if (place == tolerances.end()) return refused(word, "names no tolerance", option);
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), place->at_most);
-  if (code != std::errc{} || end != text.data() + text.size() || !(place->at_most >= 0.0) || std::isinf(place->at_most))
-    return refused(word, "does not give a number of at least 0", option);
+  const std::optional<double> at_most = finite_number_of(text);
+  if (!at_most || *at_most < 0.0) return refused(word, "does not give a number of at least 0", option);
+  place->at_most = *at_most;
   return {};
 }
 

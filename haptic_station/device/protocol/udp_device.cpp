@@ -1,6 +1,6 @@
 #include "haptic_station/device/protocol/udp_device.h"
 
-#include <bit>
+#include "proto/words/little_endian.h"
 
 namespace telepalp::device::udp {
 namespace {
@@ -24,15 +24,15 @@ constexpr std::size_t kSumBytes = 4;
 std::size_t command_bytes(std::uint16_t version) noexcept { return version == kVersion2 ? 132 : 108; }
 std::size_t pose_bytes(std::uint16_t version) noexcept { return version == kVersion2 ? 152 : 80; }
 
-/// Writes numbers in little-endian order on every machine.
+/// Writes little-endian numbers, one behind the other.
 class Writer {
  public:
   explicit Writer(std::span<std::byte> bytes) noexcept : bytes_(bytes) {}
-  template <class Unsigned>
-  void put(Unsigned value) noexcept {
-    for (std::size_t i = 0; i < sizeof value; ++i) bytes_[at_++] = static_cast<std::byte>((value >> (8 * i)) & 0xff);
+  template <class Number>
+  void put(Number value) noexcept {
+    put_little_endian<Number>(&bytes_[at_], value);
+    at_ += sizeof value;
   }
-  void put(double value) noexcept { put(std::bit_cast<std::uint64_t>(value)); }
   void put(const Vector3d& v) noexcept {
     for (int i = 0; i < 3; ++i) put(v[i]);
   }
@@ -45,14 +45,13 @@ class Writer {
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) noexcept : bytes_(bytes) {}
-  template <class Unsigned>
-  [[nodiscard]] Unsigned get() noexcept {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < sizeof(Unsigned); ++i)
-      value |= static_cast<std::uint64_t>(std::to_integer<std::uint8_t>(bytes_[at_++])) << (8 * i);
-    return static_cast<Unsigned>(value);
+  template <class Number>
+  [[nodiscard]] Number get() noexcept {
+    const auto value = get_little_endian<Number>(&bytes_[at_]);
+    at_ += sizeof value;
+    return value;
   }
-  [[nodiscard]] double number() noexcept { return std::bit_cast<double>(get<std::uint64_t>()); }
+  [[nodiscard]] double number() noexcept { return get<double>(); }
   [[nodiscard]] Vector3d three() noexcept {
     const double x = number();
     const double y = number();

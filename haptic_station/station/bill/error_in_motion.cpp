@@ -9,6 +9,7 @@
 #include "haptic_station/loop/rig_tick.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::station {
 namespace {
@@ -21,12 +22,9 @@ constexpr auto kLate = 40ms;  // from an image's exposure to the first tick that
 constexpr SessionTime kBegin{100s};
 constexpr solids::ProxySettings kFinest{.rounds = 60, .tolerance_m = 1e-10, .remembers = false};
 
-/// The smallest value that is at least as large as a share `q` of all; 0 without values.
-double quantile(std::vector<float>& values, double q) {
-  if (values.empty()) return 0.0;
-  const auto place = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return double{values[static_cast<std::size_t>(place)]};
+/// 0 without values.
+double quantile(std::vector<float>& values, double share) {
+  return values.empty() ? 0.0 : double{quantile_of(values, share)};
 }
 
 /// Effect `i` of the scene alone, as the last of its effects; friction keeps the skin that it acts on.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "proto/words/quantile.h"
+
 namespace telepalp::station {
 namespace {
 
@@ -24,9 +26,7 @@ std::optional<Point<DepthCamera>> point_under_center(const DepthImage& depth, co
   for (int half = std::min(kSmallestHalf_px, largest); half > 0 && half <= largest; half *= 2) {
     std::vector<std::uint16_t> samples = measured(depth, half);
     if (samples.size() < 2 * static_cast<std::size_t>(half) * static_cast<std::size_t>(half)) continue;
-    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
-    std::nth_element(samples.begin(), middle, samples.end());
-    const double z_m = *middle * depth.unit_m;
+    const double z_m = median_of(samples) * depth.unit_m;
     const int column = depth.width / 2;
     const int row = depth.height / 2;
     return Point<DepthCamera>{{(column - camera.cx) / camera.fx * z_m, (row - camera.cy) / camera.fy * z_m, z_m}};

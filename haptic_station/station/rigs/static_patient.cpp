@@ -4,6 +4,7 @@
 
 #include "haptic_station/station/rigs/model_cache.h"
 #include "haptic_station/surface/cloud/static_model.h"
+#include "proto/words/quantile.h"
 #include "support/models/text_cursor.h"
 #include "support/program/log.h"
 
@@ -16,12 +17,6 @@ using models::TextCursor;
 constexpr std::string_view kModel = "model:";
 constexpr double kBesideAxis_m = 0.015;
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The highest point (H's y is up) near the vertical through the middle of `skin`, or the highest of all points if
 /// none is near it.
 Vector3d skin_on_top(const std::vector<SkinPoint>& skin) {
@@ -31,8 +26,8 @@ Vector3d skin_on_top(const std::vector<SkinPoint>& skin) {
     across.push_back(point.at_m.x());
     along.push_back(point.at_m.z());
   }
-  const double x = median_of(std::move(across));
-  const double z = median_of(std::move(along));
+  const double x = median_of(across);
+  const double z = median_of(along);
   const auto higher = [&](const SkinPoint& a, const SkinPoint& b) {
     const bool a_near = std::hypot(a.at_m.x() - x, a.at_m.z() - z) < kBesideAxis_m;
     const bool b_near = std::hypot(b.at_m.x() - x, b.at_m.z() - z) < kBesideAxis_m;

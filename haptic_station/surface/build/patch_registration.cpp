@@ -5,6 +5,7 @@
 
 #include "haptic_station/surface/build/normal_sums.h"
 #include "haptic_station/surface/build/patch_terms.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::surface {
 namespace {
@@ -24,14 +25,6 @@ constexpr int kLeast_px = 18;
 double tukey(double residual_m, double scale_m) {
   const double u = residual_m / (4.7 * scale_m);
   return u * u >= 1.0 ? 0.0 : (1.0 - u * u) * (1.0 - u * u);
-}
-
-/// `values` are not negative.
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double sigma_of(const Eigen::Matrix2d& information, double noise_m) {
@@ -107,7 +100,7 @@ std::vector<double> remaining(const PatchResiduals& residuals, const PatchCoeffi
 /// 1-sigma of the residuals `m`.
 double scale_of(std::vector<double> m) {
   for (double& one : m) one = std::abs(one);
-  return std::max(kLeastNoise_m, 1.4826 * median(std::move(m)));
+  return std::max(kLeastNoise_m, m.empty() ? 0.0 : 1.4826 * median_of(m));
 }
 
 /// The weighted normal equations once the expectation has changed by `change`, with weights for `scale_m`.

@@ -9,8 +9,8 @@
 
 namespace telepalp::surface {
 
-/// Radius of the ball around the hand in which the station builds the surface: a hand at 2 m/s moves 0.13 m in two frame
-/// times; the rest is the support of the implicit function.
+/// Radius of the ball around the hand in which the station builds the surface: a hand at 2 m/s moves 0.13 m in two
+/// frame times; the rest is the support of the implicit function.
 inline constexpr double kReach_m = 0.16;
 
 /// Numbers of frames that the builder used or dropped.

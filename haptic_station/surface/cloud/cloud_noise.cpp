@@ -8,6 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#include "proto/words/quantile.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -63,9 +65,7 @@ std::optional<double> residual_at(const IndexedPoints& points, const NeighborInd
     if (const auto residual = quadric_residual(near)) residuals.push_back(*residual);
   }
   if (residuals.empty() || 2 * residuals.size() < asked) return std::nullopt;
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return median_of(residuals);
 }
 
 double support_for(double spacing_m, double noise_m) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "proto/words/quantile.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -30,8 +32,7 @@ double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& ind
     if (count == found.size()) squared.push_back(farthest);
   }
   if (squared.empty()) return 0.0;
-  std::nth_element(squared.begin(), squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2), squared.end());
-  return std::sqrt(static_cast<double>(squared[squared.size() / 2]) / 6.0) * std::sqrt(3.14159265);
+  return std::sqrt(double{median_of(squared)} / 6.0) * std::sqrt(3.14159265);
 }
 
 CloudSnapshot::CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& shape, Index index)

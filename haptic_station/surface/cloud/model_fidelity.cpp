@@ -6,6 +6,7 @@
 
 #include "haptic_station/surface/cloud/static_model.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::surface {
 namespace {
@@ -101,9 +102,7 @@ Fidelity MeshJudge::judge(const CloudSnapshot& snapshot) const {
     if (here.valid) errors.push_back(std::abs(here.f_m));
   }
   if (errors.empty()) return {.error_m = 0.0, .missing = 1.0, .in_air = 0.0, .jumps = 0.0};
-  const auto worst = errors.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(errors.size()));
-  std::nth_element(errors.begin(), worst, errors.end());
-  return {.error_m = *worst,
+  return {.error_m = quantile_of(errors, 0.99),
           .missing = 1.0 - static_cast<double>(errors.size()) / static_cast<double>(places_.size()),
           .in_air = share_in_air(snapshot),
           .jumps = 0.0};

@@ -10,6 +10,7 @@
 
 #include "haptic_station/surface/cloud/cloud_noise.h"
 #include "haptic_station/surface/cloud/cloud_orientation.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::surface {
 namespace {
@@ -58,9 +59,7 @@ double misfit_deg(const std::vector<CloudPoint>& points, const NeighborIndex& in
     if (fitted) angles.push_back(std::acos(std::min(1.0F, std::abs(fitted->dot(points[i].normal)))) * 180.0 / M_PI);
   }
   if (angles.empty()) return 0.0;
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return *middle;
+  return median_of(angles);
 }
 
 Error too_noisy(const CloudNoise& noise) {

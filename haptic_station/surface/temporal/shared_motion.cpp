@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/quantile.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -74,10 +76,7 @@ double SharedMotion::median_m(std::span<const SharedInnovation> seen) {
   said_m_.clear();
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (seen[i].sigma_m > 0.0 && share_[i] > kMovesWithIt) said_m_.push_back(seen[i].m / share_[i]);
-  if (said_m_.empty()) return 0.0;
-  const auto middle = said_m_.begin() + static_cast<std::ptrdiff_t>(said_m_.size() / 2);
-  std::nth_element(said_m_.begin(), middle, said_m_.end());
-  return *middle;
+  return said_m_.empty() ? 0.0 : median_of(said_m_);
 }
 
 /// Iterated least squares over the cells, starting at the median; outliers get small weights.

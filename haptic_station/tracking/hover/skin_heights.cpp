@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proto/words/quantile.h"
+
 namespace telepalp::tracking {
 namespace {
 
@@ -10,16 +12,15 @@ constexpr int kBlocksAcross = 160;
 constexpr int kMostBlock_px = 8;
 
 /// The median of the measured samples of a block; 0 if fewer than half of its pixels are measured.
-std::uint16_t median_of(const DepthImage& depth, int left, int top, int block) noexcept {
+std::uint16_t median_sample(const DepthImage& depth, int left, int top, int block) noexcept {
   std::array<std::uint16_t, static_cast<std::size_t>(kMostBlock_px) * kMostBlock_px> samples;
   std::size_t measured = 0;
   for (int row = top; row < top + block; ++row)
     for (int column = left; column < left + block; ++column)
       if (const std::uint16_t sample = depth.at(column, row); sample != 0) samples[measured++] = sample;
   if (2 * measured < static_cast<std::size_t>(block) * static_cast<std::size_t>(block) || measured == 0) return 0;
-  const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(measured / 2);
-  std::nth_element(samples.begin(), middle, samples.begin() + static_cast<std::ptrdiff_t>(measured));
-  return *middle;
+  const std::span seen(samples.data(), measured);
+  return median_of(seen);
 }
 
 }  // namespace
@@ -59,7 +60,7 @@ SkinHeights heights_of(const DepthImage& depth, const Intrinsics& camera,
   const int block = std::clamp(depth.width / kBlocksAcross, 1, kMostBlock_px);
   for (int top = 0; top + block <= depth.height; top += block)
     for (int left = 0; left + block <= depth.width; left += block) {
-      const double z_m = median_of(depth, left, top, block) * depth.unit_m;
+      const double z_m = median_sample(depth, left, top, block) * depth.unit_m;
       if (z_m <= 0.0) continue;
       const double u = left + 0.5 * (block - 1), v = top + 0.5 * (block - 1);
       heights.add(haptic_from_camera *

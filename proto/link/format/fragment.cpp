@@ -13,7 +13,7 @@ constexpr std::byte kDependsFlag{1};
 
 template <class Number>
 Number get(std::span<const std::byte> from, std::size_t at) noexcept {
-  return static_cast<Number>(get_little_endian(&from[at], sizeof(Number)));
+  return get_little_endian<Number>(&from[at]);
 }
 
 std::optional<Missing> read_missing(std::span<const std::byte> from) noexcept {
@@ -31,11 +31,11 @@ void write_fragment_header(const FragmentHeader& header, std::span<std::byte, kF
   out[0] = static_cast<std::byte>(PayloadKind::Fragment);
   out[1] = static_cast<std::byte>(header.channel);
   out[2] = header.key_frame ? std::byte{0} : kDependsFlag;
-  put_little_endian(&out[3], header.frame, 4);
-  put_little_endian(&out[7], header.frame_bytes, 4);
-  put_little_endian(&out[11], header.block, 1);
-  put_little_endian(&out[12], header.shard, 1);
-  put_little_endian(&out[13], header.repair_shards, 1);
+  put_little_endian<std::uint32_t>(&out[3], header.frame);
+  put_little_endian<std::uint32_t>(&out[7], header.frame_bytes);
+  put_little_endian<std::uint8_t>(&out[11], header.block);
+  put_little_endian<std::uint8_t>(&out[12], header.shard);
+  put_little_endian<std::uint8_t>(&out[13], header.repair_shards);
   out[14] = std::byte{0};
 }
 
@@ -64,22 +64,22 @@ std::vector<std::byte> write_feedback(const Feedback& feedback) {
   const std::size_t count = std::min(feedback.missing.size(), kMostMissing);
   std::vector<std::byte> out(kFeedbackBytes + count * kMissingBytes);
   out[0] = static_cast<std::byte>(PayloadKind::Feedback);
-  put_little_endian(&out[1], count, 1);
-  put_little_endian(&out[2], feedback.key_frames_wanted, 2);
-  put_little_endian(&out[4], feedback.highest_sequence, 8);
-  put_little_endian(&out[12], feedback.received_bytes, 8);
-  put_little_endian(&out[20], static_cast<std::uint64_t>(feedback.reported_ns), 8);
-  put_little_endian(&out[28], feedback.held_us, 4);
-  put_little_endian(&out[32], feedback.settled, 4);
-  put_little_endian(&out[36], feedback.lost, 4);
-  put_little_endian(&out[40], feedback.bursts, 4);
-  put_little_endian(&out[44], feedback.age_us, 4);
+  put_little_endian<std::uint8_t>(&out[1], static_cast<std::uint8_t>(count));
+  put_little_endian<std::uint16_t>(&out[2], feedback.key_frames_wanted);
+  put_little_endian<std::uint64_t>(&out[4], feedback.highest_sequence);
+  put_little_endian<std::uint64_t>(&out[12], feedback.received_bytes);
+  put_little_endian<std::uint64_t>(&out[20], static_cast<std::uint64_t>(feedback.reported_ns));
+  put_little_endian<std::uint32_t>(&out[28], feedback.held_us);
+  put_little_endian<std::uint32_t>(&out[32], feedback.settled);
+  put_little_endian<std::uint32_t>(&out[36], feedback.lost);
+  put_little_endian<std::uint32_t>(&out[40], feedback.bursts);
+  put_little_endian<std::uint32_t>(&out[44], feedback.age_us);
   for (std::size_t i = 0; i < count; ++i) {
     std::byte* const at = &out[kFeedbackBytes + i * kMissingBytes];
-    put_little_endian(at, feedback.missing[i].channel, 1);
-    put_little_endian(at + 1, feedback.missing[i].frame, 4);
-    put_little_endian(at + 5, feedback.missing[i].block, 1);
-    put_little_endian(at + 6, feedback.missing[i].shards, 1);
+    put_little_endian<std::uint8_t>(at, feedback.missing[i].channel);
+    put_little_endian<std::uint32_t>(at + 1, feedback.missing[i].frame);
+    put_little_endian<std::uint8_t>(at + 5, feedback.missing[i].block);
+    put_little_endian<std::uint8_t>(at + 6, feedback.missing[i].shards);
   }
   return out;
 }

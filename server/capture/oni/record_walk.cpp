@@ -4,7 +4,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "server/capture/oni/little_endian.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::capture {
 namespace {
@@ -48,8 +48,9 @@ Result<OniRecordWalk> OniRecordWalk::open(std::istream& file, const std::string&
     return Error{.what = "cannot be played: it is cut off inside its header",
                  .where = name,
                  .fix = "copy the whole recording again"};
-  const std::tuple version{little_endian<std::uint8_t>(*header, 4), little_endian<std::uint8_t>(*header, 5),
-                           little_endian<std::uint16_t>(*header, 6), little_endian<std::uint32_t>(*header, 8)};
+  const std::tuple version{
+      get_little_endian<std::uint8_t>(header->data() + 4), get_little_endian<std::uint8_t>(header->data() + 5),
+      get_little_endian<std::uint16_t>(header->data() + 6), get_little_endian<std::uint32_t>(header->data() + 8)};
   if (version < std::tuple{1, 0, 0, 4U} || std::get<0>(version) != 1)
     return Error{.what = "cannot be played: its header names a format version below 1.0.0.4, or 2.0 or later",
                  .where = name + ": byte 4",
@@ -61,14 +62,14 @@ Result<OniRecordWalk> OniRecordWalk::open(std::istream& file, const std::string&
 std::optional<OniRecord> OniRecordWalk::read_record() {
   const std::optional<std::string> header = read_at(*file_, at_, header_bytes_);
   if (!header || !header->starts_with(kRecordMark)) return std::nullopt;
-  const auto kind = little_endian<std::uint32_t>(*header, 4);
-  const auto bytes_before_payload = little_endian<std::uint32_t>(*header, 12);
+  const auto kind = get_little_endian<std::uint32_t>(header->data() + 4);
+  const auto bytes_before_payload = get_little_endian<std::uint32_t>(header->data() + 12);
   OniRecord record{.kind = static_cast<OniRecordKind>(kind),
-                   .node = little_endian<std::uint32_t>(*header, 8),
+                   .node = get_little_endian<std::uint32_t>(header->data() + 8),
                    .at = at_,
                    .fields = {},
                    .payload_at = at_ + bytes_before_payload,
-                   .payload_bytes = little_endian<std::uint32_t>(*header, 16)};
+                   .payload_bytes = get_little_endian<std::uint32_t>(header->data() + 16)};
   if (!is_known(kind) || bytes_before_payload < header_bytes_ || bytes_before_payload > kMostFieldBytes ||
       record.payload_at + record.payload_bytes > file_bytes_)
     return std::nullopt;

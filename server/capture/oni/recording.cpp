@@ -6,8 +6,8 @@
 #include <span>
 
 #include "proto/words/counted.h"
+#include "proto/words/little_endian.h"
 #include "server/capture/oni/depth_16z.h"
-#include "server/capture/oni/little_endian.h"
 #include "server/capture/oni/record_walk.h"
 #include "server/capture/oni/stream_property.h"
 
@@ -63,7 +63,8 @@ void set_format2(OniStream& stream, std::uint64_t format) {
 }
 
 int side(std::string_view value, std::size_t at) {
-  return static_cast<int>(std::min<std::uint32_t>(little_endian<std::uint32_t>(value, at), kMaxImageSide + 1));
+  return static_cast<int>(
+      std::min<std::uint32_t>(get_little_endian<std::uint32_t>(value.data() + at), kMaxImageSide + 1));
 }
 
 void take_property(const OniProperty& property, OniStream& stream) {
@@ -72,14 +73,14 @@ void take_property(const OniProperty& property, OniStream& stream) {
     stream.width = side(value, 0);
     stream.height = side(value, 4);
   } else if (name == "xnFOV" && value.size() == 16) {
-    stream.horizontal_view_rad = little_endian<double>(value, 0);
-    stream.vertical_view_rad = little_endian<double>(value, 8);
+    stream.horizontal_view_rad = get_little_endian<double>(value.data());
+    stream.vertical_view_rad = get_little_endian<double>(value.data() + 8);
   } else if (name == "xnCropping" && value.size() == 12) {
-    stream.cropped = little_endian<std::uint32_t>(value, 0) != 0;
+    stream.cropped = get_little_endian<std::uint32_t>(value.data()) != 0;
   } else if (name == "xnPixelFormat" && value.size() == 8) {
-    set_format1(stream, little_endian<std::uint64_t>(value, 0));
+    set_format1(stream, get_little_endian<std::uint64_t>(value.data()));
   } else if (name == "oniPixelFormat" && value.size() == 8) {
-    set_format2(stream, little_endian<std::uint64_t>(value, 0));
+    set_format2(stream, get_little_endian<std::uint64_t>(value.data()));
   }
 }
 
@@ -88,7 +89,7 @@ std::optional<OniImage> image_in(const OniRecord& record) {
   constexpr std::uint64_t kLongest_us = std::uint64_t{365} * 24 * 3600 * 1'000'000;
   constexpr std::uint32_t kMostBytes = 64U << 20U;  // a raw colour image of the largest accepted size has 48 MiB
   if (record.fields.size() < 12 || record.payload_bytes == 0 || record.payload_bytes > kMostBytes) return std::nullopt;
-  const auto time_us = little_endian<std::uint64_t>(record.fields, 0);
+  const auto time_us = get_little_endian<std::uint64_t>(record.fields.data());
   if (time_us > kLongest_us) return std::nullopt;
   return OniImage{std::chrono::microseconds{time_us}, record.payload_at, record.payload_bytes};
 }

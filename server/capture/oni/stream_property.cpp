@@ -1,6 +1,6 @@
 #include "server/capture/oni/stream_property.h"
 
-#include "server/capture/oni/little_endian.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::capture {
 namespace {
@@ -21,7 +21,7 @@ class Fields {
   std::optional<std::uint32_t> number() {
     const auto four = bytes(4);
     if (!four) return std::nullopt;
-    return little_endian<std::uint32_t>(*four, 0);
+    return get_little_endian<std::uint32_t>(four->data());
   }
   std::optional<std::string_view> counted() {
     const auto count = number();

@@ -1,7 +1,8 @@
 #include "server/gateway/foxglove/playback_control.h"
 
-#include <bit>
 #include <cmath>
+
+#include "proto/words/little_endian.h"
 
 namespace telepalp::gateway::foxglove {
 namespace {
@@ -11,16 +12,6 @@ constexpr char kStateOpcode = 0x05;
 constexpr std::size_t kRequestHeadBytes = 19;
 constexpr std::size_t kMaxIdBytes = 256;
 enum class Status : std::uint8_t { Playing = 0, Paused = 1, Ended = 3 };
-
-std::uint64_t little_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t at = bytes.size(); at-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at]);
-  return value;
-}
-
-void append(std::string& out, std::uint64_t value, std::size_t bytes) {
-  for (std::size_t at = 0; at < bytes; ++at) out += static_cast<char>(value >> (8 * at));
-}
 
 std::uint64_t ns_at(const msg::PlaybackState& state, double position_s) {
   return state.begin_ns() + static_cast<std::uint64_t>(std::llround(1e9 * position_s));
@@ -33,11 +24,11 @@ Status status_of(const msg::PlaybackState& state) {
 
 std::string message(Status status, std::uint64_t time_ns, double speed, bool did_seek, const std::string& id) {
   std::string out(1, kStateOpcode);
-  append(out, static_cast<std::uint8_t>(status), 1);
-  append(out, time_ns, 8);
-  append(out, std::bit_cast<std::uint32_t>(static_cast<float>(speed)), 4);
-  append(out, did_seek ? 1 : 0, 1);
-  append(out, id.size(), 4);
+  append_little_endian<std::uint8_t>(out, static_cast<std::uint8_t>(status));
+  append_little_endian<std::uint64_t>(out, time_ns);
+  append_little_endian<float>(out, static_cast<float>(speed));
+  append_little_endian<std::uint8_t>(out, did_seek ? 1 : 0);
+  append_little_endian<std::uint32_t>(out, static_cast<std::uint32_t>(id.size()));
   return out + id;
 }
 
@@ -55,17 +46,16 @@ bool is_playback_request(std::string_view bytes) noexcept { return !bytes.empty(
 
 Result<PlaybackRequest> read_playback_request(std::string_view bytes, const msg::PlaybackState& state) {
   if (bytes.size() < kRequestHeadBytes) return refused("is truncated");
-  const std::uint64_t id_bytes = little_endian(bytes.substr(15, 4));
+  const std::size_t id_bytes = get_little_endian<std::uint32_t>(bytes.data() + 15);
   if (id_bytes > kMaxIdBytes || id_bytes != bytes.size() - kRequestHeadBytes) return refused("has a wrong length");
   if (bytes[1] != 0 && bytes[1] != 1) return refused("has an unknown command");
-  PlaybackRequest request{
-      .play = bytes[1] == 0,
-      .speed = double{std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(bytes.substr(2, 4))))},
-      .seek_ns = {},
-      .id = std::string(bytes.substr(kRequestHeadBytes))};
+  PlaybackRequest request{.play = bytes[1] == 0,
+                          .speed = double{get_little_endian<float>(bytes.data() + 2)},
+                          .seek_ns = {},
+                          .id = std::string(bytes.substr(kRequestHeadBytes))};
   if (!std::isfinite(request.speed)) return refused("has a speed that is not a number");
   if (bytes[6] == 0) return request;
-  request.seek_ns = little_endian(bytes.substr(7, 8));
+  request.seek_ns = get_little_endian<std::uint64_t>(bytes.data() + 7);
   if (*request.seek_ns < state.begin_ns() || *request.seek_ns > end_ns(state))
     return refused("seeks to a time outside of the session");
   return request;

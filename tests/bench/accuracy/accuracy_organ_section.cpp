@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "haptic_station/organs/organ_shape.h"
+#include "proto/words/quantile.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 #include "where.h"
 
@@ -93,9 +94,7 @@ Result<OrganPrice> price_of(double cell_m, const std::vector<Place>& places) {
   }
   price.rms_m = std::sqrt(price.rms_m);
   price.normal_deg = std::sqrt(angles / static_cast<double>(std::max<std::size_t>(smooth, 1))) * 57.29577951308232;
-  const auto rank = errors.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(errors.size()));
-  std::nth_element(errors.begin(), rank, errors.end());
-  price.p99_m = *rank;
+  price.p99_m = quantile_of(errors, 0.99);
   return price;
 }
 

@@ -9,6 +9,7 @@
 #include "codec/context/kernel.h"
 #include "codec/depth_stream.h"
 #include "codec/levels/level_palette.h"
+#include "proto/words/quantile.h"
 #include "server/capture/capture_source.h"
 #include "tests/bench/depth/depth_asked.h"
 #include "tests/bench/depth/depth_peers.h"
@@ -204,9 +205,7 @@ bool is_kinects(const DepthImage& frame) {
     if (near_m >= 1.0) steps.push_back((far_m - near_m) / (near_m * far_m));  // nearer levels are rounded too coarsely
   }
   if (steps.size() < kFewest) return false;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return std::abs(*middle / kStep_per_m - 1.0) < 0.1;
+  return std::abs(median_of(steps) / kStep_per_m - 1.0) < 0.1;
 }
 
 /// The geometric mean of each mode's ratio over several sets of Kinect frames that were not used for training.

@@ -11,6 +11,7 @@
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/solids/polish.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::bench {
 namespace {
@@ -191,8 +192,7 @@ MassSearch search_mass(const std::optional<Mass>& mass, std::uint64_t seed) {
     }
   std::vector<double> depths;
   for (const auto& [depth_m, where] : reached) depths.push_back(depth_m);
-  std::nth_element(depths.begin(), depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2), depths.end());
-  const double usual_m = depths[depths.size() / 2];
+  const double usual_m = median_of(depths);
   const auto& [least_m, where] = *std::ranges::min_element(reached, {}, [](const auto& one) { return one.first; });
   search.named = least_m < usual_m - kShallower_m;
   search.right = search.named && mass && std::hypot(where.x() - at.x(), where.z() - at.z()) < 0.015;

@@ -14,6 +14,7 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/scene_bill.h"
 #include "messages/scene.pb.h"
+#include "proto/words/quantile.h"
 #include "support/program/text_format.h"
 #include "tests/bench/users/body_session.h"
 #include "tests/bench/users/sections.h"
@@ -144,12 +145,6 @@ std::optional<Shares> measured_pair(const UsersPlace& place, const fs::path& wit
   return Shares{share_of(*sites[0], before[0], after[0], seconds), share_of(*sites[1], before[1], after[1], seconds)};
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The scene with one effect, a skin without force, and without probe, as a file.
 fs::path bare_file(const UsersPlace& place, const fs::path& file) {
   msg::Scene bare;
@@ -202,14 +197,14 @@ Result<void> add_rows(const UsersPlace& place, const fs::path& file, std::vector
   const double billed = bill->share();
   const double billed_effects = bill->prices.back().total_share;
   const std::string name = "bill of " + scene->name;
-  rows.push_back(measured(name + ": the station, measured", median(whole), "% of a core"));
+  rows.push_back(measured(name + ": the station, measured", median_of(whole), "% of a core"));
   rows.push_back(measured(name + ": the station, billed", billed, "% of a core"));
-  rows.push_back(measured(name + ": what its effects add, measured", median(added), "% of a core"));
+  rows.push_back(measured(name + ": what its effects add, measured", median_of(added), "% of a core"));
   rows.push_back(measured(name + ": what its effects add, billed", billed_effects, "% of a core"));
   rows.push_back(at_most(name + ": error of the station's cost, over 20 % or 0.5 % of a core",
-                         off(billed, median(whole)), "", 1.0));
+                         off(billed, median_of(whole)), "", 1.0));
   rows.push_back(at_most(name + ": error of what the effects add, over 20 % or 0.5 % of a core",
-                         off(billed_effects, median(added)), "", 1.0));
+                         off(billed_effects, median_of(added)), "", 1.0));
   return {};
 }
 

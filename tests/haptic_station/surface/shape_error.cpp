@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "haptic_station/surface/touch/touch.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::testing {
 namespace {
@@ -48,11 +49,7 @@ class Errors {
     const double count = std::max(1, total.points);
     total.position_rms_m = std::sqrt(total.position_rms_m / count);
     total.normal_rms_deg = std::sqrt(total.normal_rms_deg / count) * 180.0 / std::numbers::pi;
-    if (!step_us.empty()) {
-      std::nth_element(step_us.begin(), step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2),
-                       step_us.end());
-      total.step_us = step_us[step_us.size() / 2];
-    }
+    if (!step_us.empty()) total.step_us = median_of(step_us);
     return total;
   }
 

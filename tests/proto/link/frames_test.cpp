@@ -238,7 +238,7 @@ TEST(Frames, TimesBeforeTheSessionAreNotBelieved) {  // their differences would 
   PathEstimate path;
   sender.offer(frame(1, 100));
   std::vector<std::byte> payload = *sender.next(kStart, path);
-  put_little_endian(&payload[kFragmentHeaderBytes], std::uint64_t{1} << 63U, 8);
+  put_little_endian<std::uint64_t>(&payload[kFragmentHeaderBytes], std::uint64_t{1} << 63U);
   FrameReceiver receiver(kDeadline);
   add(receiver, payload);
   EXPECT_EQ(receiver.take()->captured, SessionTime{});

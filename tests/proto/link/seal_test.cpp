@@ -94,7 +94,9 @@ TEST(SealedDatagram, IsAsTheWirePageSays) {
               "0d0c0b0a"
               "0100000000000000");
     EXPECT_EQ(second.size, kHeaderBytes + 6 + kTagBytes);
-    EXPECT_EQ(hex(second.bytes().subspan(kHeaderBytes)), cipher == Cipher::Aes256Gcm ? "1266c22f3b6cd5bda2c847b017e03b1f806fb64d416d" : "0ae818c001e43c338c8b33afa3ac6a31232ff0f6f4f8");
+    EXPECT_EQ(hex(second.bytes().subspan(kHeaderBytes)), cipher == Cipher::Aes256Gcm
+                                                             ? "1266c22f3b6cd5bda2c847b017e03b1f806fb64d416d"
+                                                             : "0ae818c001e43c338c8b33afa3ac6a31232ff0f6f4f8");
   }
 }
 

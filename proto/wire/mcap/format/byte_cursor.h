@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "proto/words/little_endian.h"
+
 namespace telepalp::wire::mcap {
 
 /// Appends MCAP's little-endian primitives to a string.
@@ -13,9 +15,9 @@ class ByteAppender {
   explicit ByteAppender(std::string& out) noexcept : out_(out) {}
 
   void u8(std::uint8_t value) { out_.push_back(static_cast<char>(value)); }
-  void u16(std::uint16_t value) { whole(value); }
-  void u32(std::uint32_t value) { whole(value); }
-  void u64(std::uint64_t value) { whole(value); }
+  void u16(std::uint16_t value) { append_little_endian<std::uint16_t>(out_, value); }
+  void u32(std::uint32_t value) { append_little_endian<std::uint32_t>(out_, value); }
+  void u64(std::uint64_t value) { append_little_endian<std::uint64_t>(out_, value); }
   void raw(std::string_view bytes) { out_.append(bytes); }
   /// A string or byte array with its 32-bit length in front.
   void text(std::string_view bytes) {
@@ -24,11 +26,6 @@ class ByteAppender {
   }
 
  private:
-  template <class T>
-  void whole(T value) {
-    for (std::size_t byte = 0; byte < sizeof(T); ++byte)
-      out_.push_back(static_cast<char>((value >> (8 * byte)) & 0xff));
-  }
   std::string& out_;
 };
 
@@ -63,11 +60,7 @@ class ByteCursor {
   template <class T>
   T whole() noexcept {
     const std::string_view bytes = raw(sizeof(T));
-    T value = 0;
-    for (std::size_t byte = 0; byte < bytes.size(); ++byte)
-      value =
-          static_cast<T>(value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[byte])) << (8 * byte)));
-    return value;
+    return bytes.empty() ? T{} : get_little_endian<T>(bytes.data());
   }
   void fail() noexcept {
     ok_ = false;

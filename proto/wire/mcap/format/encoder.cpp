@@ -5,6 +5,7 @@
 
 #include "proto/wire/mcap/format/compression.h"
 #include "proto/words/demand.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::wire::mcap {
 namespace {
@@ -148,7 +149,7 @@ void Encoder::end(std::string& out) {
   append(out, Footer{out_offset + summary, out_offset + summary_offsets, 0});
   const std::size_t crc_at = out.size() - sizeof(std::uint32_t);
   const std::uint32_t crc = crc32(std::string_view(out).substr(summary, crc_at - summary));
-  for (std::size_t byte = 0; byte < 4; ++byte) out[crc_at + byte] = static_cast<char>((crc >> (8 * byte)) & 0xff);
+  put_little_endian<std::uint32_t>(out.data() + crc_at, crc);
   out += kMagic;
 }
 

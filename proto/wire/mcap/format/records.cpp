@@ -3,6 +3,7 @@
 #include "proto/wire/mcap/format/byte_cursor.h"
 #include "proto/wire/mcap/format/compression.h"
 #include "proto/words/formats.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::wire::mcap {
 
@@ -19,7 +20,7 @@ std::size_t append_record(std::string& out, Opcode opcode, Write write) {
   to.u64(0);
   write(to);
   const std::uint64_t length = out.size() - start - kRecordHeadBytes;
-  for (std::size_t byte = 0; byte < 8; ++byte) out[start + 1 + byte] = static_cast<char>((length >> (8 * byte)) & 0xff);
+  put_little_endian<std::uint64_t>(out.data() + start + 1, length);
   return out.size() - start;
 }
 
