@@ -1,7 +1,6 @@
 #include "haptic_station/probe/felt_plot.h"
 
 #include "support/plot/chart.h"
-#include "support/plot/number.h"
 #include "support/plot/palette.h"
 #include "support/program/files/whole_file.h"
 
@@ -16,19 +15,6 @@ plot::Series over_time(const std::vector<Felt>& felt, const char* name, std::str
     series.y.push_back(of(one));
   }
   return series;
-}
-
-/// The charts below one another, as one SVG document.
-std::string stacked(const std::vector<plot::Chart>& charts) {
-  std::string svg;
-  double top_px = 0.0;
-  for (const plot::Chart& chart : charts) {
-    svg += "<svg y=\"" + plot::number(top_px) + "\" width=\"" + plot::number(chart.width_px) + "\" height=\"" +
-           plot::number(chart.height_px) + "\">\n" + plot::to_svg(chart) + "</svg>\n";
-    top_px += chart.height_px;
-  }
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + plot::number(charts.front().width_px) + "\" height=\"" +
-         plot::number(top_px) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + svg + "</svg>\n";
 }
 
 }  // namespace
@@ -52,7 +38,7 @@ Result<void> plot_felt(const std::filesystem::path& file, const std::vector<Felt
        .y = {.label = "computing time [us]"},
        .series = {
            over_time(felt, "computing time of a step", plot::kPurple, [](const Felt& one) { return one.step_us; })}}};
-  return program::write_whole_file(file, stacked(charts), program::Readers::Group);
+  return program::write_whole_file(file, plot::to_svg_document(charts), program::Readers::Group);
 }
 
 }  // namespace telepalp::probe

@@ -173,7 +173,7 @@ std::string to_html(std::span<const TrialResult> results) {
            " N in a tick, largest jump of the end-effector at a phase change " + plot::readable(f.worst_jump_m * 1e3) +
            " mm, " + plot::readable(f.contact_s) + " s in contact, " + plot::readable(f.unfelt_s) +
            " s inside the true skin without force</p>\n";
-    for (const plot::Chart& chart : charts_of(result)) out += plot::to_svg(chart);
+    out += plot::to_svg(charts_of(result));
   }
   return out + "</html>\n";
 }

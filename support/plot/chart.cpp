@@ -224,4 +224,22 @@ std::string to_svg(const Chart& chart) {
   return std::move(svg).finish();
 }
 
+std::string to_svg(std::span<const Chart> charts) {
+  std::string svg;
+  for (const Chart& chart : charts) svg += to_svg(chart);
+  return svg;
+}
+
+std::string to_svg_document(std::span<const Chart> charts) {
+  std::string svg;
+  double top_px = 0.0;
+  for (const Chart& chart : charts) {
+    svg += "<svg y=\"" + number(top_px) + "\" width=\"" + number(chart.width_px) + "\" height=\"" +
+           number(chart.height_px) + "\">\n" + to_svg(chart) + "</svg>\n";
+    top_px += chart.height_px;
+  }
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(charts.front().width_px) + "\" height=\"" +
+         number(top_px) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + svg + "</svg>\n";
+}
+
 }  // namespace telepalp::plot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -83,5 +84,11 @@ struct Frame {
 
 /// The chart as a self-contained SVG element. Every drawn sample lies within the frame.
 [[nodiscard]] std::string to_svg(const Chart& chart);
+
+/// The charts one below another, as SVG elements for a page.
+[[nodiscard]] std::string to_svg(std::span<const Chart> charts);
+
+/// The charts one below another on white, as an SVG document of its own. At least one chart; all of one width.
+[[nodiscard]] std::string to_svg_document(std::span<const Chart> charts);
 
 }  // namespace telepalp::plot

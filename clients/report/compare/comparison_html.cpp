@@ -23,12 +23,6 @@ pre { background: #f6f7f9; padding: 10px 12px; border-radius: 6px; overflow-x: a
 figure { margin: 0; } figcaption { font-size: 14px; margin: 4px 0 0; }
 )css";
 
-std::string stacked(const std::vector<plot::Chart>& charts) {
-  std::string out;
-  for (const plot::Chart& chart : charts) out += plot::to_svg(chart);
-  return out;
-}
-
 std::string name_of(const char* letter, const Run& run) {
   return "<span class=\"" + std::string(letter[0] == 'A' ? "a" : "b") + "\">" + letter + "</span> " +
          escaped(run.label) + " · " + number(run.summary.seconds, 1) + " s from the first message to the last · " +
@@ -86,7 +80,7 @@ std::string first_difference_section(const Comparison& comparison) {
                " s after the start: " + escaped(forces_in_words(comparison.a, comparison.b, *felt)) + "." +
                why(comparison, *felt);
   const auto shown = comparison.ticks.first_felt ? comparison.ticks.first_felt : comparison.ticks.first_phase;
-  if (shown) content += stacked(around(comparison.a.session, comparison.b.session, *shown));
+  if (shown) content += plot::to_svg(around(comparison.a.session, comparison.b.session, *shown));
   if (!comparison.messages_compared)
     content += "<p>The sessions were recorded at different times, so their messages are not compared one by one.</p>\n";
   else if (comparison.first_message)
@@ -148,9 +142,9 @@ std::string overlay_sections(const Comparison& comparison) {
     out += section("The whole runs",
                    "State, force and height over one time axis. A is blue, B is red; B's states are drawn a little "
                    "above their line. The numbers are those of paper S1 (docs/sources.md); R and F are not in S1.",
-                   stacked(charts));
+                   plot::to_svg(charts));
   if (const auto charts = overlaid_ages(a, b); !charts.empty())
-    out += section("Age of the surface", "Age of the surface from which the force was computed.", stacked(charts));
+    out += section("Age of the surface", "Age of the surface from which the force was computed.", plot::to_svg(charts));
   return out;
 }
 

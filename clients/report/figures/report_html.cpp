@@ -23,12 +23,6 @@ using plot::escaped;
 using plot::number;
 using plot::readable;
 
-std::string stacked(const std::vector<plot::Chart>& charts) {
-  std::string out;
-  for (const plot::Chart& chart : charts) out += plot::to_svg(chart);
-  return out;
-}
-
 std::string in_pairs(const std::vector<plot::Chart>& charts) {
   std::string out = "<div class=\"pair\">\n";
   for (const plot::Chart& chart : charts) out += "<div>" + plot::to_svg(chart) + "</div>\n";
@@ -134,7 +128,7 @@ std::string motion_sections(const Session& session, const Summary& summary) {
       section("Position by state",
               "Outside the body, the end-effector follows the hand on a plane above the body; in the body, the hand "
               "pushes the end-effector. The end-effector should not jump where the state changes.",
-              stacked({position_by_state(session)}));
+              plot::to_svg(position_by_state(session)));
   out += section(
       "Force against indentation",
       "All ticks in contact. The indentation is measured from the first point of each contact. The area between the "
@@ -148,13 +142,13 @@ std::string motion_sections(const Session& session, const Summary& summary) {
              : section("Objects under the skin",
                        "Path of the end-effector and force while the hand is at a simulated object under "
                        "the skin (states -3 to -1).",
-                       in_pairs({cylinder[0], cylinder[1]}) + stacked({cylinder[2]}));
+                       in_pairs({cylinder[0], cylinder[1]}) + plot::to_svg(cylinder[2]));
   return out + section("The whole run",
                        "State, height and force on one time axis. Only the force of contact comes from the patient. "
                        "Outside the body, a drive moves the end-effector; of its force the hand feels only the lift in "
                        "state 1. The drive gave at most " +
                            readable(summary.force_of_drive_max_N) + " N.",
-                       stacked(timeline(session)));
+                       plot::to_svg(timeline(session)));
 }
 
 /// What it means that the skin above an inner object showed no slide; empty if it always did.
@@ -175,7 +169,7 @@ std::string energy_sections(const Session& session, const Summary& summary) {
         "hand less energy stored, relative to the displayed skin; below 0, the effects created energy. Excess work: "
         "work on the hand beyond the work that the newest measured skin would do; above 0, the displayed skin moved "
         "or lagged. docs/controller.md names the motions that each curve does not count.",
-        stacked(ledgers));
+        plot::to_svg(ledgers));
   if (const std::vector<plot::Chart> warm = heat(session); !warm.empty())
     out +=
         section("Heat",
@@ -183,7 +177,7 @@ std::string energy_sections(const Session& session, const Summary& summary) {
                     " of warm motors. Warm motors cannot hold a large force. Four seconds before the force must fall, "
                     "the force vibrates and the station warns; then the force falls slowly to what the motors can "
                     "hold.",
-                stacked(warm));
+                plot::to_svg(warm));
   return out;
 }
 
@@ -210,7 +204,7 @@ std::string timing_sections(const Session& session, const Summary& summary) {
         "The station predicts from the motion of hand and surface where they are now, and changes gradually to a newer "
         "surface. While the uncertainty is larger than the predicted motion, the place of the felt skin is uncertain." +
             smooth_skin_words(summary),
-        stacked(done));
+        plot::to_svg(done));
   out += energy_sections(session, summary);
   if (summary.bill.empty()) return out;
   std::vector<std::vector<std::string>> rows;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "proto/words/little_endian.h"
 #include "server/capture/images/camera_file.h"
 #include "server/capture/images/image_listing.h"
 #include "where.h"
@@ -159,19 +160,16 @@ TEST(Png, DataBehindTheLastRowIsRefusedWithoutReadingItAll) {
 
 TEST(Tiff, ThousandsOfChannelsAreRefusedBeforeAnythingIsAllocated) {
   std::string tiff("II*\0\x08\0\0\0", 8);
-  const auto little_endian = [&tiff](std::uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> (8 * i) & 255U);
-  };
   const std::uint32_t tags[][2] = {{256, 4096}, {257, 4096},  {258, 8},    {259, 1}, {262, 1},
                                    {273, 8},    {277, 60000}, {278, 4096}, {279, 16}};
-  little_endian(std::size(tags), 2);
+  append_little_endian<std::uint16_t>(tiff, std::size(tags));
   for (const auto& [tag, value] : tags) {
-    little_endian(tag, 2);
-    little_endian(4, 2);  // of 32 bits
-    little_endian(1, 4);
-    little_endian(value, 4);
+    append_little_endian<std::uint16_t>(tiff, static_cast<std::uint16_t>(tag));
+    append_little_endian<std::uint16_t>(tiff, 4);  // of 32 bits
+    append_little_endian<std::uint32_t>(tiff, 1);
+    append_little_endian<std::uint32_t>(tiff, value);
   }
-  little_endian(0, 4);
+  append_little_endian<std::uint32_t>(tiff, 0);
   const auto read = images::decode_tiff(bytes_of(tiff), "channels.tiff");
   ASSERT_FALSE(read.ok());
   EXPECT_NE(read.error().what.find("60000 channels"), std::string::npos) << to_string(read.error());
