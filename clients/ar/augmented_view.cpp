@@ -10,13 +10,14 @@
 #include "clients/ar/shapes.h"
 #include "clients/ar/view_choice.h"
 #include "proto/words/drawn_sizes.h"
+#include "proto/words/quantile.h"
 
 namespace telepalp::ar {
 namespace {
 
-constexpr Ink kProxyInk{0, 158, 115}, kDeviceInk{0, 114, 178}, kForceInk{240, 228, 66};
+constexpr images::Ink kProxyInk{0, 158, 115}, kDeviceInk{0, 114, 178}, kForceInk{240, 228, 66};
 
-Eigen::Vector3f linear(const Ink& ink) { return linear_from_srgb(ink.red, ink.green, ink.blue); }
+Eigen::Vector3f linear(const images::Ink& ink) { return linear_from_srgb(ink.red, ink.green, ink.blue); }
 
 bool is_finite(const Touch& touch) {
   return touch.hand.m.allFinite() && touch.proxy.m.allFinite() && touch.device.m.allFinite() &&
@@ -31,9 +32,7 @@ Eigen::Vector3f middle_of(const Mesh& mesh) {
     values.clear();
     for (const auto& triangle : mesh.triangles) values.push_back(mesh.vertices[triangle[0]].at[axis]);
     if (values.empty()) return middle;
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    middle[axis] = *half;
+    middle[axis] = median_of(values);
   }
   return middle;
 }
@@ -61,9 +60,7 @@ Mesh cleared(Mesh mesh, const ViewCamera& camera, const Eigen::Vector3f& target)
     return forward.dot(vertex.at - camera.eye) < nearest;
   });
   if (brightness.empty()) return mesh;
-  const auto half = brightness.begin() + static_cast<std::ptrdiff_t>(brightness.size() / 2);
-  std::nth_element(brightness.begin(), half, brightness.end());
-  const float gain = std::clamp(kMidGrey / std::max(*half, 1e-3F), 1.0F, kMostGain);
+  const float gain = std::clamp(kMidGrey / std::max(median_of(brightness), 1e-3F), 1.0F, kMostGain);
   for (Mesh::Vertex& vertex : mesh.vertices) vertex.color *= gain;
   return mesh;
 }
@@ -109,7 +106,7 @@ std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
 std::vector<PanelLine> key_to_colours(const Touch& touch) {
   const Eigen::Vector3f skin = avatar_color(touch.indentation_m);
-  const Ink hand{srgb_from_linear(skin.x()), srgb_from_linear(skin.y()), srgb_from_linear(skin.z())};
+  const images::Ink hand{srgb_from_linear(skin.x()), srgb_from_linear(skin.y()), srgb_from_linear(skin.z())};
   return {{"doctor's hand (redder when deeper)", "", hand},
           {"haptic device's ball, " + rounded(200.0 * kBallRadius_m) + " cm", "", kDeviceInk},
           {"proxy on the skin", "", kProxyInk},

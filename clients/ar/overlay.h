@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "clients/ar/text.h"
+#include "support/images/lettering.h"
 
 namespace telepalp::ar {
 
@@ -12,7 +12,7 @@ namespace telepalp::ar {
 struct PanelLine {
   std::string name;
   std::string value;
-  std::optional<Ink> swatch = std::nullopt;
+  std::optional<images::Ink> swatch = std::nullopt;
 };
 
 enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };

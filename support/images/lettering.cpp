@@ -1,81 +1,127 @@
 #include "support/images/lettering.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace telepalp::images {
 namespace {
 
-constexpr int kColumns = 5;
-constexpr int kRows = 8;
-constexpr char kFirst = ' ';
-constexpr char kLast = '~';
-
-/// The letters from space to ~, column by column; the lowest bit of a column is its uppermost dot.
-constexpr std::uint8_t kLetters[][kColumns] = {
-    {0x00, 0x00, 0x00, 0x00, 0x00}, {0x00, 0x00, 0x5F, 0x00, 0x00}, {0x00, 0x07, 0x00, 0x07, 0x00},
-    {0x14, 0x7F, 0x14, 0x7F, 0x14}, {0x24, 0x2A, 0x7F, 0x2A, 0x12}, {0x23, 0x13, 0x08, 0x64, 0x62},
-    {0x36, 0x49, 0x55, 0x22, 0x50}, {0x00, 0x05, 0x03, 0x00, 0x00}, {0x00, 0x1C, 0x22, 0x41, 0x00},
-    {0x00, 0x41, 0x22, 0x1C, 0x00}, {0x08, 0x2A, 0x1C, 0x2A, 0x08}, {0x08, 0x08, 0x3E, 0x08, 0x08},
-    {0x00, 0x50, 0x30, 0x00, 0x00}, {0x08, 0x08, 0x08, 0x08, 0x08}, {0x00, 0x60, 0x60, 0x00, 0x00},
-    {0x20, 0x10, 0x08, 0x04, 0x02}, {0x3E, 0x51, 0x49, 0x45, 0x3E}, {0x00, 0x42, 0x7F, 0x40, 0x00},
-    {0x42, 0x61, 0x51, 0x49, 0x46}, {0x21, 0x41, 0x45, 0x4B, 0x31}, {0x18, 0x14, 0x12, 0x7F, 0x10},
-    {0x27, 0x45, 0x45, 0x45, 0x39}, {0x3C, 0x4A, 0x49, 0x49, 0x30}, {0x01, 0x71, 0x09, 0x05, 0x03},
-    {0x36, 0x49, 0x49, 0x49, 0x36}, {0x06, 0x49, 0x49, 0x29, 0x1E}, {0x00, 0x36, 0x36, 0x00, 0x00},
-    {0x00, 0x56, 0x36, 0x00, 0x00}, {0x08, 0x14, 0x22, 0x41, 0x00}, {0x14, 0x14, 0x14, 0x14, 0x14},
-    {0x00, 0x41, 0x22, 0x14, 0x08}, {0x02, 0x01, 0x51, 0x09, 0x06}, {0x32, 0x49, 0x79, 0x41, 0x3E},
-    {0x7E, 0x11, 0x11, 0x11, 0x7E}, {0x7F, 0x49, 0x49, 0x49, 0x36}, {0x3E, 0x41, 0x41, 0x41, 0x22},
-    {0x7F, 0x41, 0x41, 0x22, 0x1C}, {0x7F, 0x49, 0x49, 0x49, 0x41}, {0x7F, 0x09, 0x09, 0x09, 0x01},
-    {0x3E, 0x41, 0x49, 0x49, 0x7A}, {0x7F, 0x08, 0x08, 0x08, 0x7F}, {0x00, 0x41, 0x7F, 0x41, 0x00},
-    {0x20, 0x40, 0x41, 0x3F, 0x01}, {0x7F, 0x08, 0x14, 0x22, 0x41}, {0x7F, 0x40, 0x40, 0x40, 0x40},
-    {0x7F, 0x02, 0x0C, 0x02, 0x7F}, {0x7F, 0x04, 0x08, 0x10, 0x7F}, {0x3E, 0x41, 0x41, 0x41, 0x3E},
-    {0x7F, 0x09, 0x09, 0x09, 0x06}, {0x3E, 0x41, 0x51, 0x21, 0x5E}, {0x7F, 0x09, 0x19, 0x29, 0x46},
-    {0x46, 0x49, 0x49, 0x49, 0x31}, {0x01, 0x01, 0x7F, 0x01, 0x01}, {0x3F, 0x40, 0x40, 0x40, 0x3F},
-    {0x1F, 0x20, 0x40, 0x20, 0x1F}, {0x3F, 0x40, 0x38, 0x40, 0x3F}, {0x63, 0x14, 0x08, 0x14, 0x63},
-    {0x07, 0x08, 0x70, 0x08, 0x07}, {0x61, 0x51, 0x49, 0x45, 0x43}, {0x00, 0x7F, 0x41, 0x41, 0x00},
-    {0x02, 0x04, 0x08, 0x10, 0x20}, {0x00, 0x41, 0x41, 0x7F, 0x00}, {0x04, 0x02, 0x01, 0x02, 0x04},
-    {0x40, 0x40, 0x40, 0x40, 0x40}, {0x00, 0x01, 0x02, 0x04, 0x00}, {0x20, 0x54, 0x54, 0x54, 0x78},
-    {0x7F, 0x48, 0x44, 0x44, 0x38}, {0x38, 0x44, 0x44, 0x44, 0x28}, {0x38, 0x44, 0x44, 0x48, 0x7F},
-    {0x38, 0x54, 0x54, 0x54, 0x18}, {0x08, 0x7E, 0x09, 0x01, 0x02}, {0x18, 0xA4, 0xA4, 0xA4, 0x7C},
-    {0x7F, 0x08, 0x04, 0x04, 0x78}, {0x00, 0x44, 0x7D, 0x40, 0x00}, {0x40, 0x80, 0x84, 0x7D, 0x00},
-    {0x7F, 0x10, 0x28, 0x44, 0x00}, {0x00, 0x41, 0x7F, 0x40, 0x00}, {0x7C, 0x04, 0x18, 0x04, 0x78},
-    {0x7C, 0x08, 0x04, 0x04, 0x78}, {0x38, 0x44, 0x44, 0x44, 0x38}, {0xFC, 0x24, 0x24, 0x24, 0x18},
-    {0x18, 0x24, 0x24, 0x24, 0xFC}, {0x7C, 0x08, 0x04, 0x04, 0x08}, {0x48, 0x54, 0x54, 0x54, 0x24},
-    {0x04, 0x3F, 0x44, 0x40, 0x20}, {0x3C, 0x40, 0x40, 0x20, 0x7C}, {0x1C, 0x20, 0x40, 0x20, 0x1C},
-    {0x3C, 0x40, 0x30, 0x40, 0x3C}, {0x44, 0x28, 0x10, 0x28, 0x44}, {0x1C, 0xA0, 0xA0, 0xA0, 0x7C},
-    {0x44, 0x64, 0x54, 0x4C, 0x44}, {0x00, 0x08, 0x36, 0x41, 0x00}, {0x00, 0x00, 0x7F, 0x00, 0x00},
-    {0x00, 0x41, 0x36, 0x08, 0x00}, {0x08, 0x04, 0x08, 0x10, 0x08},
+struct Glyph {
+  std::uint32_t code;
+  int advance_px;
+  std::array<std::string_view, kFullLine_px> rows;  ///< one hexadecimal digit per pixel: its coverage
 };
-static_assert(std::size(kLetters) == kLast - kFirst + 1);
 
-/// False for a byte that continues a letter in UTF-8.
-bool begins_letter(char byte) noexcept { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+#include "support/images/font/font_data.inc"
+static_assert(kLineHeight_px == kFullLine_px);
 
-void paint(ColorImage& image, int x, int y, const Rgb& rgb) noexcept {
-  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
-  std::copy(rgb.begin(), rgb.end(), image.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + x));
+const Glyph& glyph_of(std::uint32_t code) noexcept {
+  for (const Glyph& glyph : kGlyphs)
+    if (glyph.code == code) return glyph;
+  return glyph_of('?');
 }
 
-void write_letter(ColorImage& image, int x, int y, char letter, const Rgb& rgb, int dot_px) {
-  const char shown = letter < kFirst || letter > kLast ? '?' : letter;
-  for (int column = 0; column < kColumns; ++column)
-    for (int row = 0; row < kRows; ++row)
-      if ((kLetters[shown - kFirst][column] >> row & 1U) != 0)
-        fill(image, {x + column * dot_px, y + row * dot_px, dot_px, dot_px}, rgb);
+/// Removes the next code point from UTF-8 text. A malformed one, or one of more than three bytes, becomes '?'.
+std::uint32_t next_code(std::string_view& text) noexcept {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+  const std::uint32_t first = byte(0);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  std::uint32_t code = first;
+  bool well_formed = length <= text.size() && (first < 0x80 || first >= 0xC0) && first < 0xF8;
+  for (std::size_t i = 1; well_formed && i < length; ++i) well_formed = (byte(i) & 0xC0) == 0x80;
+  if (!well_formed) {
+    text.remove_prefix(1);
+    return '?';
+  }
+  if (length == 2) code = (first & 0x1F) << 6 | (byte(1) & 0x3F);
+  if (length == 3) code = (first & 0x0F) << 12 | (byte(1) & 0x3F) << 6 | (byte(2) & 0x3F);
+  text.remove_prefix(length);
+  return length == 4 ? '?' : code;
 }
 
-/// Bytes of the text's first `letters` letters.
-std::size_t bytes_of(std::string_view text, std::size_t letters) noexcept {
-  std::size_t bytes = 0;
-  while (bytes < text.size() && (!begins_letter(text[bytes]) || letters > 0))
-    if (begins_letter(text[bytes++])) --letters;
-  return bytes;
+int advance_px(const Glyph& glyph, int line_px) noexcept {
+  return (glyph.advance_px * line_px + kFullLine_px / 2) / kFullLine_px;
+}
+
+/// Coverage of a pixel of the font; 0 beside the glyph.
+float coverage(const Glyph& glyph, int column, int row) noexcept {
+  const std::string_view digits = glyph.rows[static_cast<std::size_t>(row)];
+  if (static_cast<std::size_t>(column) >= digits.size()) return 0.0F;
+  const char digit = digits[static_cast<std::size_t>(column)];
+  return static_cast<float>(digit <= '9' ? digit - '0' : digit - 'a' + 10) / 15.0F;
+}
+
+/// Mean coverage of a pixel of a line `line_px` high. Lengths are in units of 1 / line_px of the font's pixel, in which
+/// this pixel is kFullLine_px wide and the font's pixel is line_px wide.
+float coverage(const Glyph& glyph, int x, int y, int line_px) noexcept {
+  if (line_px == kFullLine_px) return coverage(glyph, x, y);
+  const auto shared = [line_px](int ours, int theirs) {
+    return std::min((ours + 1) * kFullLine_px, (theirs + 1) * line_px) -
+           std::max(ours * kFullLine_px, theirs * line_px);
+  };
+  float sum = 0.0F;
+  for (int row = y * kFullLine_px / line_px; row < kFullLine_px && shared(y, row) > 0; ++row)
+    for (int column = x * kFullLine_px / line_px; shared(x, column) > 0; ++column)
+      sum += static_cast<float>(shared(y, row) * shared(x, column)) * coverage(glyph, column, row);
+  return sum / static_cast<float>(kFullLine_px * kFullLine_px);
+}
+
+void draw(ColorImage& image, int left, int top, const Glyph& glyph, const Ink& ink, int line_px) noexcept {
+  std::size_t widest = 0;
+  for (const std::string_view row : glyph.rows) widest = std::max(widest, row.size());
+  const int width_px = (static_cast<int>(widest) * line_px + kFullLine_px - 1) / kFullLine_px;
+  for (int y = 0; y < line_px; ++y)
+    for (int x = 0; x < width_px; ++x) blend(image, left + x, top + y, ink, coverage(glyph, x, y, line_px));
+}
+
+/// Bytes of the longest beginning of `text` that is at most `width_px` wide; at least one letter.
+std::size_t fitting_bytes(std::string_view text, int width_px, int line_px) noexcept {
+  std::string_view rest = text;
+  for (int width = 0; !rest.empty();) {
+    const std::size_t bytes = text.size() - rest.size();
+    width += advance_px(glyph_of(next_code(rest)), line_px);
+    if (width > width_px && bytes > 0) return bytes;
+  }
+  return text.size();
 }
 
 }  // namespace
 
-std::vector<std::string> lines_of(std::string_view text, int width_px, int dot_px) {
-  const auto most = static_cast<std::size_t>(std::max(1, width_px / (kLetterWidth_dots * dot_px)));
+void fill(ColorImage& image, const Rectangle& where, const Rgb& rgb) {
+  for (int y = std::max(where.y, 0); y < std::min(where.y + where.height, image.height); ++y)
+    for (int x = std::max(where.x, 0); x < std::min(where.x + where.width, image.width); ++x)
+      std::ranges::copy(rgb, image.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + x));
+}
+
+void blend(ColorImage& image, int x, int y, const Ink& ink, float cover) noexcept {
+  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
+  const float alpha = cover * static_cast<float>(ink.alpha) / 255.0F;
+  std::uint8_t* pixel = &image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                        static_cast<std::size_t>(x))];
+  const std::uint8_t channels[] = {ink.red, ink.green, ink.blue};
+  for (int i = 0; i < 3; ++i)
+    pixel[i] = static_cast<std::uint8_t>(std::lround(
+        static_cast<float>(pixel[i]) + alpha * (static_cast<float>(channels[i]) - static_cast<float>(pixel[i]))));
+}
+
+int text_width_px(std::string_view text, int line_px) noexcept {
+  int width = 0;
+  while (!text.empty()) width += advance_px(glyph_of(next_code(text)), line_px);
+  return width;
+}
+
+void draw_text(ColorImage& image, int x, int y, std::string_view text, const Ink& ink, int line_px) {
+  while (!text.empty()) {
+    const Glyph& glyph = glyph_of(next_code(text));
+    draw(image, x, y, glyph, ink, line_px);
+    x += advance_px(glyph, line_px);
+  }
+}
+
+std::vector<std::string> lines_of(std::string_view text, int width_px, int line_px) {
   std::vector<std::string> lines;
-  while (static_cast<std::size_t>(width_of(text, 1)) > most * kLetterWidth_dots) {
-    const std::size_t fits = bytes_of(text, most);
+  for (std::size_t fits = 0; (fits = fitting_bytes(text, width_px, line_px)) < text.size();) {
     const std::size_t space = text.substr(0, fits + 1).rfind(' ');
     const bool broken = space == std::string_view::npos || space == 0;
     lines.emplace_back(text.substr(0, broken ? fits : space));
@@ -83,23 +129,6 @@ std::vector<std::string> lines_of(std::string_view text, int width_px, int dot_p
   }
   lines.emplace_back(text);
   return lines;
-}
-
-void fill(ColorImage& image, const Rectangle& where, const Rgb& rgb) {
-  for (int y = where.y; y < where.y + where.height; ++y)
-    for (int x = where.x; x < where.x + where.width; ++x) paint(image, x, y, rgb);
-}
-
-int width_of(std::string_view text, int dot_px) noexcept {
-  return static_cast<int>(std::ranges::count_if(text, begins_letter)) * kLetterWidth_dots * dot_px;
-}
-
-void write_text(ColorImage& image, int x, int y, std::string_view text, const Rgb& rgb, int dot_px) {
-  for (const char byte : text) {
-    if (!begins_letter(byte)) continue;
-    write_letter(image, x, y, byte, rgb, dot_px);
-    x += kLetterWidth_dots * dot_px;
-  }
 }
 
 }  // namespace telepalp::images

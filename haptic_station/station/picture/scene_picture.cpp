@@ -20,7 +20,8 @@ constexpr int kSamples = 2;  // per pixel and axis, against jagged edges
 constexpr int kMargin_px = 16;
 constexpr int kCanvas_px = kSide_px + 2 * kMargin_px;  // width
 constexpr int kLine_px = 22;
-constexpr int kSmallLine_px = 12;
+constexpr int kSmallLine_px = 15;
+constexpr images::Ink kLetters{kInk[0], kInk[1], kInk[2]};
 constexpr double kSkinOverObject = 0.2;  // share of the skin's colour in that of an object below it
 
 /// Colours that colour-blind people can tell apart (Okabe and Ito 2008).
@@ -63,15 +64,15 @@ void draw_scale(ColorImage& picture, const solids::PictureView& view) {
   const int y = picture.height - kMargin_px;
   images::fill(picture, {kMargin_px, y, length_px, 3}, kInk);
   for (const int x : {kMargin_px, kMargin_px + length_px - 3}) images::fill(picture, {x, y - 6, 3, 9}, kInk);
-  images::write_text(picture, kMargin_px, y - 24, length_text(step_m), kInk, 2);
+  images::draw_text(picture, kMargin_px, y - 28, length_text(step_m), kLetters, kLine_px);
 }
 
 void draw_directions(ColorImage& picture, const Directions& directions) {
   const std::string right = std::string(directions.at_right) + " >";
-  const int top_px = images::width_of(directions.at_top, 2);
-  images::write_text(picture, (picture.width - top_px) / 2, 6, directions.at_top, kInk, 2);
-  images::write_text(picture, picture.width - images::width_of(right, 2) - 6, picture.height - kMargin_px - 12, right,
-                     kInk, 2);
+  const int top_px = images::text_width_px(directions.at_top, kLine_px);
+  const int right_px = images::text_width_px(right, kLine_px);
+  images::draw_text(picture, (picture.width - top_px) / 2, 4, directions.at_top, kLetters, kLine_px);
+  images::draw_text(picture, picture.width - right_px - 6, picture.height - kMargin_px - 14, right, kLetters, kLine_px);
 }
 
 struct LegendLine {
@@ -102,7 +103,7 @@ constexpr int kLegendLeft_px = kMargin_px + kSwatch_px + 8;
 std::vector<std::vector<std::string>> broken(const std::vector<LegendLine>& legend) {
   std::vector<std::vector<std::string>> texts;
   for (const LegendLine& line : legend)
-    texts.push_back(images::lines_of(line.text, kCanvas_px - kLegendLeft_px - kMargin_px, 2));
+    texts.push_back(images::lines_of(line.text, kCanvas_px - kLegendLeft_px - kMargin_px, kLine_px));
   return texts;
 }
 
@@ -112,7 +113,7 @@ void draw_legend(ColorImage& canvas, const std::vector<LegendLine>& legend, int 
     images::fill(canvas, {kMargin_px, y, kSwatch_px, kSwatch_px}, kInk);
     images::fill(canvas, {kMargin_px + 1, y + 1, kSwatch_px - 2, kSwatch_px - 2}, legend[i].rgb);
     for (const std::string& text : texts[i]) {
-      images::write_text(canvas, kLegendLeft_px, y, text, kInk, 2);
+      images::draw_text(canvas, kLegendLeft_px, y - 4, text, kLetters, kLine_px);
       y += kLine_px;
     }
   }
@@ -136,18 +137,18 @@ struct Title {
 
 Title title_of(const scenes::Scene& scene, const Directions& directions) {
   const int width_px = kCanvas_px - 2 * kMargin_px;
-  return {images::lines_of(scene.name + ", " + directions.name, width_px, 2),
-          images::lines_of(scene.purpose, width_px, 1)};
+  return {images::lines_of(scene.name + ", " + directions.name, width_px, kLine_px),
+          images::lines_of(scene.purpose, width_px, kSmallLine_px)};
 }
 
 void draw_title(ColorImage& canvas, const Title& title) {
   int y = 8;
   for (const std::string& line : title.name) {
-    images::write_text(canvas, kMargin_px, y, line, kInk, 2);
+    images::draw_text(canvas, kMargin_px, y, line, kLetters, kLine_px);
     y += kLine_px;
   }
   for (const std::string& line : title.purpose) {
-    images::write_text(canvas, kMargin_px, y, line, kInk, 1);
+    images::draw_text(canvas, kMargin_px, y, line, kLetters, kSmallLine_px);
     y += kSmallLine_px;
   }
 }

@@ -11,7 +11,6 @@
 #include "clients/ar/isosurface.h"
 #include "clients/ar/messages/from_messages.h"
 #include "clients/ar/shapes.h"
-#include "clients/ar/text.h"
 #include "clients/ar/view_choice.h"
 #include "support/images/image_file.h"
 
@@ -135,19 +134,6 @@ TEST(HandAvatar, TurnsRedderTheDeeperItIs) {
     before = redness;
   }
   EXPECT_EQ(avatar_color(5.0), avatar_color(0.06));
-}
-
-TEST(Text, IsAsWideAsItsLettersAndSurvivesWhatIsNoUtf8) {
-  EXPECT_EQ(text_width_px("ab"), text_width_px("a") + text_width_px("b"));
-  EXPECT_EQ(text_width_px("\xff"), text_width_px("?"));
-  EXPECT_EQ(text_width_px("\xe2\x80"), text_width_px("??"));
-  EXPECT_EQ(text_width_px("\xc3W"), text_width_px("?W")) << "a letter behind a torn sequence stays";
-  EXPECT_EQ(text_width_px("\xe2\x80WW"), text_width_px("??WW"));
-  EXPECT_EQ(text_width_px("\xf8WWW"), text_width_px("?WWW"));
-  EXPECT_GT(text_width_px("µ"), 0);
-  ColorImage image{8, 8, std::vector<std::uint8_t>(8 * 8 * 3, 0)};
-  draw_text(image, -5, -5, "clipped on every side", {});
-  EXPECT_EQ(image.rgb.size(), 8U * 8U * 3U);
 }
 
 AugmentedView small_view(const RgbdFrame& frame, std::optional<Touch> touch) {

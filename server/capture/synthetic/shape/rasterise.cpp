@@ -1,7 +1,6 @@
 #include "server/capture/synthetic/shape/rasterise.h"
 
-#include <algorithm>
-#include <cmath>
+#include "support/images/triangle_scan.h"
 
 namespace telepalp::capture {
 namespace {
@@ -27,30 +26,15 @@ float curved_depth(const std::array<Corner, 3>& corners, const Eigen::Vector3f& 
 }
 
 void draw(const std::array<Corner, 3>& corners, const Intrinsics& camera, std::vector<float>& depth) {
-  const Eigen::Vector2f &a = corners[0].pixel, &b = corners[1].pixel, &c = corners[2].pixel;
-  const float area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
-  if (std::abs(area) < 1e-6F) return;
-  const auto first = [](float least, int last) { return std::clamp(static_cast<int>(std::ceil(least)), 0, last); };
-  const auto end = [](float most, int last) {
-    return std::clamp(static_cast<int>(std::floor(most)), -1, last - 1) + 1;
+  const auto nearer = [&](int u, int v, float wa, float wb, float wc) {
+    Eigen::Vector3f w{wa / corners[0].at.z(), wb / corners[1].at.z(), wc / corners[2].at.z()};
+    w /= w.sum();  // perspective: weights that are linear in space, not in the image
+    float& nearest =
+        depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(u)];
+    const float z = curved_depth(corners, w);
+    if (nearest <= 0.0F || z < nearest) nearest = z;
   };
-  const int u0 = first(std::min({a.x(), b.x(), c.x()}), camera.width);
-  const int u1 = end(std::max({a.x(), b.x(), c.x()}), camera.width);
-  const int v0 = first(std::min({a.y(), b.y(), c.y()}), camera.height);
-  const int v1 = end(std::max({a.y(), b.y(), c.y()}), camera.height);
-  for (int v = v0; v < v1; ++v)
-    for (int u = u0; u < u1; ++u) {
-      const Eigen::Vector2f p{static_cast<float>(u), static_cast<float>(v)};
-      const float wb = ((p.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (p.y() - a.y())) / area;
-      const float wc = ((b.x() - a.x()) * (p.y() - a.y()) - (p.x() - a.x()) * (b.y() - a.y())) / area;
-      if (wb < 0.0F || wc < 0.0F || wb + wc > 1.0F) continue;
-      Eigen::Vector3f w{(1.0F - wb - wc) / corners[0].at.z(), wb / corners[1].at.z(), wc / corners[2].at.z()};
-      w /= w.sum();  // perspective: weights that are linear in space, not in the image
-      float& nearest =
-          depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) + static_cast<std::size_t>(u)];
-      const float z = curved_depth(corners, w);
-      if (nearest <= 0.0F || z < nearest) nearest = z;
-    }
+  images::scan_triangle(corners[0].pixel, corners[1].pixel, corners[2].pixel, camera.width, camera.height, nearer);
 }
 
 }  // namespace
