@@ -12,26 +12,20 @@ constexpr std::size_t kSegment_B = 1448;  // of a TCP connection over Ethernet
 constexpr std::size_t kMostImages = 60;   // limit of the depth images that wait; a group of pictures has 12 by default
 constexpr Nanoseconds kRoomAgain = 5ms;   // wait before the bottleneck's full queue is checked again
 
+/// Both ends are in this process, so the key need not be secret. The session's number lets each end refuse datagrams of
+/// the session before.
+link::DatagramLinkSettings session_of(std::uint32_t number) {
+  return {.seal = {.session = {}, .number = number, .cipher = link::preferred_cipher()}};
+}
+
 }  // namespace
 
 ImpairedPath::ImpairedPath(SessionTime now, const impaired::Profile& network, std::uint64_t seed)
-    : begin_(now), down_(network.down, seed), up_(network.up, seed + 1) {
-  begin_link_session();
-}
-
-/// Both ends are in this process, so the key need not be secret. The session's number lets each end refuse datagrams of
-/// the session before.
-void ImpairedPath::begin_link_session() {
-  const link::DatagramLinkSettings settings{
-      .seal = {.session = {}, .number = ++link_session_, .cipher = link::preferred_cipher()}};
-  server_.emplace(settings, link::End::Server);
-  client_.emplace(settings, link::End::Client);
-}
+    : network_(now, network, seed, session_of(++link_session_)) {}
 
 void ImpairedPath::change(SessionTime now, const impaired::Profile& network) {
-  down_.change(since_begin(now), network.down);
-  up_.change(since_begin(now), network.up);
-  begin_link_session();
+  network_.change(now, network);
+  network_.begin_link_session(session_of(++link_session_));
 }
 
 void ImpairedPath::send(SessionTime now, wire::Message message) {
@@ -54,11 +48,11 @@ void ImpairedPath::wait_for_link(wire::Message message) {
 
 /// True if a message was handed to the link. A pose is small and goes before an image.
 bool ImpairedPath::offer_next(SessionTime now) {
-  if (!server_->ready_for_frame(now)) return false;
+  if (!network_.server().ready_for_frame(now)) return false;
   for (auto waiting = waiting_.rbegin(); waiting != waiting_.rend(); ++waiting) {
     Waiting& messages = waiting->second;
     if (messages.empty()) continue;
-    (void)server_->offer(wire::frame_of(messages.front(), now));
+    (void)network_.server().offer(wire::frame_of(messages.front(), now));
     messages.pop_front();
     return true;
   }
@@ -66,14 +60,9 @@ bool ImpairedPath::offer_next(SessionTime now) {
 }
 
 void ImpairedPath::transmit(SessionTime now) {
-  const auto send = [&](const link::Datagram& datagram, impaired::ImpairedLink& to) {
-    const auto bytes = datagram.bytes();
-    to.send(since_begin(now), {.bytes = {bytes.begin(), bytes.end()}});
-  };
-  do {
-    while (const auto datagram = server_->next(now)) send(*datagram, down_);
-  } while (offer_next(now));
-  while (const auto datagram = client_->next(now)) send(*datagram, up_);
+  do network_.transmit_from_server(now);
+  while (offer_next(now));
+  network_.transmit_from_client(now);
   send_segments(now);
 }
 
@@ -81,8 +70,8 @@ void ImpairedPath::send_segments(SessionTime now) {
   for (Segmented& outgoing : stream_) {
     while (outgoing.unsent_B > 0) {
       const std::size_t bytes = std::min(outgoing.unsent_B, kSegment_B);
-      if (!down_.has_room(since_begin(now), bytes)) return;
-      down_.send(since_begin(now), {.bytes = std::vector<std::byte>(bytes), .stream = true});
+      if (!network_.down().has_room(network_.since_begin(now), bytes)) return;
+      network_.down().send(network_.since_begin(now), {.bytes = std::vector<std::byte>(bytes), .stream = true});
       outgoing.unsent_B -= bytes;
     }
   }
@@ -90,20 +79,14 @@ void ImpairedPath::send_segments(SessionTime now) {
 
 std::vector<wire::Message> ImpairedPath::receive(SessionTime now) {
   std::vector<wire::Message> arrived;
-  while (const auto packet = up_.receive(since_begin(now))) (void)server_->received(packet->bytes, now);
-  deliver(now, arrived);
+  network_.deliver(now, [&](std::size_t bytes) { deliver_segment(bytes, arrived); });
+  deliver_frames(now, arrived);
   transmit(now);
   return arrived;
 }
 
-void ImpairedPath::deliver(SessionTime now, std::vector<wire::Message>& arrived) {
-  while (const auto packet = down_.receive(since_begin(now))) {
-    if (packet->stream)
-      deliver_segment(packet->bytes.size(), arrived);
-    else
-      (void)client_->received(packet->bytes, now);
-  }
-  while (const std::optional<link::Frame> frame = client_->take(now)) {
+void ImpairedPath::deliver_frames(SessionTime now, std::vector<wire::Message>& arrived) {
+  while (const std::optional<link::Frame> frame = network_.client().take(now)) {
     std::optional<wire::Message> message = wire::message_of(*frame);
     if (message && frame->newest) arrived.push_back(std::move(*message));
     if (!frame->newest && frame->channel == wire::kCameraDepth.datagram_channel) ++late_images_;
@@ -128,22 +111,10 @@ std::vector<wire::Message> ImpairedPath::end() {
 }
 
 std::optional<SessionTime> ImpairedPath::due(SessionTime now) const {
-  std::optional<SessionTime> earliest;
-  const auto consider = [&](std::optional<SessionTime> at) {
-    if (at && (!earliest || *at < *earliest)) earliest = at;
-  };
-  const auto arrival = [&](const impaired::ImpairedLink& link) -> std::optional<SessionTime> {
-    const std::optional<Nanoseconds> next = link.next_arrival();
-    return next ? std::optional(begin_ + *next) : std::nullopt;
-  };
-  consider(arrival(down_));
-  consider(arrival(up_));
-  consider(server_->due(now));
-  consider(client_->due(now));
+  const std::optional<SessionTime> due = network_.due(now);
   const bool waits = (!stream_.empty() && stream_.back().unsent_B > 0) ||
                      std::any_of(waiting_.begin(), waiting_.end(), [](const auto& one) { return !one.second.empty(); });
-  if (waits) consider(now + kRoomAgain);
-  return earliest;
+  return waits ? std::min(due.value_or(now + kRoomAgain), now + kRoomAgain) : due;
 }
 
 }  // namespace telepalp::playback

@@ -6,9 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "proto/impaired/impaired_link.h"
-#include "proto/impaired/profiles.h"
-#include "proto/link/datagram_link.h"
+#include "proto/impaired/impaired_pair.h"
 #include "proto/wire/datagram_message.h"
 
 namespace telepalp::playback {
@@ -39,7 +37,7 @@ class ImpairedPath {
   [[nodiscard]] std::vector<wire::Message> end();
 
   /// Counts of the direction from the patient's site.
-  [[nodiscard]] const impaired::LinkStatistics& statistics() const noexcept { return down_.statistics(); }
+  [[nodiscard]] const impaired::LinkStatistics& statistics() const noexcept { return network_.down().statistics(); }
   /// Number of depth images that were left out, because a newer one had arrived before.
   [[nodiscard]] std::uint64_t late_images() const noexcept { return late_images_; }
 
@@ -50,22 +48,16 @@ class ImpairedPath {
     std::size_t missing_B;  ///< not arrived yet
   };
   using Waiting = std::deque<wire::Message>;
-  [[nodiscard]] Nanoseconds since_begin(SessionTime now) const noexcept { return now - begin_; }
-  void begin_link_session();
   void wait_for_link(wire::Message message);
   [[nodiscard]] bool offer_next(SessionTime now);
   void transmit(SessionTime now);
   void send_segments(SessionTime now);
-  void deliver(SessionTime now, std::vector<wire::Message>& arrived);
+  void deliver_frames(SessionTime now, std::vector<wire::Message>& arrived);
   void deliver_segment(std::size_t bytes, std::vector<wire::Message>& arrived);
 
-  const SessionTime begin_;
-  impaired::ImpairedLink down_;  // from the patient's site
-  impaired::ImpairedLink up_;    // feedback and requests for repair
   std::uint32_t link_session_ = 0;
-  std::optional<link::DatagramLink> server_;  // set always
-  std::optional<link::DatagramLink> client_;  // set always
-  std::map<std::uint8_t, Waiting> waiting_;   // by datagram channel
+  impaired::ImpairedPair network_;           // the server is the patient's site
+  std::map<std::uint8_t, Waiting> waiting_;  // by datagram channel
   std::deque<Segmented> stream_;
   std::size_t stream_B_ = 0;
   std::uint64_t late_images_ = 0;

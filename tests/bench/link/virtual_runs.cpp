@@ -1,17 +1,12 @@
 #include <cstring>
 
-#include "proto/impaired/impaired_link.h"
-#include "proto/link/datagram_link.h"
+#include "proto/impaired/impaired_pair.h"
 #include "tests/bench/link/camera_feed.h"
 
 namespace telepalp::bench::link {
 namespace {
 
 using namespace std::chrono_literals;
-using telepalp::link::Datagram;
-using telepalp::link::DatagramLink;
-using telepalp::link::End;
-using telepalp::link::Frame;
 
 constexpr Nanoseconds kStep = 250us;
 
@@ -39,10 +34,8 @@ class TelepalpRun {
  public:
   explicit TelepalpRun(const Scenario& scenario)
       : scenario_(scenario),
-        down_(scenario.down, scenario.seed),
-        up_(scenario.up, scenario.seed + 1),
-        server_(settings_of(scenario), End::Server),
-        client_(settings_of(scenario), End::Client),
+        path_(SessionTime{}, {.name = {}, .down = scenario.down, .up = scenario.up}, scenario.seed,
+              settings_of(scenario)),
         feed_(scenario) {}
 
   Outcome outcome() {
@@ -52,13 +45,12 @@ class TelepalpRun {
  private:
   void step(Nanoseconds now) {
     const SessionTime at{now};
-    deliver(up_, server_, at);
-    deliver(down_, client_, at);
-    if ((server_.key_frames_wanted() & (1U << kDepth)) != 0) next_depth_is_key_ = true;
+    path_.deliver(at);
+    if ((path_.server().key_frames_wanted() & (1U << kDepth)) != 0) next_depth_is_key_ = true;
     for (CameraImage& image : feed_.due(now)) offer(std::move(image));
-    feed_.outcome().sent_B += transmit(server_, down_, at);
-    feed_.outcome().answered_B += transmit(client_, up_, at);
-    while (const auto frame = client_.take(at)) {
+    feed_.outcome().sent_B += static_cast<double>(path_.transmit_from_server(at));
+    feed_.outcome().answered_B += static_cast<double>(path_.transmit_from_client(at));
+    while (const auto frame = path_.client().take(at)) {
       if (frame->newest && frame->channel == kDepth) ++feed_.outcome().shown;
       feed_.complete(static_cast<Image>(frame->channel), frame->number, frame->captured.time_since_epoch(),
                      frame->bytes.size(), now);
@@ -70,31 +62,16 @@ class TelepalpRun {
       ++feed_.outcome().key_frames;
       next_depth_is_key_ = false;
     }
-    const auto replaced = server_.offer({.channel = image.image,
-                                         .number = image.number,
-                                         .key_frame = !depends,
-                                         .captured = SessionTime{image.captured},
-                                         .bytes = std::move(image.bytes)});
+    const auto replaced = path_.server().offer({.channel = image.image,
+                                                .number = image.number,
+                                                .key_frame = !depends,
+                                                .captured = SessionTime{image.captured},
+                                                .bytes = std::move(image.bytes)});
     if (replaced && image.image == kDepth && depends) next_depth_is_key_ = true;
-  }
-  static void deliver(impaired::ImpairedLink& from, DatagramLink& to, SessionTime at) {
-    while (const auto packet = from.receive(at.time_since_epoch())) (void)to.received(packet->bytes, at);
-  }
-  static double transmit(DatagramLink& from, impaired::ImpairedLink& to, SessionTime at) {
-    double bytes = 0.0;
-    while (const std::optional<Datagram> datagram = from.next(at)) {
-      const auto span = datagram->bytes();
-      to.send(at.time_since_epoch(), {.bytes = {span.begin(), span.end()}});
-      bytes += static_cast<double>(span.size());
-    }
-    return bytes;
   }
 
   Scenario scenario_;
-  impaired::ImpairedLink down_;
-  impaired::ImpairedLink up_;
-  DatagramLink server_;
-  DatagramLink client_;
+  impaired::ImpairedPair path_;
   CameraFeed feed_;
   bool next_depth_is_key_ = false;
 };
