@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/loop/rig_tick.h"
+#include "haptic_station/core/tick_stage.h"
 #include "haptic_station/trials/trial_skin.h"
 #include "haptic_station/trials/virtual_station.h"
 
@@ -13,7 +13,7 @@ class LoopStation {
   LoopStation(const VirtualStationSettings& settings, TrialSkin& skin)
       : settings_(settings),
         skin_(skin),
-        loop_({.touch = {}, .hand = settings.estimate}, {settings.control, settings.effects}),
+        ticks_(settings.control, settings.effects, {.touch = {}, .hand = settings.estimate}),
         pair_(settings.device, settings.hand),
         tracker_(settings.tracker, settings.seed) {}
 
@@ -27,8 +27,7 @@ class LoopStation {
                            .dt_s = settings_.tick_s,
                            .surface = skin_.newer(now_s, pair_.device())};
     HeldPair<Person> rig(*this, person);
-    const loop::TickOut act = loop::tick_at_rig(
-        loop_, rig, due, [](const loop::TickIn&) {}, [](const loop::TickIn&, const loop::TickOut&) {});
+    const loop::TickOut act = ticks_.run(rig, due);
     ++tick_;
     return act;
   }
@@ -64,7 +63,7 @@ class LoopStation {
 
   VirtualStationSettings settings_;
   TrialSkin& skin_;
-  loop::HapticLoop loop_;
+  core::TickStage ticks_;
   device::SimulatedPair pair_;
   device::SimulatedTracker tracker_;
   std::uint64_t tick_ = 0;

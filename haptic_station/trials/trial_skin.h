@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/loop/tick.h"
 
 namespace telepalp::trials {
 

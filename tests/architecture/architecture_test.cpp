@@ -20,7 +20,7 @@ namespace {
 
 const std::vector<Rule> kRules{
     {"proto/words", {"proto/words"}},
-    {"proto/impaired", {"proto/words", "proto/impaired"}},
+    {"proto/impaired", {"proto/words", "proto/link", "proto/impaired"}},
     {"proto/link", {"proto/words", "proto/link"}},
     {"proto/keys", {"proto/words", "proto/keys"}},
     // The codec's byte decides of a message that does not say whether it is a key frame: see codec/unmarked.
@@ -120,6 +120,14 @@ TEST(Architecture, WithoutOneOfItsDoorsARoomFailsTheCheck) {
     }
   EXPECT_GT(missed, rooms.doors.size());
   std::cout << missed << " doors are missed when they are removed\n";
+}
+
+TEST(Architecture, EveryDoorIsOpenedFromOutside) {
+  Includes all = the_house().includes;
+  for (const std::string& file : sources("tests")) all[file] = includes(file);
+  for (const auto& [room, doors] : the_house().rooms.doors)
+    for (const std::string& door : doors)
+      EXPECT_TRUE(is_included_from_outside(all, door, room)) << door << " is a door that nobody opens";
 }
 
 TEST(Architecture, EveryRoomHasAFewDoorsOrAReason) {
@@ -237,6 +245,38 @@ TEST(Architecture, TheSequenceOfATickIsWrittenOnce) {
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, (std::vector<std::string>{"haptic_station/core/journal/journal_replay.cpp",
                                              "haptic_station/loop/rig_tick.h"}));
+}
+
+/// Who builds a surface or a tick from their parts, instead of driving the stages of haptic_station/core; and who
+/// decodes depth, instead of giving a stage the messages.
+std::vector<std::string> past_the_stages(const std::string& file, const std::string& code) {
+  static const std::regex kParts(R"re(\b(SurfaceBuilder|HapticLoop)\b|/(surface_builder|haptic_loop)\.h)re");
+  static const std::regex kDecodes(R"re(\bDepthReader\b)re");
+  std::vector<std::string> found;
+  for (std::istringstream lines(code); lines;) {
+    std::string line;
+    std::getline(lines, line);
+    if (std::regex_search(line, kParts) ||
+        (std::regex_search(line, kDecodes) && file != "tools/replay/source/tape.cpp"))
+      found.push_back(file + ": " + line);
+  }
+  return found;
+}
+
+/// The benchmark of a tick's and a snapshot's cost measures these two classes themselves.
+constexpr const char* kMeasuresTheParts = "tests/bench/hand/cost.cpp";
+
+TEST(Architecture, WhatSimulatesTheStationDrivesTheStagesOfItsCore) {
+  for (const char* folder : {"tests/bench/hand", "tools/replay", "haptic_station/trials"}) {
+    const std::vector<std::string> files = sources(folder);
+    EXPECT_GT(files.size(), 5U) << folder;
+    for (const std::string& file : files)
+      if (file != kMeasuresTheParts)
+        for (const std::string& place : past_the_stages(file, code_of(file))) ADD_FAILURE() << place;
+  }
+  EXPECT_FALSE(past_the_stages("tools/planted.cpp", "surface::SurfaceBuilder builder(settings);").empty());
+  EXPECT_FALSE(past_the_stages("tools/planted.cpp", "codec::DepthReader reader;").empty());
+  EXPECT_TRUE(past_the_stages("tools/replay/source/tape.cpp", "codec::DepthReader reader;").empty());
 }
 
 TEST(Architecture, AClientIsThin) { expect_none(banned_includes(the_house().includes, {"clients"}, kThickLibraries)); }

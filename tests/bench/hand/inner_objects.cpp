@@ -90,14 +90,14 @@ Met met_at(Object object, const capture::PatientPose& pose, const Eigen::Vector3
   Met result;
   bool met = false;
   run(feed, station, 8.2, [&](const Tick& tick) {
-    const effects::ObjectTouch touch = station.loop().controller().effects().touch();
+    const effects::ObjectTouch touch = station.ticks().effects().touch();
     if (met || !tick.displayed || (touch != effects::ObjectTouch::Upper && touch != effects::ObjectTouch::Lateral))
       return;
     met = true;
     result.depth_m = tick.true_depth_m;
     // The head is at the image's left: a slide towards it is one towards -x, and one to the right side towards -z.
     const Eigen::Vector3d true_m{-pose.slide_m.x(), pose.rise_m, -pose.slide_m.y()};
-    for (const loop::ObjectPlacement& placement : station.loop().objects()) {
+    for (const loop::ObjectPlacement& placement : station.ticks().objects()) {
       if (!placement.watched) continue;
       result.beside_m = (Eigen::Vector3f(placement.moved.data()).cast<double>() - true_m).norm();
       result.unseen |= placement.unseen;

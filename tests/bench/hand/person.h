@@ -5,7 +5,7 @@
 
 #include "haptic_station/device/simulated_pair.h"
 #include "haptic_station/device/simulated_tracker.h"
-#include "haptic_station/loop/haptic_loop.h"
+#include "haptic_station/loop/tick.h"
 
 namespace telepalp::bench::hand {
 

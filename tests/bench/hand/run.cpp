@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace telepalp::bench::hand {
-namespace {
-
-control::EncounteredController controller_of(const StationSettings& settings) {
-  return {settings.control, settings.effects};
-}
-
-}  // namespace
-
 StationSettings with_skin(effects::SkinAnchor anchor, double stiffness_N_per_m) {
   StationSettings settings;
   (void)settings.effects.add(effects::Skin({.law = effects::linear_law(stiffness_N_per_m), .anchor = anchor}));
@@ -24,7 +16,7 @@ BenchStation::BenchStation(const StationSettings& settings,
       haptic_from_camera_(haptic_from_camera),
       camera_from_haptic_(haptic_from_camera.inverse()),
       person_(std::move(person)),
-      loop_(settings.loop, controller_of(settings)),
+      ticks_(settings.control, settings.effects, settings.loop),
       tracker_({}, settings.seed),
       before_m_(person_->device().m) {}
 
@@ -32,21 +24,40 @@ void BenchStation::receive(std::shared_ptr<const surface::SurfaceSnapshot> snaps
   if (snapshot) arriving_.push_back({time_s + settings_.extra_delay_s, std::move(snapshot)});
 }
 
+/// The person, the device and the tracker, with their faults. The person moves after the tick, when the true skin of
+/// its instant is known.
+class BenchStation::HeldRig final : public ports::Rig {
+ public:
+  HeldRig(BenchStation& station, double time_s) noexcept : station_(station), time_s_(time_s) {}
+  ports::DeviceReading read() noexcept override {
+    ports::DeviceReading reading = station_.person_->read();
+    station_.settings_.spoil(time_s_, reading);
+    return reading;
+  }
+  std::optional<ports::HandSample> hand(SessionTime now) noexcept override {
+    const auto sample = station_.tracker_.sample(time_s_, station_.person_->hand());
+    const bool heard = sample && !station_.settings_.tracker_silent(time_s_);
+    return heard ? std::optional(ports::HandSample{now, *sample}) : std::nullopt;
+  }
+  void apply(const Wrench<HapticBase>&, const ports::SurfaceContact&, double) noexcept override {}
+
+ private:
+  BenchStation& station_;
+  double time_s_;
+};
+
 Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
-  const SessionTime now = at_time(time_s);
-  loop::TickIn in{.now = now, .dt_s = kTick_s, .reading = person_->read()};
+  loop::TickIn due{.now = at_time(time_s), .dt_s = kTick_s};
   const loop::TouchableSurface before = touched_;  // the loop refers to it until this tick
   for (; !arriving_.empty() && arriving_.front().at_s <= time_s; arriving_.pop_front()) {
     touched_ = {arriving_.front().snapshot, haptic_from_camera_};
-    in.surface = &touched_;
+    due.surface = &touched_;
   }
-  if (const auto sample = tracker_.sample(time_s, person_->hand()); sample && !settings_.tracker_silent(time_s))
-    in.hand = {now, *sample};
-  settings_.spoil(time_s, in.reading);
   Tick tick{.time_s = time_s, .device_m = person_->device().m};
   tick.moved_m = tick.device_m - before_m_;
   before_m_ = tick.device_m;
-  const loop::TickOut act = loop_.tick(in);
+  HeldRig rig(*this, time_s);
+  const loop::TickOut act = ticks_.run(rig, due);
   tick.force_N = act.force.N;
   tick.control = act.control;
   tick.surface_age_s = act.contact.age_s;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "haptic_station/core/tick_stage.h"
 #include "tests/bench/hand/feed.h"
 #include "tests/bench/hand/patient.h"
 #include "tests/bench/hand/person.h"
@@ -17,7 +18,7 @@ inline constexpr double kSkin_N_per_m = 500.0;
 struct StationSettings {
   effects::EffectBank effects;
   control::ControlSettings control;
-  loop::HapticLoop::Settings loop;
+  core::TickStage::Settings loop;
   double extra_delay_s = 0.0;  ///< extra delay of the snapshots, in addition to the feed's link
   std::uint64_t seed = 1;
   std::function<bool(double time_s)> tracker_silent = [](double) { return false; };
@@ -45,7 +46,7 @@ struct Tick {
   }
 };
 
-/// One haptic loop with a person at it, fed by a feed that it may share with others.
+/// One station's tick with a person at it, fed by a feed that it may share with others.
 class BenchStation {
  public:
   BenchStation(const StationSettings& settings, const Transform<HapticBase, DepthCamera>& haptic_from_camera,
@@ -55,9 +56,10 @@ class BenchStation {
   /// One tick. `truth`: the true surface of this instant.
   [[nodiscard]] Tick step(double time_s, const capture::TrueSurface& truth);
   [[nodiscard]] Point<DepthCamera> device_camera() const { return camera_from_haptic_ * person_->device(); }
-  [[nodiscard]] const loop::HapticLoop& loop() const noexcept { return loop_; }
+  [[nodiscard]] const core::TickStage& ticks() const noexcept { return ticks_; }
 
  private:
+  class HeldRig;
   struct Arriving {
     double at_s;
     std::shared_ptr<const surface::SurfaceSnapshot> snapshot;
@@ -66,7 +68,7 @@ class BenchStation {
   Transform<HapticBase, DepthCamera> haptic_from_camera_;
   Transform<DepthCamera, HapticBase> camera_from_haptic_;
   std::unique_ptr<Person> person_;
-  loop::HapticLoop loop_;
+  core::TickStage ticks_;
   device::SimulatedTracker tracker_;
   std::deque<Arriving> arriving_;
   loop::TouchableSurface touched_;

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "haptic_station/core/built_effects.h"
-#include "haptic_station/loop/rig_tick.h"
 
 namespace telepalp::replay {
 namespace {
@@ -26,14 +25,14 @@ class ReplayedStation::Telemetry {
     publish_(outbox_.event(msg::EVENT_KIND_SCENE, "scene " + scene + ", in virtual time", kBegin));
   }
 
-  void add(loop::TickSample sample, SessionTime now, const loop::HapticLoop& loop) {
+  void add(loop::TickSample sample, SessionTime now, const core::TickStage& stage) {
     sample.tick = ticked_++;
     sample.stamp_ns = to_nanoseconds(now);
     batch_.push_back(sample);
     if (ticked_ % kTicksPerState != 0) return;
     for (wire::Message& message : outbox_.ticks(batch_, now)) publish_(std::move(message));
     batch_.clear();
-    loop::Compensation compensation = loop.compensation();
+    loop::Compensation compensation = stage.compensation();
     compensation.stamp_ns = sample.stamp_ns;
     publish_(outbox_.compensation(compensation, now));
     if (ticked_ % kTicksPerTotals == 0) publish_(outbox_.totals({.frames_dropped = received_ - touched_}, now));
@@ -59,7 +58,7 @@ class ReplayedStation::Telemetry {
 ReplayedStation::ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish)
     : scenario_(scenario),
       rig_(rig_of(setup, scenario)),
-      loop_({}, {setup.scene.control, core::bank_of(setup.scene.effects)}),
+      ticks_(setup.scene.control, core::bank_of(setup.scene.effects)),
       surfaces_(
           setup.surface, [placed = setup.haptic_from_camera](const DepthImage&, const Intrinsics&) { return placed; },
           core::bank_of(setup.scene.effects)),
@@ -133,18 +132,18 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
   }
   TickOutcome out{.at = true_now, .tracker_lost = any_contains(scenario_.faults.tracker_lost, since)};
   watch.sample(Part::Loop, [&] {
-    out.act = loop::tick_at_rig(
-        loop_, *rig_, {.now = clock(true_now), .dt_s = to_seconds(kTick), .surface = newer ? &*newer : nullptr},
+    out.act = ticks_.run(
+        *rig_, {.now = clock(true_now), .dt_s = to_seconds(kTick), .surface = newer ? &*newer : nullptr},
         [&](loop::TickIn& in) {
           if (out.tracker_lost) in.hand.reset();
-          out.device = loop_.in_patient_frame(in.reading.at);
+          out.device = ticks_.in_patient_frame(in.reading.at);
           in.reading = spoiled(in.reading, since);
-          device_ = loop_.in_patient_frame(in.reading.at);
+          device_ = ticks_.in_patient_frame(in.reading.at);
         },
         [](const loop::TickIn&, const loop::TickOut&) {});
   });
   if (newer) touched_ = std::move(*newer);  // the loop no longer refers to the last snapshot
-  if (telemetry_) watch.sample(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, loop_); });
+  if (telemetry_) watch.sample(Part::Record, [&] { telemetry_->add(out.act.sample, true_now, ticks_); });
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "haptic_station/core/collision_stage.h"
 #include "haptic_station/core/outbox/outbox.h"
 #include "haptic_station/core/surface_stage.h"
+#include "haptic_station/core/tick_stage.h"
 #include "haptic_station/core/virtual_driver.h"
 #include "haptic_station/scenes/scene.h"
 #include "tools/replay/cell/hands.h"
@@ -60,7 +61,7 @@ class ReplayedStation {
 
   Scenario scenario_;
   std::unique_ptr<ports::Rig> rig_;
-  loop::HapticLoop loop_;
+  core::TickStage ticks_;
   core::SurfaceStage surfaces_;
   core::VirtualDriver<core::SurfaceStage> surface_driver_;
   std::optional<core::CollisionStage> collision_;  // nullopt: the surface is evaluated in the tick

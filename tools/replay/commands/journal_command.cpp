@@ -6,6 +6,7 @@
 
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/journal/journal_replay.h"
+#include "haptic_station/core/tick_stage.h"
 #include "haptic_station/station/rigs/journaled_scene.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "support/program/files/whole_file.h"
@@ -48,14 +49,14 @@ class ForceFiles {
 
 JournalVerdict verdict_of(JournalReader& reader, const station::JournaledScene& journaled, ForceFiles* files) {
   const scenes::Scene& scene = journaled.scene;
-  loop::HapticLoop loop({}, {scene.control, core::bank_of(scene.effects)});
+  core::TickStage ticks(scene.control, core::bank_of(scene.effects));
   core::SurfaceStage surfaces(
       journaled.surface,
       [&scene](const DepthImage& depth, const Intrinsics& camera) { return station::placed(scene, depth, camera); },
       core::bank_of(scene.effects));
   core::CollisionStage collision;
   const bool in_tick = surface::runs_in_tick(journaled.surface);
-  core::JournalReplay replay(loop, surfaces, in_tick ? nullptr : &collision,
+  core::JournalReplay replay(ticks.loop(), surfaces, in_tick ? nullptr : &collision,
                              [files](const msg::JournalTick& tick, const Eigen::Vector3d& force_N) {
                                if (files != nullptr) files->add(tick, force_N);
                              });
