@@ -9,7 +9,8 @@ namespace telepalp::capture {
 Result<std::unique_ptr<CaptureSource>> open_session(const std::string& file, const SourceOptions& options) {
   Result<SessionFrames> frames = SessionFrames::open(file, options.keep_compressed);
   if (!frames) return frames.error();
-  return play_recorded(std::make_unique<SessionFrames>(std::move(*frames)), "plays the recorded session " + file, options);
+  return play_recorded(std::make_unique<SessionFrames>(std::move(*frames)), "plays the recorded session " + file,
+                       options);
 }
 
 }  // namespace telepalp::capture

@@ -158,7 +158,8 @@ std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& 
     tick.force_N = displayed.law_N() * displayed.normal;
     tick.displayed = displayed.law_N() > 0.0;
     work.add(tick, tick.force_N);
-    person->apply({.force = {tick.force_N}, .torque = {}, .contact = {}, .control = {}, .sample = {}}, tick.time_s, kTick_s);
+    person->apply({.force = {tick.force_N}, .torque = {}, .contact = {}, .control = {}, .sample = {}}, tick.time_s,
+                  kTick_s);
   }
   return work.contacts();
 }

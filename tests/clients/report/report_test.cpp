@@ -111,7 +111,8 @@ TEST(Verdict, ASatelliteIsNamedAsTheCauseAndNothingElse) {
   EXPECT_FALSE(verdict.good);
   EXPECT_TRUE(verdict.headline.starts_with("Check this run: the network made the touch 4")) << verdict.headline;
   ASSERT_EQ(verdict.causes.size(), 1U) << verdict.causes[1].what;
-  EXPECT_NE(verdict.causes[0].what.find("resembles the profile “satellite”, on which telepalp allows 450 ms"), std::string::npos)
+  EXPECT_NE(verdict.causes[0].what.find("resembles the profile “satellite”, on which telepalp allows 450 ms"),
+            std::string::npos)
       << verdict.causes[0].what;
   EXPECT_NE(verdict.causes[0].to_do.find("path"), std::string::npos);
   EXPECT_TRUE(judge(over_a_network(395.0), *path_named("satellite")).good) << "by the limits of its own path";
@@ -327,10 +328,10 @@ TEST(CompensationFigures, HaveWordsOnTheAxisOfWhatIsSeenOfTheSkin) {
 
 TEST(ReportHtml, ExplainsItsWordsAndItsTwoBasesOfShares) {
   const std::string html = html_of(session_of({}));
-  for (const char* words : {"<dt>drive</dt>", "<dt>display</dt>", "<dt>proxy</dt>",
-                            "The shares are of the 4 s in which the",
-                            "Every share is of the images that the server had for the station",
-                            "depth images that the camera took, per second", "depth, touchable at the station"})
+  for (const char* words :
+       {"<dt>drive</dt>", "<dt>display</dt>", "<dt>proxy</dt>", "The shares are of the 4 s in which the",
+        "Every share is of the images that the server had for the station",
+        "depth images that the camera took, per second", "depth, touchable at the station"})
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 

@@ -84,7 +84,7 @@ void run(const BodyScene& scene) {
     if (now_s * kFrame_hz >= frames) {
       ++frames;
       auto newer = builder.add(seen_of(scene, now_s, camera), kCamera, at_s(now_s),
-                               surface::Reach{placed().inverse() * device, 0.16});
+                               surface::Reach{placed().inverse() * device, surface::kReach_m});
       if (newer) in.surface = shown.show({std::move(newer), placed()});
     }
     if (tick % LoopScene::kTicksPerSample == 0) in.hand = {at_s(now_s), device};
