@@ -10,7 +10,7 @@
 #include "clients/ar/shapes.h"
 #include "clients/ar/view_choice.h"
 #include "proto/words/drawn_sizes.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::ar {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 #include "support/program/json.h"
 
 namespace telepalp::view {

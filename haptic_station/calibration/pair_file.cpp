@@ -4,7 +4,7 @@
 #include <string>
 
 #include "haptic_station/calibration/number_rows.h"
-#include "proto/words/number_row.h"
+#include "proto/words/numbers/number_row.h"
 
 namespace telepalp::calibration {
 namespace {

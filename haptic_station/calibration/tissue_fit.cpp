@@ -8,7 +8,7 @@
 
 #include "haptic_station/calibration/number_rows.h"
 #include "proto/words/counted.h"
-#include "proto/words/number_row.h"
+#include "proto/words/numbers/number_row.h"
 
 namespace telepalp::calibration {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {

@@ -10,7 +10,7 @@
 
 #include "haptic_station/surface/touch/touch.h"
 #include "proto/words/counted.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::probe {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "proto/words/cubic_b_spline.h"
+#include "proto/words/numbers/cubic_b_spline.h"
 
 namespace telepalp::solids {
 DistanceAt distance_at(const DistanceLattice& lattice, const Eigen::Vector3d& point_m) noexcept {

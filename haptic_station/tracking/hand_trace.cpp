@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "haptic_station/tracking/hand_axes.h"
-#include "proto/words/number_row.h"
 #include "proto/words/number_word.h"
+#include "proto/words/numbers/number_row.h"
 
 namespace telepalp::tracking {
 namespace {

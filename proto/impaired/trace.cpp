@@ -6,7 +6,7 @@
 #include <string>
 
 #include "proto/impaired/profiles.h"
-#include "proto/words/number_row.h"
+#include "proto/words/numbers/number_row.h"
 
 namespace telepalp::impaired {
 namespace {

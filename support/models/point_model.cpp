@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "proto/words/error_line.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::models {
 namespace {

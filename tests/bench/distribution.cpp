@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::bench {
 

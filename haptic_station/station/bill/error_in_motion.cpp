@@ -9,7 +9,7 @@
 #include "haptic_station/loop/rig_tick.h"
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::station {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::station {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "haptic_station/station/rigs/model_cache.h"
 #include "haptic_station/surface/cloud/static_model.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 #include "support/models/text_cursor.h"
 #include "support/program/log.h"
 

@@ -5,7 +5,7 @@
 
 #include "haptic_station/surface/build/normal_sums.h"
 #include "haptic_station/surface/build/patch_terms.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
 namespace {

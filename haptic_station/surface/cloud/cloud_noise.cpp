@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
 namespace {

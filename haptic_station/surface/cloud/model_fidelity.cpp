@@ -6,7 +6,7 @@
 
 #include "haptic_station/surface/cloud/static_model.h"
 #include "haptic_station/surface/touch/touch.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "haptic_station/surface/cloud/cloud_noise.h"
 #include "haptic_station/surface/cloud/cloud_orientation.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "haptic_station/surface/temporal/filter_rows.h"
-#include "proto/words/cubic_b_spline.h"
+#include "proto/words/numbers/cubic_b_spline.h"
 
 namespace telepalp::surface {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "haptic_station/organs/organ_shape.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 #include "where.h"
 

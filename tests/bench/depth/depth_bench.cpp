@@ -9,7 +9,7 @@
 #include "codec/context/kernel.h"
 #include "codec/depth_stream.h"
 #include "codec/levels/level_palette.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 #include "server/capture/capture_source.h"
 #include "tests/bench/depth/depth_asked.h"
 #include "tests/bench/depth/depth_peers.h"

@@ -11,7 +11,7 @@
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/solids/polish.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::bench {
 namespace {

@@ -96,7 +96,8 @@ Outcome run(const capture::SyntheticPatient& patient, double seconds) {
       outcome.add(loop.compensation());
       before = act;
     }
-    reach = surface::Reach{.centre = haptic_from_camera.inverse() * before.contact.proxy, .radius_m = surface::kReach_m};
+    reach =
+        surface::Reach{.centre = haptic_from_camera.inverse() * before.contact.proxy, .radius_m = surface::kReach_m};
   }
   return outcome;
 }

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "haptic_station/surface/touch/touch.h"
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::testing {
 namespace {

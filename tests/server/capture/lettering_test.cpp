@@ -33,7 +33,7 @@ TEST(Lettering, ALowerLineShowsTheSameLettersSmaller) {
   ColorImage large = white(120, kFullLine_px);
   draw_text(large, 0, 0, "Ribs 8", {0, 0, 0});
   for (const int line_px : {22, 15, 9}) {
-    const double scale = double{line_px} / kFullLine_px;
+    const double scale = static_cast<double>(line_px) / kFullLine_px;
     ColorImage small = white(120, line_px);
     draw_text(small, 0, 0, "Ribs 8", {0, 0, 0}, line_px);
     EXPECT_NEAR(darkness(small, 0, 0, 120, line_px), scale * darkness(large, 0, 0, 120, kFullLine_px), 0.01) << line_px;

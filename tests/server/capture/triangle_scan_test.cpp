@@ -38,8 +38,10 @@ TEST(TriangleScan, TrianglesThatMeetLeaveNoPixelOutAndWeightsGiveThePixelBack) {
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         const int covered = times[static_cast<std::size_t>(y * kSide + x)];
-        if (x > 1 && x < 21 && y > 1 && y < 21) EXPECT_GE(covered, 1) << x << " " << y;
-        if (x < 1 || x > 21 || y < 1 || y > 21) EXPECT_EQ(covered, 0) << x << " " << y;
+        const bool is_inside = x > 1 && x < 21 && y > 1 && y < 21;
+        const bool is_outside = x < 1 || x > 21 || y < 1 || y > 21;
+        EXPECT_GE(covered, is_inside ? 1 : 0) << x << " " << y;
+        EXPECT_LE(covered, is_outside ? 0 : 4) << x << " " << y;
       }
   }
 }

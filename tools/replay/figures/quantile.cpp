@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "proto/words/quantile.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::replay {
 

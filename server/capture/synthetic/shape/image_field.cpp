@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "proto/words/cubic_b_spline.h"
 #include "proto/words/demand.h"
+#include "proto/words/numbers/cubic_b_spline.h"
 
 namespace telepalp::capture {
 ImageField::ImageField(int width, int height, std::vector<float> control)
