@@ -8,6 +8,7 @@
 #include "haptic_station/solids/solid_mesh.h"
 #include "proto/wire/inside/inside_message.h"
 #include "proto/wire/vector_message.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::core {
 namespace {
@@ -16,13 +17,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostPoints = 36'000;  // of all layers: 0.65 MB, drawn by any computer
 constexpr double kFinestGrid_m = 0.002;
-constexpr double kCellsPerGrid =
-    0.6;  // side of a cube of the surface / side of a grid cell; below 1, so that no hole opens
-
-void append_u16(std::string& bytes, std::uint32_t value) {
-  bytes.push_back(static_cast<char>(value & 0xff));
-  bytes.push_back(static_cast<char>(value >> 8));
-}
+// Side of a cube of the surface, in sides of a grid cell; below 1, so that no hole opens.
+constexpr double kCellsPerGrid = 0.6;
 
 /// Moves a point to the surface by Newton steps along the gradient, by at most `most_m`: a mean of surface points lies
 /// off a curved surface.
@@ -98,10 +94,12 @@ void pack(const solids::SolidMesh& mesh, msg::InnerStructure& structure) {
   structure.set_step_m(step_m);
   for (const Vector3d& point : mesh.points)
     for (int axis = 0; axis < 3; ++axis)
-      append_u16(*structure.mutable_points(),
-                 static_cast<std::uint32_t>(std::clamp(std::lround((point - least)[axis] / step_m), 0L, 65535L)));
+      append_little_endian<std::uint16_t>(
+          *structure.mutable_points(),
+          static_cast<std::uint16_t>(std::clamp(std::lround((point - least)[axis] / step_m), 0L, 65535L)));
   for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle) append_u16(*structure.mutable_triangles(), corner);
+    for (const std::uint32_t corner : triangle)
+      append_little_endian<std::uint16_t>(*structure.mutable_triangles(), static_cast<std::uint16_t>(corner));
 }
 
 void set_rotation(msg::Rotation& rotation, const Eigen::Quaterniond& q) {

@@ -5,8 +5,8 @@
 
 namespace telepalp::solids {
 
-/// The tree as an implicit function without the seams of its differences (kSeam_m), with the size of each of its shapes.
-/// Copies the tree.
+/// The tree as an implicit function without the seams of its differences (kSeam_m), with the size of each of its
+/// shapes. Copies the tree.
 [[nodiscard]] isosurface::Field field_of(const SolidTree& tree);
 
 }  // namespace telepalp::solids

@@ -11,8 +11,7 @@ constexpr std::uint64_t kTicksPerState = 20;  // 100 Hz
 constexpr std::uint64_t kTicksPerTotals = 2000;
 
 std::unique_ptr<ports::Rig> rig_of(const StationSetup& setup, const Scenario& scenario) {
-  return setup.recorded != nullptr ? recorded_hand(*setup.recorded)
-                                   : scripted_hand(scenario.hand, scenario.seed);
+  return setup.recorded != nullptr ? recorded_hand(*setup.recorded) : scripted_hand(scenario.hand, scenario.seed);
 }
 
 }  // namespace

@@ -67,8 +67,7 @@ void Invariants::check_force(const TickRecord& tick) {
     violated(with_number("the force is %.3f N, above the scene's limits.peak_N", force_N));
   const double step_N = double{(tick.force_N - last_force_N_).norm()};
   if (step_N > kRounding * control_.limits.slew_N_per_s * to_seconds(kTick) + 1e-6)
-    violated(with_number("the force changes by %.3f N in a tick, faster than the limiter allows",
-                         step_N));
+    violated(with_number("the force changes by %.3f N in a tick, faster than the limiter allows", step_N));
 }
 
 void Invariants::check_energy(const TickRecord& tick) {
