@@ -95,7 +95,7 @@ async function ticksOf(station, {seconds, scene}, folder) {
   const session = join(folder, 'session.mcap');
   const quiet = {stdio: 'ignore'};
   rmSync(ready, {force: true});
-  const server = spawn(join(ownPrograms, 'telepalp-server'), ['--source', 'synthetic', '--port', '0', '--http-port', '0', '--ready-file', ready], quiet);
+  const server = spawn(join(ownPrograms, 'telepalp-server'), ['--source', 'synthetic', '--port', '0', '--ready-file', ready], quiet);
   try {
     const at = `127.0.0.1:${await portOf(ready, server)}`;
     const recorder = spawn(join(ownPrograms, 'telepalp-record'), ['--connect', at, '--out', session, '--topics', '/station/ticks'], quiet);
