@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/solids/solid_mesh.h"
 #include "haptic_station/solids/solid_proxy.h"
@@ -143,7 +144,8 @@ Result<void> measure_absent(Report& report) {
   const auto plain = scenes::read_scene(std::string(kScenes) + "skin.scene.textproto");
   if (!plain) return plain.error();
   double others = 0.0;
-  for (const effects::EffectBill& line : plain->effects.bill())
+  const effects::EffectBank bank = core::bank_of(plain->effects);
+  for (const effects::EffectBill& line : bank.bill())
     if (std::string_view(line.name) != "skin") ++others;
   report.rows.push_back(at_most("scene with skin alone: number of other effects in its bill", others, "", 0.0));
   report.rows.push_back(
