@@ -105,7 +105,8 @@ class Bench {
        .on_bad_frame = [this](const Error& error) { keep(errors_, error); },
        .request_key_frame = [this](const wire::Message& message) { keep(wanted_, message.published); }},
       surfaces,
-      device};
+      device,
+      effects::EffectBank()};
 };
 
 std::vector<wire::Message> stream_of(codec::DepthMode mode, int frames, int key_every) {
