@@ -11,7 +11,9 @@
 #include "server/capture/capture_source.h"
 #include "server/gateway/gateway.h"
 #include "server/origin/camera_origin.h"
+#include "server/origin/opening_pool.h"
 #include "server/origin/session_shelf.h"
+#include "server/origin/source_choice.h"
 #include "server/pipeline/depth_options.h"
 #include "server/recording/session_recorder.h"
 #include "server/server.h"
@@ -212,7 +214,7 @@ std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
   return text;
 }
 
-/// The origin that --source names. The only place where its kind matters.
+/// The origin that --source names.
 Result<std::unique_ptr<origin::Origin>> open(const Asked& asked, origin::SessionShelf& shelf,
                                              boost::asio::io_context& io, const wire::SessionClock& clock) {
   if (asked.source.starts_with(kSession)) return shelf.play(asked.source.substr(kSession.size()), asked.loop);
@@ -230,34 +232,93 @@ std::string own_address(const std::string& bind, std::uint16_t port) {
 /// Lets the gateway's visitors begin and end recordings.
 origin::Resource recording_resource(recording::SessionRecorder& recorder) {
   return {.state = [&recorder] { return origin::state_message(recorder.state()); },
-          .change = [&recorder](const std::string& json, const std::string&) -> Result<void> {
+          .change = origin::at_once([&recorder](const std::string& json, const std::string&) -> Result<void> {
             const Result<msg::RecordingCommand> command = recording::read_command(json);
             if (!command) return command.error();
             return recorder.apply(*command, std::chrono::system_clock::now());
-          }};
-}
-
-/// Lets the gateway's visitors see and change the origin, record, and open recorded sessions for themselves.
-void offer(gateway::GatewayOptions& options, origin::Origin& origin, origin::SessionShelf& shelf,
-           recording::SessionRecorder* recorder) {
-  options.offer = origin.offer();
-  options.open_session = [&shelf](const origin::ReadingSpec& asked) { return shelf.read_alone(asked); };
-  if (recorder == nullptr) return;
-  options.resources[origin::kRecording.topic.name] = recording_resource(*recorder);
-  options.resources[origin::kSessions.topic.name] = {
-      .state = [&shelf] { return origin::state_message(shelf.list()); },
-      .change = [&shelf](const std::string& json, const std::string&) { return shelf.take(json); }};
+          })};
 }
 
 /// All parts of a running server. The later ones use the earlier ones.
 struct Parts {
   boost::asio::io_context io;
   std::unique_ptr<server::Server> server;
+  origin::OpeningPool opening{io};
   std::optional<origin::SessionShelf> shelf;
+  std::optional<origin::SourceChoice> sources;           // nullopt: no browsers
   std::unique_ptr<origin::Origin> origin;                // handed to the server at the start
   std::unique_ptr<recording::SessionRecorder> recorder;  // null: visitors may not record
   std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
 };
+
+/// Opens a source that a technician has chosen: a camera or the synthetic patient, or a recording of the folder.
+void open_later(Parts& parts, const Asked& asked, const std::string& name, origin::Progress progress,
+                origin::OpenedOrigin done) {
+  const bool is_first = name == asked.source;
+  if (!is_first && name.starts_with(kSession))
+    return parts.shelf->play_later(name.substr(kSession.size()), std::move(progress), done);
+  if (is_first && name.starts_with(kSession)) return parts.shelf->play_again(std::move(progress), done);
+  using Source = std::unique_ptr<capture::CaptureSource>;
+  const capture::SourceOptions options{.clock = parts.server->clock(), .loop = asked.loop, .paced = true};
+  parts.opening.run<Source>(
+      [name, options](const origin::Progress&) { return capture::open_source(name, options); }, std::move(progress),
+      [&parts, &asked, name, done](Result<Source> source) {
+        if (!source) return done(source.error());
+        parts.shelf->play_nothing();
+        done(origin::of_camera(parts.io, std::move(source).value(), name, asked.encode, parts.server->clock()));
+      });
+}
+
+std::vector<origin::SourceChoice::Source> found_cameras() {
+  std::vector<origin::SourceChoice::Source> found;
+  for (const capture::FoundCamera& camera : capture::find_cameras()) found.push_back({camera.spec, camera.name});
+  return found;
+}
+
+/// Lets technicians choose the source on the page.
+void open_sources(Parts& parts, const Asked& asked) {
+  parts.sources.emplace(
+      parts.opening,
+      origin::SourceChoice::Parts{
+          .first = {asked.source, "as the server was started"},
+          .recordings =
+              [&parts] {
+                std::vector<origin::SourceChoice::Source> all;
+                const msg::SessionList sessions = parts.shelf->list();
+                for (const auto& session : sessions.sessions())
+                  all.push_back({std::string(kSession) + session.name(), "a recording"});
+                return all;
+              },
+          .look_for_cameras = found_cameras,
+          .open =
+              [&parts, &asked](const std::string& name, origin::Progress progress, origin::OpenedOrigin done) {
+                open_later(parts, asked, name, std::move(progress), std::move(done));
+              },
+          .show =
+              [&parts](std::unique_ptr<origin::Origin> chosen) {
+                if (!parts.gateway) return;  // the server ends
+                parts.gateway->offer(chosen->offer());
+                parts.server->replace(std::move(chosen));
+              }});
+}
+
+/// Lets the gateway's visitors see and change the origin, record, and open recorded sessions for themselves.
+void offer(gateway::GatewayOptions& options, Parts& parts) {
+  origin::SessionShelf& shelf = *parts.shelf;
+  recording::SessionRecorder* const recorder = parts.recorder.get();
+  options.offer = parts.origin->offer();
+  options.resources[origin::kSource.topic.name] = parts.sources->resource();
+  options.open_session = [&shelf](const origin::ReadingSpec& asked, origin::Progress progress,
+                                  const origin::OpenedOrigin& done) {
+    shelf.read_alone(asked, std::move(progress), done);
+  };
+  if (recorder == nullptr) return;
+  options.resources[origin::kRecording.topic.name] = recording_resource(*recorder);
+  options.resources[origin::kSessions.topic.name] = {
+      .state = [&shelf] { return origin::state_message(shelf.list()); },
+      .change = [&shelf](const std::string& json, const std::string& who,
+                         origin::Resource::Done done) { shelf.take(json, who, std::move(done)); }};
+}
 
 Result<void> open_server(Parts& parts, Asked& asked) {
   if (asked.keys) {
@@ -268,9 +329,14 @@ Result<void> open_server(Parts& parts, Asked& asked) {
   Result<std::unique_ptr<server::Server>> listening = server::Server::listen(parts.io, asked.server);
   if (!listening) return listening.error();
   parts.server = std::move(listening).value();
-  parts.shelf.emplace(parts.io, parts.server->clock(),
-                      asked.recorder ? asked.recorder->folder : std::filesystem::path(), asked.compare_folder,
-                      log_line);
+  parts.shelf.emplace(
+      parts.io, parts.server->clock(), parts.opening,
+      origin::SessionShelf::Options{.recordings = asked.recorder ? asked.recorder->folder : std::filesystem::path(),
+                                    .compared = asked.compare_folder,
+                                    .say = log_line,
+                                    .on_brought = [access = asked.server.access](const std::string& text) {
+                                      access->note(access::AuditEvent::BroughtSession, text + " program=browser");
+                                    }});
   Result<std::unique_ptr<origin::Origin>> opened = open(asked, *parts.shelf, parts.io, parts.server->clock());
   if (!opened) return opened.error();
   parts.origin = std::move(opened).value();
@@ -292,7 +358,8 @@ Result<void> open_gateway(Parts& parts, Asked& asked) {
   asked.gateway->access = asked.server.access;
   asked.gateway->problem = [&server] { return server.problem(); };
   asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
-  offer(*asked.gateway, *parts.origin, *parts.shelf, parts.recorder.get());
+  open_sources(parts, asked);
+  offer(*asked.gateway, parts);
   auto listens = gateway::Gateway::open(
       parts.io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
   if (!listens) return listens.error();

@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <boost/asio/post.hpp>
 #include <cstdio>
 #include <utility>
 
@@ -50,11 +51,33 @@ Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_
 
 void Server::start(std::unique_ptr<origin::Origin> origin, std::function<void()> on_end) {
   started_ = std::chrono::steady_clock::now();
-  origin_ = std::move(origin);
-  origin_->start({.on_message = [this](wire::Message message) { publish(std::move(message)); },
-                  .on_end = std::move(on_end),
-                  .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
+  on_end_ = std::move(on_end);
+  run_origin(std::move(origin));
   publish_every_second();
+}
+
+/// What an origin that was replaced still has in the io_context is dropped.
+void Server::run_origin(std::unique_ptr<origin::Origin> origin) {
+  shown_since_ = std::chrono::steady_clock::now();
+  origin_ = std::move(origin);
+  const auto is_present = [this, present = origin_.get()] { return origin_.get() == present; };
+  origin_->start({.on_message =
+                      [this, is_present](wire::Message message) {
+                        if (is_present()) publish(std::move(message));
+                      },
+                  .on_end =
+                      [this, is_present] {
+                        if (is_present()) on_end_();
+                      },
+                  .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
+  if (origin_->chooses_prediction()) origin_->let_predict(predicts_);
+}
+
+void Server::replace(std::unique_ptr<origin::Origin> origin) {
+  if (stopped_) return;
+  origin_->stop();
+  boost::asio::post(io_, [ended = std::move(origin_)] {});  // after the messages that it has posted
+  run_origin(std::move(origin));
 }
 
 void Server::stop(const std::string& reason) {
@@ -75,7 +98,7 @@ void Server::publish(wire::Message message) {
 std::string Server::problem() const {
   if (origin_ && origin_->is_still()) return "";
   constexpr std::chrono::seconds kLongest{5};
-  const auto since = std::max(last_depth_, started_);
+  const auto since = std::max(last_depth_, shown_since_);
   return std::chrono::steady_clock::now() - since > kLongest
              ? "no depth image arrived for 5 s. fix: check the camera or the recording, and read the server's log"
              : "";

@@ -36,6 +36,10 @@ class Server {
   /// Publishes the messages of `origin`. `on_end` is called once when no more comes.
   void start(std::unique_ptr<origin::Origin> origin, std::function<void()> on_end);
 
+  /// Publishes the messages of `origin` instead of the present one's. The end of the new one comes to `on_end` of
+  /// start().
+  void replace(std::unique_ptr<origin::Origin> origin);
+
   /// Stops the origin, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.
   void stop(const std::string& reason);
 
@@ -53,6 +57,7 @@ class Server {
 
  private:
   Server(boost::asio::io_context& io, Options options);
+  void run_origin(std::unique_ptr<origin::Origin> origin);
   void publish(wire::Message message);
   void publish_every_second();
   void show_newcomers_the_picture();
@@ -74,7 +79,9 @@ class Server {
   bool predicts_ = true;                // depth images may depend on each other
   std::size_t most_waiting_bytes_ = 0;  // peak of the hub's queues since memory was last released
   std::chrono::steady_clock::time_point started_{};
-  std::unique_ptr<origin::Origin> origin_;  // from start() on
+  std::chrono::steady_clock::time_point shown_since_{};  // origin_, since it was started
+  std::unique_ptr<origin::Origin> origin_;               // from start() on
+  std::function<void()> on_end_;
 };
 
 }  // namespace telepalp::server

@@ -13,6 +13,7 @@ struct Permission {
 constexpr std::array kPermissions{
     Permission{Role::Technician, Operation::Watch},   Permission{Role::Technician, Operation::Record},
     Permission{Role::Technician, Operation::Metrics}, Permission{Role::Technician, Operation::Play},
+    Permission{Role::Technician, Operation::SetUp},
 
     Permission{Role::Doctor, Operation::Watch},       Permission{Role::Doctor, Operation::Touch},
     Permission{Role::Doctor, Operation::HandOver},    Permission{Role::Doctor, Operation::Record},
@@ -25,6 +26,7 @@ constexpr std::array kPermissions{
     Permission{Role::Local, Operation::Watch},        Permission{Role::Local, Operation::Touch},
     Permission{Role::Local, Operation::HandOver},     Permission{Role::Local, Operation::Record},
     Permission{Role::Local, Operation::Metrics},      Permission{Role::Local, Operation::Play},
+    Permission{Role::Local, Operation::SetUp},
 };
 
 }  // namespace
@@ -64,6 +66,8 @@ std::string_view name(Operation operation) noexcept {
       return "metrics";
     case Operation::Play:
       return "play";
+    case Operation::SetUp:
+      return "set up";
   }
   return "?";
 }

@@ -20,11 +20,12 @@ enum class Operation {
   Record,    ///< join as a recorder
   Metrics,   ///< read /metrics
   Play,      ///< control the playback of a session: pause, seek, speed
+  SetUp,     ///< choose the source that the server shows, and set the camera's exposure
 };
 
 inline constexpr std::array kRoles{Role::Technician, Role::Doctor, Role::Viewer, Role::Qa, Role::Local};
-inline constexpr std::array kOperations{Operation::Watch,  Operation::Touch,   Operation::HandOver,
-                                        Operation::Record, Operation::Metrics, Operation::Play};
+inline constexpr std::array kOperations{Operation::Watch,   Operation::Touch, Operation::HandOver, Operation::Record,
+                                        Operation::Metrics, Operation::Play,  Operation::SetUp};
 
 /// True if the table of permissions lists the pair; every other pair is denied.
 [[nodiscard]] bool allows(Role role, Operation operation) noexcept;

@@ -88,6 +88,12 @@ std::string_view name(AuditEvent event) noexcept {
       return "signed-out";
     case AuditEvent::OpenedSession:
       return "opened-session";
+    case AuditEvent::BroughtSession:
+      return "brought-session";
+    case AuditEvent::ChoseSource:
+      return "chose-source";
+    case AuditEvent::SetExposure:
+      return "set-exposure";
   }
   return "?";
 }

@@ -28,7 +28,10 @@ enum class AuditEvent {
   Refused,
   SignedIn,
   SignedOut,
-  OpenedSession
+  OpenedSession,
+  BroughtSession,
+  ChoseSource,
+  SetExposure
 };
 [[nodiscard]] std::string_view name(AuditEvent event) noexcept;
 

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
+#include "server/capture/exposure.h"
 
 namespace telepalp::capture {
 
@@ -40,6 +42,16 @@ class CaptureSource {
   /// Text for the technician: the unreadable parts of a recording so far; empty when all parts were readable.
   [[nodiscard]] virtual std::string complaint() const { return {}; }
 
+  /// nullopt: this source has no exposure to set.
+  [[nodiscard]] virtual std::optional<ExposureLimits> exposure_limits() const { return std::nullopt; }
+  [[nodiscard]] virtual Exposure exposure() const { return {}; }
+  /// Error: the source has none, or its driver refuses it. A camera that is plugged in again gets it again.
+  [[nodiscard]] virtual Result<void> set_exposure(const Exposure&) {
+    return Error{.what = "this source has no exposure to set",
+                 .where = "exposure",
+                 .fix = "choose a camera whose driver offers it, or the synthetic patient"};
+  }
+
   /// The compressed images of the frame that next() returned last; nullptr: the source has none.
   [[nodiscard]] virtual const CompressedFrame* compressed() const { return nullptr; }
 };
@@ -51,6 +63,14 @@ struct SourceOptions {
   bool paced = true;             ///< a recording plays in real time; false: as fast as next() is called
   bool keep_compressed = false;  ///< a session file fills compressed(), and leaves RgbdFrame::color empty
 };
+
+/// A camera that is connected to this machine.
+struct FoundCamera {
+  std::string spec;  ///< for open_source(): openni2:URI
+  std::string name;  ///< of its maker, for the technician
+};
+/// Asks the drivers, which may take seconds.
+[[nodiscard]] std::vector<FoundCamera> find_cameras();
 
 /// Checks what needs no file or camera of `spec`, as for open_source(): its kind, and the words of a synthetic patient.
 [[nodiscard]] Result<void> check_source(std::string_view spec);

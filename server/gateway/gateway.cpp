@@ -102,6 +102,13 @@ void Gateway::look_after_connections_every_second() {
   });
 }
 
+void Gateway::offer(origin::Offer offer) {
+  origin::Offer& present = context_->options.offer;
+  present = std::move(offer);
+  present.resources.insert(context_->options.resources.begin(), context_->options.resources.end());
+  for (Connection* const connection : context_->connections) connection->offer_changed();
+}
+
 void Gateway::look_at_states() {
   context_->states->look();
   for (Connection* const connection : context_->connections) connection->look_at_own_states();

@@ -77,6 +77,8 @@ class Connection {
   virtual void check_access() {}
   /// Sends the client the state of the played session; called each second.
   virtual void send_playback_state() {}
+  /// Tells the client which states the server has now.
+  virtual void offer_changed() {}
   /// Publishes the states that this client alone sees; called each StatePublisher::kLook.
   virtual void look_at_own_states() {}
   /// True when the connection is a viewer that has subscribed to nothing and does not control the viewer hand, so that
@@ -103,6 +105,9 @@ class Gateway {
   Gateway& operator=(const Gateway&) = delete;
   /// Stops listening and closes every connection.
   ~Gateway();
+
+  /// Visitors see `offer` instead of GatewayOptions::offer, or of the last call: another origin is shown.
+  void offer(origin::Offer offer);
 
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
   /// The address of the viewer for a browser: "http://127.0.0.1:8080/".

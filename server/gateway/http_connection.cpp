@@ -123,8 +123,9 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
     if (view(request.target()) == kHealthTarget) return write(health(request));
     visit_.emplace(*context(), request, peer_.address());
     if (beast::websocket::is_upgrade(request)) return upgrade(request);
-    if (std::optional<HttpReply> reply = visit_->reply(request)) return write(std::move(*reply));
-    write(reply_to(request, context()->files, context()->options.policy, context()->now()));
+    const auto reply = [self = shared_from_this()](HttpReply answer) { self->write(std::move(answer)); };
+    if (!visit_->answer(request, reply))
+      write(reply_to(request, context()->files, context()->options.policy, context()->now()));
   }
 
   HttpReply health(const HttpRequest& request) {
@@ -149,12 +150,8 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
           request, http::status::unauthorized,
           "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +
               "/?token=TOKEN, where TOKEN is all that follows \"token:\" in the file that the technician gave you"));
-    Newcomer newcomer{*subprotocol, peer_, visit_->visitor(), nullptr, {}};
     // A browser's page cannot read why an upgrade is refused, so the stream opens and tells it.
-    if (auto reading = visit_->reading(request))
-      newcomer.reading = std::move(reading).value();
-    else
-      newcomer = {*subprotocol, peer_, visit_->visitor(), context()->readings.nothing(), to_string(reading.error())};
+    const Newcomer newcomer{*subprotocol, peer_, visit_->visitor(), visit_->reading(request)};
     stream_.tcp().expires_never();
     start_viewer_connection(std::move(stream_), request, newcomer, context());
   }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -44,8 +45,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       : Connection(std::move(context)),
         stream_(std::move(stream)),
         visitor_(newcomer.visitor),
-        reading_(newcomer.reading),
-        unopened_(newcomer.unopened) {}
+        reading_(newcomer.reading) {}
   ~ViewerConnection() override { leave(); }
 
   void start(const HttpRequest& upgrade, const Newcomer& newcomer) {
@@ -62,7 +62,10 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       reply.set(beast::http::field::sec_websocket_protocol, beast::string_view(subprotocol.data(), subprotocol.size()));
     }));
     stream_.async_accept(upgrade, [self = shared_from_this(), name = to_text(newcomer.peer)](beast::error_code failed) {
-      if (!failed) self->greet(name);
+      if (failed) return;
+      self->name_ = name;
+      self->greet_when_ready();
+      self->read();
     });
   }
 
@@ -79,8 +82,16 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (controls_playback_ && subscriber_) say_binary(foxglove::playback_state(offer().playback.state()));
   }
 
+  void offer_changed() override {
+    if (reading_ || !subscriber_) return;
+    controls_playback_ = controls_playback_ && offer().playback;
+    advertise_states();
+  }
+
   void look_at_own_states() override {
-    if (reading_) reading_->states().look();
+    if (!reading_) return;
+    reading_->states().look();
+    if (is_opening_ && !reading_is_opening()) reading_opened();
   }
 
   void close() override {
@@ -112,10 +123,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     return paths;
   }
 
-  /// Each topic but the states of resources that the server does not have, or that this visitor may not read.
+  /// Each topic but the states of resources that this client is not offered.
   bool is_offered(const wire::Topic& topic) {
-    const ResourceRow* const row = resource_at(topic.name);
-    return row == nullptr || (may(row->read) && offer().resources.contains(topic.name));
+    return resource_at(topic.name) == nullptr || offered_.contains(topic.name);
   }
 
   void subscriptions_changed() {
@@ -136,20 +146,67 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     publish_holder();
   }
 
-  void greet(const std::string& peer) {
+  [[nodiscard]] bool reading_is_opening() const {
+    return reading_ && reading_->state().phase() == msg::ReadingState::PHASE_OPENING;
+  }
+
+  /// A client that controls the playback learns of the session from the greeting, so that it waits for the session.
+  void greet_when_ready() {
+    is_opening_ = reading_is_opening();
+    if (!is_opening_ || !speaks_playback_) greet();
+    if (!is_opening_) tell_why_unopened();
+  }
+
+  /// The session of this client's reading was opened, or cannot be opened.
+  void reading_opened() {
+    is_opening_ = false;
+    if (subscriber_)
+      advertise_states();
+    else
+      greet();
+    tell_why_unopened();
+  }
+
+  /// Tells the client of the resources that have come or gone since it was told last.
+  void advertise_states() {
+    const std::set<std::string_view> before = std::exchange(offered_, offered_now());
+    const auto has_gone = [&](const wire::Topic& topic) {
+      return before.contains(topic.name) && !offered_.contains(topic.name);
+    };
+    const auto has_come = [&](const wire::Topic& topic) {
+      return offered_.contains(topic.name) && !before.contains(topic.name);
+    };
+    std::erase_if(subscriptions_,
+                  [&](const auto& one) { return before.contains(one.second) && !offered_.contains(one.second); });
+    say(foxglove::unadvertise(has_gone));
+    say(foxglove::advertise(has_come));
+  }
+
+  /// The paths of the resources that the server has, and that this visitor may read.
+  std::set<std::string_view> offered_now() {
+    std::set<std::string_view> paths;
+    for (const ResourceRow& row : all_resources())
+      if (may(row.read) && offer().resources.contains(row.path)) paths.insert(row.path);
+    return paths;
+  }
+
+  void tell_why_unopened() {
+    if (reading_ && !reading_->state().problem().empty()) warn(std::string(kUnopened) + reading_->state().problem());
+  }
+
+  void greet() {
     if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
-    subscriber_ = hub().join(std::string(kSubscriberName), peer, [this] { write_next(); });
+    subscriber_ = hub().join(std::string(kSubscriberName), name_, [this] { write_next(); });
     number_ = *subscriber_;
-    views_subscriber_ = views().join(std::string(kSubscriberName), peer, [this] { write_next(); });
+    views_subscriber_ = views().join(std::string(kSubscriberName), name_, [this] { write_next(); });
     const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
     controls_playback_ = speaks_playback_ && offer().playback && may_change(*resource_at(origin::kPlayback.topic.name));
     const auto played = controls_playback_ ? std::optional(offer().playback.state()) : std::nullopt;
     say(foxglove::server_info(context()->options.server_name, context()->session_id, *subscriber_, role, played,
                               paths_to_change()));
+    offered_ = offered_now();
     say(foxglove::advertise([this](const wire::Topic& topic) { return is_offered(topic); }));
-    if (!unopened_.empty()) warn(std::string(kUnopened) + unopened_);
     send_playback_state();
-    read();
   }
 
   void read() {
@@ -361,7 +418,9 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   websocket::stream<WebStream> stream_;
   std::optional<Visitor> visitor_;
   std::shared_ptr<origin::Reading> reading_;  // null: this viewer sees what the server publishes for all
-  const std::string unopened_;                // why the reading publishes nothing
+  bool is_opening_ = false;                   // the reading's session was being opened when we looked last
+  std::set<std::string_view> offered_;        // paths of the resources that the client knows of
+  std::string name_;                          // address of the peer
   bool denied_ = false;
   bool holds_hand_ = false;
   hub::SubscriberId number_ = 0;    // of this viewer, also after it has left

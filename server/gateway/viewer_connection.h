@@ -19,7 +19,6 @@ struct Newcomer {
   boost::asio::ip::tcp::endpoint peer;
   std::optional<Visitor> visitor;
   std::shared_ptr<origin::Reading> reading;  ///< what this viewer alone sees; null: what the server publishes for all
-  std::string unopened;                      ///< why `reading` publishes nothing; empty: it was opened
 };
 
 /// Accepts the WebSocket `upgrade` on `stream` and runs the Foxglove protocol on it, as a subscriber of the hub.

@@ -56,20 +56,24 @@ HttpReply json_reply(const HttpRequest& request, const std::string& json) {
 /// subscribed to it. A page that shows the topic waits for this state.
 constexpr const char* kStatePublished = "State-Published";
 
-/// GET answers the state; POST carries out a command and answers the state after it, which `states` publishes.
-HttpReply answer_state(const HttpRequest& request, std::string_view path, const origin::Resource& resource,
-                       origin::StatePublisher& states, const std::string& who) {
-  if (request.method() == http::verb::get) return json_reply(request, program::to_json(*resource.state()));
-  if (!resource.change) return refuse(request, http::status::method_not_allowed, "this address answers only GET");
+/// GET answers the state. POST carries out a command, and answers the state after it, which `states` publishes.
+void answer_state(const HttpRequest& request, std::string_view path, const origin::Resource& resource,
+                  origin::StatePublisher& states, const std::string& who, const Visit::Reply& reply) {
+  if (request.method() == http::verb::get) return reply(json_reply(request, program::to_json(*resource.state())));
+  if (!resource.change)
+    return reply(refuse(request, http::status::method_not_allowed, "this address answers only GET"));
   if (request.method() != http::verb::post)
-    return refuse(request, http::status::method_not_allowed,
-                  "this address answers only GET (the state) and POST (a command)");
-  const Result<void> changed = resource.change(request.body(), who);
-  if (!changed) return refuse(request, http::status::bad_request, to_string(changed.error()));
-  states.commanded();
-  HttpReply reply = json_reply(request, program::to_json(*resource.state()));
-  reply.set(kStatePublished, std::to_string(to_nanoseconds(states.published_at(path))));
-  return reply;
+    return reply(refuse(request, http::status::method_not_allowed,
+                        "this address answers only GET (the state) and POST (a command)"));
+  HttpRequest head(request.base());  // the command may take longer than the request lives
+  resource.change(request.body(), who,
+                  [head = std::move(head), path, resource, &states, reply](const Result<void>& changed) {
+                    if (!changed) return reply(refuse(head, http::status::bad_request, to_string(changed.error())));
+                    states.commanded();
+                    HttpReply after = json_reply(head, program::to_json(*resource.state()));
+                    after.set(kStatePublished, std::to_string(to_nanoseconds(states.published_at(path))));
+                    reply(std::move(after));
+                  });
 }
 
 constexpr std::string_view kReadingIsOver =
@@ -102,11 +106,21 @@ bool Visit::may(keys::Operation operation) const {
   return visitor_ && context_.options.access->may(visitor_->who, operation).ok();
 }
 
-std::optional<HttpReply> Visit::reply(const HttpRequest& request) {
+bool Visit::answer(const HttpRequest& request, const Reply& reply) {
+  if (const ResourceRow* const row = resource_at(path_of(view(request.target())))) {
+    resource(request, *row, reply);
+    return true;
+  }
+  std::optional<HttpReply> answer = page(request);
+  if (answer) reply(std::move(*answer));
+  return answer.has_value();
+}
+
+/// nullopt: the visitor may get the requested page.
+std::optional<HttpReply> Visit::page(const HttpRequest& request) {
   const std::string_view target = path_of(view(request.target()));
   const bool has_keys = context_.options.access->has_keys();
   if (target == kMetricsTarget) return metrics(request);
-  if (const ResourceRow* const row = resource_at(target)) return resource(request, *row);
   if (!has_keys) return std::nullopt;
   if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
   if (!may(keys::Operation::Watch)) {
@@ -173,39 +187,39 @@ std::optional<HttpReply> Visit::refusal(const HttpRequest& request, const Resour
   return std::nullopt;
 }
 
-HttpReply Visit::resource(const HttpRequest& request, const ResourceRow& row) const {
+void Visit::resource(const HttpRequest& request, const ResourceRow& row, const Reply& reply) const {
   const std::string id(query_value(view(request.target()), "reading"));
   const std::shared_ptr<origin::Reading> reading = context_.readings.find(id);
-  if (std::optional<HttpReply> refused = refusal(request, row, reading != nullptr)) return std::move(*refused);
-  if (!id.empty() && !reading) return refuse(request, http::status::not_found, kReadingIsOver);
+  if (std::optional<HttpReply> refused = refusal(request, row, reading != nullptr)) return reply(std::move(*refused));
+  if (!id.empty() && !reading) return reply(refuse(request, http::status::not_found, kReadingIsOver));
   const origin::Resources& all = reading ? reading->offer().resources : context_.options.offer.resources;
   const auto found = all.find(row.path);
   const bool commands = request.method() == http::verb::post;
   if (found == all.end())
-    return row.empty_if_absent && !commands ? json_reply(request, "{}")
-                                            : refuse(request, http::status::not_found, row.absent);
-  if (commands && row.is_audited)
-    note(access::AuditEvent::Records,
-         "who=" + describe(visitor_->who) + " asked=" + access::audit_text(request.body()));
-  return answer_state(request, row.path, found->second, reading ? reading->states() : *context_.states,
-                      describe(visitor_->who));
+    return reply(row.empty_if_absent && !commands ? json_reply(request, "{}")
+                                                  : refuse(request, http::status::not_found, row.absent));
+  const std::string who = describe(visitor_->who);
+  if (commands && row.audited_as) note(*row.audited_as, "who=" + who + " asked=" + access::audit_text(request.body()));
+  origin::StatePublisher& states = reading ? reading->states() : *context_.states;
+  // The reply keeps the reading, and so the resource and its states, until the command has been carried out.
+  answer_state(request, row.path, found->second, states, who,
+               [reading, reply](HttpReply answer) { reply(std::move(answer)); });
 }
 
 /// Who may watch sees each moment of the session that the server plays. A recording of the server's folder may be of
 /// another patient: it needs the right to record.
-Result<std::shared_ptr<origin::Reading>> Visit::reading(const HttpRequest& request) const {
+std::shared_ptr<origin::Reading> Visit::reading(const HttpRequest& request) const {
   const Result<std::optional<ReadingRequest>> asked = read_reading_request(view(request.target()));
-  if (!asked) return asked.error();
-  if (!*asked) return std::shared_ptr<origin::Reading>();
+  if (!asked) return context_.readings.failed({}, asked.error());
+  if (!*asked) return nullptr;
   const origin::ReadingSpec& spec = (*asked)->spec;
   const keys::Operation needed = spec.session.empty() ? keys::Operation::Watch : keys::Operation::Record;
   if (const Result<void> allowed = context_.options.access->may(visitor_->who, needed); !allowed)
-    return allowed.error();
-  auto joined = context_.readings.join((*asked)->id, spec);
-  if (joined && !spec.session.empty())
+    return context_.readings.failed(spec, allowed.error());
+  if (!spec.session.empty())
     note(access::AuditEvent::OpenedSession,
          "who=" + describe(visitor_->who) + " session=" + access::audit_text(spec.session));
-  return joined;
+  return context_.readings.join((*asked)->id, spec);
 }
 
 void Visit::note(access::AuditEvent event, const std::string& text) const {

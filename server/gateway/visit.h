@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/ip/address.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,19 +30,21 @@ class Visit {
   [[nodiscard]] bool is_from_trusted_program() const noexcept { return is_on_this_machine_ || brought_token_; }
   [[nodiscard]] bool may(keys::Operation operation) const;
 
-  /// The session that `request`, a WebSocket upgrade, asks to see for its reader alone; null: it asks for none. Error:
-  /// the visitor has not the right to it, or it cannot be opened.
-  [[nodiscard]] Result<std::shared_ptr<origin::Reading>> reading(const HttpRequest& request) const;
+  /// The session that `request`, a WebSocket upgrade, asks to see for its reader alone; null: it asks for none. The
+  /// reading has failed if the visitor has not the right to it.
+  [[nodiscard]] std::shared_ptr<origin::Reading> reading(const HttpRequest& request) const;
 
-  /// The reply to a request that needs permission (sign-in, sign-out, metrics, a resource), or a refusal;
-  /// nullopt: the visitor may get the requested page.
-  [[nodiscard]] std::optional<HttpReply> reply(const HttpRequest& request);
+  using Reply = std::function<void(HttpReply)>;
+  /// True: `reply` is called once, now or later, with the reply to a request that needs permission (sign-in, sign-out,
+  /// metrics, a resource), or with a refusal. False: the visitor may get the requested page.
+  [[nodiscard]] bool answer(const HttpRequest& request, const Reply& reply);
 
  private:
   [[nodiscard]] HttpReply sign_in(const HttpRequest& request);
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
-  [[nodiscard]] HttpReply resource(const HttpRequest& request, const ResourceRow& row) const;
+  [[nodiscard]] std::optional<HttpReply> page(const HttpRequest& request);
+  void resource(const HttpRequest& request, const ResourceRow& row, const Reply& reply) const;
   [[nodiscard]] std::optional<HttpReply> refusal_to_watch(const HttpRequest& request) const;
   [[nodiscard]] std::optional<HttpReply> refusal(const HttpRequest& request, const ResourceRow& row, bool is_own) const;
   void note(access::AuditEvent event, const std::string& text) const;

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "messages/recording.pb.h"
+#include "support/program/message_json.h"
+
 namespace telepalp::origin {
 namespace {
 
@@ -20,6 +23,48 @@ std::string_view word_for(msg::CaptureState state) noexcept {
   }
 }
 
+Error wrong(std::string what) {
+  return {
+      .what = std::move(what),
+      .where = "exposure",
+      .fix =
+          "send JSON such as {\"automatic\": false, \"exposure\": 8, \"gain\": 2}, within what GET /exposure states"};
+}
+
+/// `now` after the command in `json`. Error: the source has no exposure to set, or a value is out of its range.
+Result<capture::Exposure> after_command(const pipeline::ExposureReport& now, const std::string& json) {
+  msg::ExposureCommand command;
+  if (const Result<void> read = program::read_json(json, command, "exposure", wrong({}).fix); !read)
+    return read.error();
+  if (!now.limits) return wrong("this source has no exposure to set");
+  capture::Exposure exposure = now.exposure;
+  if (command.has_automatic()) exposure.automatic = command.automatic();
+  if (command.has_exposure()) exposure.exposure = command.exposure();
+  if (command.has_gain()) exposure.gain = command.gain();
+  const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
+  if (command.has_exposure() && !within(exposure.exposure, now.limits->least, now.limits->most))
+    return wrong("the exposure is out of the camera's range");
+  if (command.has_gain() && !within(exposure.gain, now.limits->least_gain, now.limits->most_gain))
+    return wrong("the gain is out of the camera's range");
+  return exposure;
+}
+
+msg::ExposureState state_of(const pipeline::ExposureReport& report) {
+  msg::ExposureState state;
+  state.set_offered(report.limits.has_value());
+  state.set_problem(report.problem);
+  if (!report.limits) return state;
+  state.set_automatic(report.exposure.automatic);
+  state.set_exposure(report.exposure.exposure);
+  state.set_gain(report.exposure.gain);
+  state.set_unit(report.limits->unit);
+  state.set_least(report.limits->least);
+  state.set_most(report.limits->most);
+  state.set_least_gain(report.limits->least_gain);
+  state.set_most_gain(report.limits->most_gain);
+  return state;
+}
+
 class CameraOrigin final : public Origin {
  public:
   CameraOrigin(boost::asio::io_context& network, std::unique_ptr<capture::CaptureSource> source,
@@ -33,8 +78,10 @@ class CameraOrigin final : public Origin {
   void start(Handlers handlers) override {
     thread_ = std::make_unique<pipeline::CaptureThread>(
         network_, std::move(source_), source_name_, encode_, clock_,
-        pipeline::CaptureThread::Handlers{.on_message = std::move(handlers.on_message),
-                                          .on_end = std::move(handlers.on_end)});
+        pipeline::CaptureThread::Handlers{
+            .on_message = std::move(handlers.on_message),
+            .on_end = std::move(handlers.on_end),
+            .on_exposure = [this](pipeline::ExposureReport report) { exposure_ = std::move(report); }});
   }
   void stop() override {
     if (thread_) thread_->stop();
@@ -54,13 +101,29 @@ class CameraOrigin final : public Origin {
   [[nodiscard]] std::string in_words(const msg::CaptureStatus& status) const override {
     return "camera " + std::string(word_for(status.state())) + ": " + status.detail();
   }
+  [[nodiscard]] Offer offer() override {
+    Offer offer;
+    offer.resources[kExposure.topic.name] = {
+        .state = [this] { return state_message(state_of(exposure_)); },
+        .change = at_once([this](const std::string& json, const std::string&) { return expose(json); })};
+    return offer;
+  }
 
  private:
+  Result<void> expose(const std::string& json) {
+    Result<capture::Exposure> wanted = after_command(exposure_, json);
+    if (!wanted || !thread_) return wanted ? Result<void>{} : wanted.error();
+    thread_->set_exposure(*wanted);
+    exposure_.exposure = *wanted;  // until the capture thread reports what the camera took
+    return {};
+  }
+
   boost::asio::io_context& network_;
   std::unique_ptr<capture::CaptureSource> source_;  // until start()
   std::string source_name_;
   pipeline::EncodeOptions encode_;
   wire::SessionClock clock_;
+  pipeline::ExposureReport exposure_;
   std::unique_ptr<pipeline::CaptureThread> thread_;  // from start() on
 };
 

@@ -8,11 +8,15 @@
 #include <optional>
 #include <string>
 
+#include "messages/playback.pb.h"
 #include "server/hub/hub.h"
+#include "server/origin/opening_pool.h"
 #include "server/origin/origin.h"
 #include "server/origin/state_publisher.h"
 
 namespace telepalp::origin {
+
+using OpenedOrigin = std::function<void(Result<std::unique_ptr<Origin>>)>;
 
 /// What a reader opens for themselves.
 struct ReadingSpec {
@@ -20,13 +24,13 @@ struct ReadingSpec {
   std::optional<double> at_s{};  ///< the moment at which it stands, since the session's beginning; nullopt: it plays
 };
 
-/// An origin that one reader alone sees and moves, with a hub of its own. It begins when the reader has subscribed.
-/// Owner: the network thread.
+/// An origin that one reader alone sees and moves, with a hub of its own. It is opened while the reader waits, and
+/// begins when the reader has subscribed. Owner: the network thread.
 class Reading {
  public:
-  /// `origin`: null for a reading that could not be opened, which publishes nothing. `common`: resources of the server
-  /// itself, which this reader sees, too. `now` reads the session clock.
-  Reading(boost::asio::io_context& network, std::unique_ptr<Origin> origin, const Resources& common,
+  /// `session`: as ReadingSpec::session. `common`: resources of the server itself, which this reader sees, too. `now`
+  /// reads the session clock.
+  Reading(boost::asio::io_context& network, const std::string& session, const Resources& common,
           std::function<SessionTime()> now);
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
@@ -36,6 +40,11 @@ class Reading {
   [[nodiscard]] hub::Hub& views() noexcept { return views_; }
   [[nodiscard]] StatePublisher& states() noexcept { return states_; }
   [[nodiscard]] const Offer& offer() const noexcept { return offer_; }
+
+  /// Opening: publishes nothing yet. Failed: publishes nothing; `problem` says why.
+  [[nodiscard]] const msg::ReadingState& state() const noexcept { return state_; }
+  void read_share(double share) { state_.set_read_share(share); }
+  void open(Result<std::unique_ptr<Origin>> origin);
 
   /// Call it after the reader has subscribed.
   void subscriptions_changed();
@@ -47,9 +56,11 @@ class Reading {
   hub::Hub hub_;
   hub::Hub views_;
   boost::asio::steady_timer timer_;
-  std::unique_ptr<Origin> origin_;
+  std::unique_ptr<Origin> origin_;  // null until open(), and if it failed
+  msg::ReadingState state_;
   Offer offer_;
   StatePublisher states_;
+  bool awaited_ = false;  // the reader has subscribed
   bool started_ = false;
   bool stopped_ = false;
 };
@@ -57,23 +68,24 @@ class Reading {
 /// The readings of a server. A reading ends when nobody holds it. Owner: the network thread.
 class Readings {
  public:
-  using Open = std::function<Result<std::unique_ptr<Origin>>(const ReadingSpec&)>;
+  /// Opens a session. `progress` and `done` are called on the network thread, `done` once, now or later.
+  using Open = std::function<void(const ReadingSpec&, Progress progress, OpenedOrigin done)>;
   static constexpr std::size_t kMost = 8;  ///< each has a thread, and sends what a camera sends
 
   /// `open`: unset: this server opens no session for a reader. `common`, `now`: as for Reading.
   Readings(boost::asio::io_context& network, Open open, Resources common, std::function<SessionTime()> now)
       : network_(network), open_(std::move(open)), common_(std::move(common)), now_(std::move(now)) {}
 
-  /// The reading with the number `id`, which its reader made up at random; opens `asked` if there is none. Error: it
-  /// cannot be opened, or kMost are open.
-  [[nodiscard]] Result<std::shared_ptr<Reading>> join(const std::string& id, const ReadingSpec& asked);
+  /// The reading with the number `id`, which its reader made up at random; begins to open `asked` if there is none. If
+  /// kMost are open, the reading has failed.
+  [[nodiscard]] std::shared_ptr<Reading> join(const std::string& id, const ReadingSpec& asked);
   /// Null: there is none.
   [[nodiscard]] std::shared_ptr<Reading> find(const std::string& id) const;
-  /// A reading that publishes nothing, for a reader whose session could not be opened.
-  [[nodiscard]] std::shared_ptr<Reading> nothing() { return shared(nullptr); }
+  /// A reading that publishes nothing, for a reader whose session cannot be opened.
+  [[nodiscard]] std::shared_ptr<Reading> failed(const ReadingSpec& asked, const Error& why);
 
  private:
-  [[nodiscard]] std::shared_ptr<Reading> shared(std::unique_ptr<Origin> origin);
+  [[nodiscard]] std::shared_ptr<Reading> made(const ReadingSpec& asked);
 
   boost::asio::io_context& network_;
   Open open_;

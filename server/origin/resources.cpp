@@ -10,7 +10,8 @@ const google::protobuf::Descriptor* descriptor_of_state(const wire::Topic& topic
   for (const google::protobuf::Descriptor* type :
        {msg::PlaybackState::descriptor(), msg::SessionEvents::descriptor(), msg::NetworkState::descriptor(),
         msg::SessionNotes::descriptor(), msg::ComparisonState::descriptor(), msg::RecordingState::descriptor(),
-        msg::SessionList::descriptor()})
+        msg::SessionList::descriptor(), msg::ReadingState::descriptor(), msg::SourceState::descriptor(),
+        msg::ExposureState::descriptor()})
     if (type->full_name() == topic.schema) return type;
   demand(false, "the message type of each resource's state is listed in this file");
   return nullptr;

@@ -34,6 +34,9 @@ constexpr StateTopic state_topic(std::string_view path, std::string_view schema,
 
 using std::chrono_literals::operator""ms;
 
+/// Of a reading.
+inline constexpr StateTopic kReading = state_topic("/reading", "telepalp.msg.ReadingState", 100ms);
+
 // Of a played session. The last member of each comment is the command that changes the state.
 inline constexpr StateTopic kPlayback =
     state_topic("/playback", "telepalp.msg.PlaybackState", 100ms);  ///< PlaybackCommand
@@ -49,7 +52,13 @@ inline constexpr StateTopic kRecording =
     state_topic("/recording", "telepalp.msg.RecordingState", 250ms);  ///< RecordingCommand
 inline constexpr StateTopic kSessions = state_topic("/sessions", "telepalp.msg.SessionList", 1000ms);  ///< SessionPart
 
-inline constexpr std::array kStateTopics{kPlayback, kEvents, kNetwork, kNotes, kComparison, kRecording, kSessions};
+inline constexpr StateTopic kSource = state_topic("/source", "telepalp.msg.SourceState", 250ms);  ///< SourceCommand
+// Of a camera.
+inline constexpr StateTopic kExposure =
+    state_topic("/exposure", "telepalp.msg.ExposureState", 100ms);  ///< ExposureCommand
+
+inline constexpr std::array kStateTopics{kPlayback,  kEvents,   kNetwork, kNotes,  kComparison,
+                                         kRecording, kSessions, kReading, kSource, kExposure};
 
 /// The Protobuf type of one of kStateTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_state(const wire::Topic& topic);
@@ -59,10 +68,20 @@ using StateMessage = std::unique_ptr<const google::protobuf::Message>;
 /// A state that visitors read, and change by commands.
 struct Resource {
   std::function<StateMessage()> state{};  ///< of the type that the topic of its path names
-  /// Carries out `command`, a Protobuf message as JSON, for the person `who`. Unset: the state is only read.
-  std::function<Result<void>(const std::string& command, const std::string& who)> change{};
+  using Done = std::function<void(Result<void>)>;
+  /// Carries out `command`, a Protobuf message as JSON, for the person `who`. Calls `done` once, on the network thread,
+  /// at once or later. Unset: the state is only read.
+  std::function<void(const std::string& command, const std::string& who, Done done)> change{};
 };
 using Resources = std::map<std::string_view, Resource>;  ///< by path, such as "/playback"
+
+/// A change that is carried out at once.
+template <class Change>
+[[nodiscard]] auto at_once(Change change) {
+  return [change](const std::string& command, const std::string& who, const Resource::Done& done) {
+    done(change(command, who));
+  };
+}
 
 template <class Proto>
 [[nodiscard]] StateMessage state_message(Proto state) {

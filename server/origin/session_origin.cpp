@@ -43,10 +43,10 @@ Result<void> SessionOrigin::move(msg::PlaybackCommand command) {
 
 Resource SessionOrigin::playback() {
   return {.state = [this] { return state_message(parts_.player->state()); },
-          .change = [this](const std::string& json, const std::string&) -> Result<void> {
+          .change = at_once([this](const std::string& json, const std::string&) -> Result<void> {
             const Result<msg::PlaybackCommand> command = playback::read_command(json);
             return command ? move(*command) : command.error();
-          }};
+          })};
 }
 
 Offer SessionOrigin::offer() {
@@ -57,17 +57,17 @@ Offer SessionOrigin::offer() {
   offer.resources[kEvents.topic.name] = {.state = [this] { return state_message(parts_.survey->events.events()); }};
   offer.resources[kNetwork.topic.name] = {
       .state = [this] { return state_message(network_.state()); },
-      .change = [this](const std::string& json, const std::string&) { return network_.apply(json); }};
+      .change = at_once([this](const std::string& json, const std::string&) { return network_.apply(json); })};
   offer.resources[kNotes.topic.name] = {.state = [this] { return state_message(parts_.survey->notes.all()); },
-                                        .change =
-                                            [this](const std::string& json, const std::string& who) {
-                                              return parts_.survey->notes.apply(json, who,
-                                                                                std::chrono::system_clock::now());
-                                            }};
+                                        .change = at_once([this](const std::string& json, const std::string& who) {
+                                          return parts_.survey->notes.apply(json, who,
+                                                                            std::chrono::system_clock::now());
+                                        })};
   if (parts_.comparison)
-    offer.resources[kComparison.topic.name] = {
-        .state = [this] { return state_message(parts_.comparison->state()); },
-        .change = [this](const std::string& json, const std::string&) { return parts_.comparison->apply(json); }};
+    offer.resources[kComparison.topic.name] = {.state = [this] { return state_message(parts_.comparison->state()); },
+                                               .change = at_once([this](const std::string& json, const std::string&) {
+                                                 return parts_.comparison->apply(json);
+                                               })};
   return offer;
 }
 

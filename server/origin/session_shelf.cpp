@@ -2,23 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <utility>
 #include <vector>
 
+#include "proto/words/demand.h"
+#include "server/origin/session_inbox.h"
 #include "server/origin/session_origin.h"
-#include "support/program/message_json.h"
 
 namespace telepalp::origin {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A name that an address can carry as it is.
-bool is_plain(std::string_view name) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-  return name.find_first_not_of(kPlain) == std::string_view::npos;
-}
 
 struct Listed {
   std::string name;
@@ -34,47 +28,13 @@ std::vector<Listed> sessions_of(const fs::path& folder) {
        entry.increment(problem)) {
     std::error_code unknown;
     const std::string name = entry->path().filename().string();
-    if (entry->path().extension() != ".mcap" || !is_plain(name) || !entry->is_regular_file(unknown)) continue;
+    if (entry->path().extension() != ".mcap" || !is_plain_name(name) || !entry->is_regular_file(unknown)) continue;
     found.push_back({name, entry->last_write_time(unknown), entry->file_size(unknown)});
   }
   std::ranges::sort(found, [](const Listed& a, const Listed& b) {
     return a.written != b.written ? a.written > b.written : a.name > b.name;
   });
   return found;
-}
-
-constexpr std::uintmax_t kSpare_B = std::uintmax_t{1} << 30;  // left free on the disk, for recordings
-constexpr std::size_t kLongestName = 100;
-constexpr const char* kPartExample =
-    "send JSON such as {\"name\": \"a.mcap\", \"from\": 0, \"data\": BASE64, \"complete\": true}";
-
-Error refused(std::string what, const std::string& name, std::string fix) {
-  return {.what = std::move(what), .where = name.substr(0, kLongestName), .fix = std::move(fix)};
-}
-
-/// Whether `part` may be written behind what `growing` has.
-Result<void> check(const msg::SessionPart& part, const fs::path& whole, const fs::path& growing) {
-  const std::string& name = part.name();
-  if (!name.ends_with(".mcap") || !is_plain(name) || name.starts_with('.') || name.size() > kLongestName)
-    return refused("this is no name of a session", name,
-                   "rename the file: letters, digits, . _ and - alone, 100 at most, with .mcap at the end");
-  std::error_code unknown;
-  if (fs::exists(whole, unknown))
-    return refused("the server has a session of this name already", name, "open it in the list, or rename your file");
-  const std::uintmax_t present = part.from() == 0 ? 0 : fs::file_size(growing, unknown);
-  if (unknown || present != part.from())
-    return refused("this part does not follow the part that came last", name, "send the file again from its beginning");
-  if (fs::space(whole.parent_path(), unknown).available < kSpare_B + part.data().size())
-    return refused("the disk of the server's recordings has less than 1 GiB left", name, "free space on the disk");
-  return {};
-}
-
-Result<void> append(const msg::SessionPart& part, const fs::path& growing) {
-  std::ofstream stream(growing, std::ios::binary | (part.from() == 0 ? std::ios::trunc : std::ios::app));
-  stream.write(part.data().data(), static_cast<std::streamsize>(part.data().size()));
-  stream.flush();
-  if (stream) return {};
-  return refused("the part cannot be written", growing.string(), "check the folder of --record-dir on the server");
 }
 
 std::uint64_t utc_s(fs::file_time_type at) {
@@ -84,59 +44,77 @@ std::uint64_t utc_s(fs::file_time_type at) {
 
 }  // namespace
 
-SessionShelf::SessionShelf(boost::asio::io_context& network, const wire::SessionClock& clock, fs::path recordings,
-                           fs::path compared, Say say)
+/// What is read of a session file before it can be played.
+struct SessionShelf::Opened {
+  std::unique_ptr<playback::SessionPlayer> player;
+  std::unique_ptr<playback::SessionComparison> comparison{};  ///< null: no folder of other sessions is named
+
+  static Result<Opened> read(const playback::PlaybackSpec& spec, bool loop, const wire::SessionClock& clock,
+                             const Options& options, const Progress& progress) {
+    auto player = playback::SessionPlayer::open(spec, loop, clock, progress);
+    if (!player) return player.error();
+    Opened opened{std::move(player).value()};
+    if (options.compared.empty()) return opened;
+    auto comparison = playback::SessionComparison::open(spec.file, options.compared, options.say);
+    if (!comparison) return comparison.error();
+    opened.comparison = std::move(comparison).value();
+    return opened;
+  }
+};
+
+SessionShelf::SessionShelf(boost::asio::io_context& network, const wire::SessionClock& clock, OpeningPool& pool,
+                           Options options)
     : network_(network),
       clock_(clock),
-      recordings_(std::move(recordings)),
-      compared_(std::move(compared)),
-      say_(std::move(say)) {}
+      pool_(pool),
+      options_(std::move(options)),
+      inbox_(std::make_unique<SessionInbox>(
+          network, clock, pool,
+          SessionInbox::Options{
+              .folder = options_.recordings, .say = options_.say, .on_brought = options_.on_brought})) {}
 
 SessionShelf::~SessionShelf() = default;
 
-Result<std::unique_ptr<Origin>> SessionShelf::open(const playback::PlaybackSpec& spec, bool loop, bool is_endless) {
-  auto player = playback::SessionPlayer::open(spec, loop, clock_);
-  if (!player) return player.error();
+Result<std::unique_ptr<Origin>> SessionShelf::origin_of(Opened opened, const playback::PlaybackSpec& spec,
+                                                        bool is_endless) {
   const fs::path file = fs::absolute(spec.file).lexically_normal();
   std::shared_ptr<SessionSurvey> survey = surveys_[file].lock();
   if (!survey) {
-    Result<playback::SessionNotes> notes = playback::SessionNotes::open(spec.file, (*player)->state().duration_s());
+    Result<playback::SessionNotes> notes = playback::SessionNotes::open(spec.file, opened.player->state().duration_s());
     if (!notes) return notes.error();
-    survey.reset(new SessionSurvey{{spec.file, (*player)->begin(), say_}, std::move(*notes)});
+    survey.reset(new SessionSurvey{{spec.file, opened.player->begin(), options_.say}, std::move(*notes)});
     surveys_[file] = survey;
-  }
-  std::unique_ptr<playback::SessionComparison> comparison;
-  if (!compared_.empty()) {
-    auto opened = playback::SessionComparison::open(spec.file, compared_, say_);
-    if (!opened) return opened.error();
-    comparison = std::move(opened).value();
   }
   return std::unique_ptr<Origin>(
       std::make_unique<SessionOrigin>(network_, clock_,
-                                      SessionOrigin::Parts{.player = std::move(player).value(),
+                                      SessionOrigin::Parts{.player = std::move(opened.player),
                                                            .survey = std::move(survey),
-                                                           .comparison = std::move(comparison),
+                                                           .comparison = std::move(opened.comparison),
                                                            .is_endless = is_endless}));
 }
 
 Result<std::unique_ptr<Origin>> SessionShelf::play(const std::string& spec, bool loop) {
   Result<playback::PlaybackSpec> read = playback::read_spec(spec);
   if (!read) return read.error();
-  auto opened = open(*read, loop, false);
-  if (opened) played_ = std::move(*read);
-  return opened;
+  Result<Opened> opened = Opened::read(*read, loop, clock_, options_, {});
+  if (!opened) return opened.error();
+  auto made = origin_of(std::move(opened).value(), *read, false);
+  if (made) first_ = played_ = std::move(*read);
+  loops_ = loop;
+  return made;
 }
 
 Result<fs::path> SessionShelf::recording_named(const std::string& name) const {
-  const std::vector<Listed> known = recordings_.empty() ? std::vector<Listed>{} : sessions_of(recordings_);
+  const fs::path& folder = options_.recordings;
+  const std::vector<Listed> known = folder.empty() ? std::vector<Listed>{} : sessions_of(folder);
   const bool is_known = std::ranges::any_of(known, [&](const Listed& one) { return one.name == name; });
-  if (is_known) return recordings_ / name;
+  if (is_known) return folder / name;
   return Error{.what = "this server has no recorded session of this name",
                .where = name.substr(0, 100),
                .fix = "choose one of the list Sessions of the QA view; the server lists its folder --record-dir"};
 }
 
-Result<std::unique_ptr<Origin>> SessionShelf::read_alone(const ReadingSpec& asked) {
+Result<playback::PlaybackSpec> SessionShelf::spec_of(const ReadingSpec& asked) const {
   playback::PlaybackSpec spec = played_;
   spec.from_s = asked.at_s.value_or(0.0);
   spec.speed = 1.0;
@@ -147,35 +125,57 @@ Result<std::unique_ptr<Origin>> SessionShelf::read_alone(const ReadingSpec& aske
     spec.file = file->string();
     spec.topics = playback::PlaybackSpec{}.topics;
   }
-  if (spec.file.empty())
-    return Error{.what = "this server plays no session now",
-                 .where = "at_s",
-                 .fix = "ask the sender to start telepalp-server again with --source session:FILE.mcap"};
-  return open(spec, true, true);
+  if (!spec.file.empty()) return spec;
+  return Error{.what = "this server plays no session now",
+               .where = "at_s",
+               .fix = "ask the sender to start telepalp-server again with --source session:FILE.mcap"};
 }
 
-Result<void> SessionShelf::take(const std::string& json) {
-  msg::SessionPart part;
-  if (const Result<void> read = program::read_json(json, part, "sessions", kPartExample); !read) return read.error();
-  const fs::path whole = recordings_ / part.name();
-  const fs::path growing = recordings_ / (part.name() + ".part");
-  if (const Result<void> checked = check(part, whole, growing); !checked) return checked.error();
-  if (const Result<void> written = append(part, growing); !written) return written.error();
-  if (!part.complete()) return {};
+void SessionShelf::play_later(const std::string& name, Progress progress, const OpenedOrigin& done) {
+  const Result<fs::path> file = recording_named(name);
+  if (!file) return done(file.error());
   playback::PlaybackSpec spec;
-  spec.file = growing.string();
-  const auto readable = playback::SessionPlayer::open(spec, true, clock_);
-  std::error_code failed;
-  if (readable) fs::rename(growing, whole, failed);
-  if (readable && !failed) return {};
-  fs::remove(growing, failed);
-  return refused(readable ? "the file cannot be renamed" : "this is no session file: " + readable.error().what,
-                 part.name(), readable ? "try again" : readable.error().fix);
+  spec.file = file->string();
+  play_for_all(spec, std::move(progress), done);
+}
+
+void SessionShelf::play_again(Progress progress, const OpenedOrigin& done) {
+  demand(first_.has_value(), "a session was played from the start");
+  play_for_all(*first_, std::move(progress), done);
+}
+
+void SessionShelf::play_for_all(const playback::PlaybackSpec& spec, Progress progress, const OpenedOrigin& done) {
+  open_later(spec, loops_, false, std::move(progress), [this, spec, done](Result<std::unique_ptr<Origin>> opened) {
+    if (opened) played_ = spec;
+    done(std::move(opened));
+  });
+}
+
+void SessionShelf::read_alone(const ReadingSpec& asked, Progress progress, const OpenedOrigin& done) {
+  const Result<playback::PlaybackSpec> spec = spec_of(asked);
+  if (!spec) return done(spec.error());
+  open_later(*spec, true, true, std::move(progress), done);
+}
+
+void SessionShelf::open_later(const playback::PlaybackSpec& spec, bool loop, bool is_endless, Progress progress,
+                              const OpenedOrigin& done) {
+  pool_.run<Opened>([spec, loop, clock = clock_, options = options_](
+                        const Progress& read) { return Opened::read(spec, loop, clock, options, read); },
+                    std::move(progress),
+                    [this, spec, is_endless, done](Result<Opened> opened) {
+                      if (!opened) return done(opened.error());
+                      done(origin_of(std::move(opened).value(), spec, is_endless));
+                    });
+}
+
+void SessionShelf::take(const std::string& json, const std::string& who, Resource::Done done) {
+  inbox_->take(json, who, std::move(done));
 }
 
 msg::SessionList SessionShelf::list() const {
   msg::SessionList list;
-  const std::vector<Listed> found = recordings_.empty() ? std::vector<Listed>{} : sessions_of(recordings_);
+  const fs::path& folder = options_.recordings;
+  const std::vector<Listed> found = folder.empty() ? std::vector<Listed>{} : sessions_of(folder);
   for (const Listed& one : found) {
     if (list.sessions_size() == static_cast<int>(kMostListed)) break;
     msg::SessionList::Session& session = *list.add_sessions();

@@ -33,12 +33,26 @@ void CaptureThread::run(const std::string& source_name, EncodeOptions options, w
                            .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); },
                            .may_predict = [this] { return may_predict_.load(); }});
   while (!stopping_) {
+    set_wanted_exposure();
     const bool more = pipeline.step();
-    frames_ = pipeline.frames();
+    if (frames_.exchange(pipeline.frames()) == 0 && frames_ > 0) report_exposure({});
     if (more) continue;
     boost::asio::post(network_, handlers_.on_end);
     return;
   }
+}
+
+void CaptureThread::set_wanted_exposure() {
+  if (!wanted_exposure_.take()) return;
+  const Result<void> set = source_->set_exposure(wanted_exposure_.current());
+  report_exposure(set ? std::string() : to_string(set.error()));
+}
+
+void CaptureThread::report_exposure(const std::string& problem) {
+  if (!handlers_.on_exposure) return;
+  boost::asio::post(network_, [this, report = ExposureReport{.limits = source_->exposure_limits(),
+                                                             .exposure = source_->exposure(),
+                                                             .problem = problem}] { handlers_.on_exposure(report); });
 }
 
 bool CaptureThread::hand_over(wire::Message message) {

@@ -5,13 +5,22 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
+#include "proto/words/latest_value.h"
 #include "server/capture/capture_source.h"
 #include "server/pipeline/camera_pipeline.h"
 
 namespace telepalp::pipeline {
+
+/// What is known of the source's exposure.
+struct ExposureReport {
+  std::optional<capture::ExposureLimits> limits{};  ///< nullopt: the source has no exposure to set
+  capture::Exposure exposure{};
+  std::string problem{};  ///< why the exposure that was set last is not in effect; empty: it is
+};
 
 /// The thread that owns the source: waits for frames, encodes them, and posts the messages to the network thread.
 class CaptureThread {
@@ -19,6 +28,8 @@ class CaptureThread {
   struct Handlers {
     std::function<void(wire::Message)> on_message;  ///< on the network thread
     std::function<void()> on_end;                   ///< on the network thread, once, when the source has ended
+    /// On the network thread: after the first image, and after each set_exposure().
+    std::function<void(ExposureReport)> on_exposure{};
   };
 
   CaptureThread(boost::asio::io_context& network, std::unique_ptr<capture::CaptureSource> source,
@@ -31,6 +42,7 @@ class CaptureThread {
   void request_key_frame() noexcept { key_frame_requested_ = true; }
   /// False: from the next image on, each depth image is a key frame. Any thread.
   void let_predict(bool may) noexcept { may_predict_ = may; }
+  void set_exposure(const capture::Exposure& exposure) { wanted_exposure_.put(exposure); }  ///< network thread
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   /// Messages dropped because the network thread was too far behind.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
@@ -38,10 +50,13 @@ class CaptureThread {
  private:
   void run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock);
   [[nodiscard]] bool hand_over(wire::Message message);
+  void report_exposure(const std::string& problem);
+  void set_wanted_exposure();
 
   boost::asio::io_context& network_;
   std::unique_ptr<capture::CaptureSource> source_;
   Handlers handlers_;
+  LatestValue<capture::Exposure> wanted_exposure_;  // from the network thread to the capture thread
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_frame_requested_{false};
   std::atomic<bool> may_predict_{true};

@@ -36,8 +36,9 @@ SessionTime captured_at(const wire::Message& depth) {
 }  // namespace
 
 Result<std::unique_ptr<SessionPlayer>> SessionPlayer::open(const PlaybackSpec& spec, bool loop,
-                                                           wire::SessionClock clock) {
-  Result<Timeline> timeline = Timeline::open(spec.file, spec.topics);
+                                                           wire::SessionClock clock,
+                                                           const wire::mcap::Progress& progress) {
+  Result<Timeline> timeline = Timeline::open(spec.file, spec.topics, progress);
   if (!timeline) return timeline.error();
   const double duration_s = seconds_between(timeline->begin(), timeline->end());
   if (spec.from_s > duration_s)

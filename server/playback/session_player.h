@@ -28,9 +28,11 @@ class SessionPlayer {
     std::function<void()> on_end;                   ///< on the network thread, once, at the end unless `loop`
   };
 
-  /// Error: the file cannot be read, or the session is shorter than `spec.from_s`.
+  /// Reads the index of the file, which takes long on a slow disk. `progress`: told how much has been read. Error: the
+  /// file cannot be read, or the session is shorter than `spec.from_s`.
   [[nodiscard]] static Result<std::unique_ptr<SessionPlayer>> open(const PlaybackSpec& spec, bool loop,
-                                                                   wire::SessionClock clock);
+                                                                   wire::SessionClock clock,
+                                                                   const wire::mcap::Progress& progress = {});
   ~SessionPlayer();
   SessionPlayer(const SessionPlayer&) = delete;
   SessionPlayer& operator=(const SessionPlayer&) = delete;

@@ -42,8 +42,9 @@ Timeline::Timeline(wire::McapReader reader, std::vector<std::string> topics)
   reader_.select({.topics = topics_});
 }
 
-Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<std::string> topics) {
-  Result<wire::McapReader> reader = wire::McapReader::open(file);
+Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<std::string> topics,
+                                const wire::mcap::Progress& progress) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file, progress);
   if (!reader) return reader.error();
   const wire::mcap::Summary& summary = reader->summary();
   const bool has_one =

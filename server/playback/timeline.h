@@ -14,8 +14,10 @@ namespace telepalp::playback {
 /// instant are in memory.
 class Timeline {
  public:
-  /// `topics`: full names, or prefixes that end in '*'. Error: not a session file, or no message on these topics.
-  [[nodiscard]] static Result<Timeline> open(const std::filesystem::path& file, std::vector<std::string> topics);
+  /// `topics`: full names, or prefixes that end in '*'. `progress`: as for McapReader::open(). Error: not a session
+  /// file, or no message on these topics.
+  [[nodiscard]] static Result<Timeline> open(const std::filesystem::path& file, std::vector<std::string> topics,
+                                             const wire::mcap::Progress& progress = {});
 
   [[nodiscard]] SessionTime begin() const noexcept { return begin_; }
   [[nodiscard]] SessionTime end() const noexcept { return end_; }

@@ -111,7 +111,12 @@ test('only who may record brings a session file, and only as whole parts in thei
     assert.equal((await send('dora', part(from, to, {complete: to === bytes.length}))).status, 200);
   }
   assert.deepEqual(readFileSync(join(recordings, 'new.mcap')), bytes);
+  const audit = () => readFileSync(join(folder, 'audit.log'), 'utf8');
+  assert.match(audit(), new RegExp(`event=brought-session who=doctor dora session="new.mcap" bytes=${bytes.length} program=browser`));
   assert.match((await send('dora', part(0, 10))).text, /has a session of this name already/);
+  const none = {name: 'none.mcap', from: 0, data: Buffer.from('no session').toString('base64'), complete: true};
+  assert.match((await send('dora', none)).text, /this is no session file/);
+  assert.match(audit(), /event=brought-session who=doctor dora session="none.mcap" refused="this is no session file/);
   for (const name of ['../x.mcap', '.x.mcap', 'x.txt', 'x y.mcap'])
     assert.match((await send('dora', {name, from: 0, data: 'AAAA'})).text, /this is no name of a session/, name);
 });

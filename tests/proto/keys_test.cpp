@@ -37,11 +37,11 @@ TEST(Roles, TheWholeTableOfRolesAndOperationsIsAsAgreed) {
   std::ostringstream table;
   for (const Role role : kRoles) table << name(role) << ": " << permissions(role) << "\n";
   EXPECT_EQ(table.str(),
-            "technician: watch, record, metrics, play\n"
+            "technician: watch, record, metrics, play, set up\n"
             "doctor: watch, touch, hand over, record\n"
             "viewer: watch\n"
             "qa: watch, record, metrics, play\n"
-            "local: watch, touch, hand over, record, metrics, play\n");
+            "local: watch, touch, hand over, record, metrics, play, set up\n");
 }
 
 TEST(Roles, WhatIsNotInTheTableIsDenied) {

@@ -197,10 +197,10 @@ gateway::GatewayOptions with_recording(std::shared_ptr<std::atomic<int>> number)
             state.set_file(std::to_string(*number));
             return origin::state_message(state);
           },
-      .change = [number](const std::string&, const std::string&) -> Result<void> {
+      .change = origin::at_once([number](const std::string&, const std::string&) -> Result<void> {
         ++*number;
         return {};
-      }};
+      })};
   return options;
 }
 

@@ -13,12 +13,14 @@ import {element} from './page/page';
 import {SessionsCard} from './panel/sessions_card';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
+import {EXPOSURE} from './panel/technician/exposure_card';
+import {readSource, type SourceCommand, type SourceState} from './panel/technician/source_card';
 import {readRecording, type RecordingCommand, type RecordingState} from './panel/technician/recording_state';
 import {type ComparisonCommand, type ComparisonState, readComparison} from './playback/comparison_state';
 import {joined, type NetworkCommand, type NetworkState, readNetwork} from './playback/network_state';
 import {OverviewBand} from './playback/overview_band';
 import {PLAYBACK} from './playback/playback_state';
-import {readSessions} from './playback/recorded_sessions';
+import {openingShare, readSessions} from './playback/recorded_sessions';
 import {type Note, type NoteCommand, readNotes} from './playback/session_notes';
 import {readOverview} from './playback/session_overview';
 import {TimelineBar} from './playback/timeline_bar';
@@ -43,7 +45,7 @@ const EXTRA: Record<View, Extra> = {
     topics: ['/station/compensation', '/station/surface', '/station/ultrasound', '/station/inside'],
     light: false,
   },
-  technician: {topics: ['/recording', '/sessions'], light: true},
+  technician: {topics: ['/recording', '/sessions', '/source', '/exposure'], light: true},
   qa: {topics: ['/station/events', '/playback/network', '/playback/comparison', '/sessions'], light: false},
 };
 
@@ -84,6 +86,8 @@ const parts = {
   comparison: resources.at<'/playback/comparison', ComparisonState, ComparisonCommand>(
       '/playback/comparison', {read: readComparison, join: (_, next) => next}),
 };
+const source = resources.at<'/source', SourceState, SourceCommand>('/source', {read: readSource});
+const exposure = resources.at('/exposure', EXPOSURE);
 const recording = resources.at<'/recording', RecordingState, RecordingCommand>('/recording', {read: readRecording});
 const link = new SiteLink({
   instant: (instant) => {
@@ -150,9 +154,10 @@ const status = publishStatus(() => ({
   innerTriangles: view.inner.triangles,
 }));
 
-const technician = new TechnicianPanel(view, canvas, recording, (place) => link.takePlace(place));
+const technician = new TechnicianPanel(view, canvas, {recording, source, exposure}, (place) => link.takePlace(place));
 const sessions = new SessionsCard();
 const whole = new OverviewBand(playback, parts.notes);
+resources.on('/reading', (newest) => (state.opening = newest && openingShare(newest.message)));
 resources.on('/sessions', (newest) => sessions.know(newest && readSessions(newest.message)));
 resources.on('/playback/events', (newest) => whole.know(newest && readOverview(newest.message)));
 const panels: Record<View, {show: (reading: Reading) => void}[]> = {

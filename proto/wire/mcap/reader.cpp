@@ -31,15 +31,15 @@ std::uint64_t stored_time(SessionTime at) {
 
 }  // namespace
 
-Result<McapReader> McapReader::open(const std::filesystem::path& file) {
+Result<McapReader> McapReader::open(const std::filesystem::path& file, const mcap::Progress& progress) {
   Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_file(file);
   if (!source) return source.error();
-  return open(std::move(source).value());
+  return open(std::move(source).value(), progress);
 }
 
-Result<McapReader> McapReader::open(std::unique_ptr<mcap::ByteSource> source) {
+Result<McapReader> McapReader::open(std::unique_ptr<mcap::ByteSource> source, const mcap::Progress& progress) {
   McapReader reader(std::move(source));
-  Result<mcap::Summary> summary = mcap::read_summary(*reader.source_);
+  Result<mcap::Summary> summary = mcap::read_summary(*reader.source_, progress);
   if (!summary) return summary.error();
   reader.summary_ = std::move(summary).value();
   reader.select({});

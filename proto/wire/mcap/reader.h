@@ -24,8 +24,10 @@ struct McapSelection {
 /// the next message's time.
 class McapReader {
  public:
-  [[nodiscard]] static Result<McapReader> open(const std::filesystem::path& file);
-  [[nodiscard]] static Result<McapReader> open(std::unique_ptr<mcap::ByteSource> source);
+  /// `progress`: told how much of the index has been read.
+  [[nodiscard]] static Result<McapReader> open(const std::filesystem::path& file, const mcap::Progress& progress = {});
+  [[nodiscard]] static Result<McapReader> open(std::unique_ptr<mcap::ByteSource> source,
+                                               const mcap::Progress& progress = {});
 
   [[nodiscard]] const mcap::Summary& summary() const noexcept { return summary_; }
   /// The file's metadata about its recording; a field that the file lacks is empty.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
+#include "server/capture/exposure.h"
 
 namespace telepalp::capture {
 
@@ -32,6 +34,12 @@ class CameraDevice {
   [[nodiscard]] virtual Result<void> open() = 0;
   [[nodiscard]] virtual Read read(Nanoseconds patience) = 0;
   virtual void close() = 0;
+
+  /// As of CaptureSource. The device is open.
+  [[nodiscard]] virtual std::optional<ExposureLimits> exposure_limits() { return std::nullopt; }
+  [[nodiscard]] virtual Exposure exposure() { return {}; }
+  /// False: the driver refuses it.
+  [[nodiscard]] virtual bool set_exposure(const Exposure&) { return false; }
 
   /// Text for the technician: the device's name and its streams.
   [[nodiscard]] virtual std::string describe() const = 0;

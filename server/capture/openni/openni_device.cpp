@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "server/capture/capture_source.h"
 #include "server/capture/openni/color_depth_pairing.h"
 #include "server/capture/openni/openni_frames.h"
 
@@ -77,6 +78,9 @@ class OpenNiDevice final : public CameraDevice {
   Read read(Nanoseconds patience) override;
   void close() override;
   std::string describe() const override { return description_; }
+  std::optional<ExposureLimits> exposure_limits() override;
+  Exposure exposure() override;
+  bool set_exposure(const Exposure& exposure) override;
 
  private:
   [[nodiscard]] Error failed(const std::string& what) const;
@@ -208,7 +212,46 @@ void OpenNiDevice::close() {
   pairing_ = {};
 }
 
+/// OpenNI2 names neither the unit of the exposure nor its limits.
+std::optional<ExposureLimits> OpenNiDevice::exposure_limits() {
+  constexpr double kMost = 65535.0;
+  const openni::CameraSettings* const settings = color_.isValid() ? color_.getCameraSettings() : nullptr;
+  if (settings == nullptr || !settings->isValid()) return std::nullopt;
+  int known = 0;
+  if (color_.getProperty(openni::STREAM_PROPERTY_EXPOSURE, &known) != openni::STATUS_OK) return std::nullopt;
+  return ExposureLimits{
+      .unit = "the driver's unit", .least = 0.0, .most = kMost, .least_gain = 0.0, .most_gain = kMost};
+}
+
+Exposure OpenNiDevice::exposure() {
+  openni::CameraSettings* const settings = color_.getCameraSettings();
+  return {.automatic = settings->getAutoExposureEnabled(),
+          .exposure = static_cast<double>(settings->getExposure()),
+          .gain = static_cast<double>(settings->getGain())};
+}
+
+bool OpenNiDevice::set_exposure(const Exposure& exposure) {
+  openni::CameraSettings* const settings = color_.isValid() ? color_.getCameraSettings() : nullptr;
+  if (settings == nullptr) return false;
+  if (settings->setAutoExposureEnabled(exposure.automatic) != openni::STATUS_OK) return false;
+  if (exposure.automatic) return true;
+  return settings->setExposure(static_cast<int>(std::lround(exposure.exposure))) == openni::STATUS_OK &&
+         settings->setGain(static_cast<int>(std::lround(exposure.gain))) == openni::STATUS_OK;
+}
+
 }  // namespace
+
+std::vector<FoundCamera> find_cameras() {
+  const Session session;
+  std::vector<FoundCamera> found;
+  if (!session.ok()) return found;
+  openni::Array<openni::DeviceInfo> devices;
+  openni::OpenNI::enumerateDevices(&devices);
+  for (int at = 0; at < devices.getSize(); ++at)
+    found.push_back({.spec = "openni2:" + std::string(devices[at].getUri()),
+                     .name = std::string(devices[at].getVendor()) + " " + devices[at].getName()});
+  return found;
+}
 
 std::unique_ptr<CameraDevice> make_openni_device(std::string uri, wire::SessionClock clock) {
   return std::make_unique<OpenNiDevice>(std::move(uri), clock);

@@ -53,8 +53,27 @@ void ReconnectingSource::try_again(Nanoseconds patience) {
   last_try_ = time_.now();
   const Result<void> opened = device_->open();
   if (!opened) return;
+  if (wanted_) (void)device_->set_exposure(*wanted_);
   last_sign_ = time_.now();
   phase_ = capture::next(phase_, CameraEvent::CameBack);
+}
+
+std::optional<ExposureLimits> ReconnectingSource::exposure_limits() const {
+  return phase_ == CameraPhase::Lost ? std::nullopt : device_->exposure_limits();
+}
+
+Exposure ReconnectingSource::exposure() const {
+  if (wanted_) return *wanted_;
+  return exposure_limits() ? device_->exposure() : Exposure{};
+}
+
+Result<void> ReconnectingSource::set_exposure(const Exposure& exposure) {
+  if (!exposure_limits()) return CaptureSource::set_exposure(exposure);
+  wanted_ = exposure;
+  if (device_->set_exposure(exposure)) return {};
+  return Error{.what = "the camera's driver refuses this exposure or gain",
+               .where = device_->describe(),
+               .fix = "choose other values, or leave the exposure to the camera"};
 }
 
 CaptureState ReconnectingSource::state() const {

@@ -58,6 +58,9 @@ class ReconnectingSource final : public CaptureSource {
   std::optional<RgbdFrame> next(Nanoseconds patience) override;
   [[nodiscard]] CaptureState state() const override;
   [[nodiscard]] std::string detail() const override;
+  [[nodiscard]] std::optional<ExposureLimits> exposure_limits() const override;
+  [[nodiscard]] Exposure exposure() const override;
+  [[nodiscard]] Result<void> set_exposure(const Exposure& exposure) override;
 
  private:
   void lose(CameraEvent event, const std::string& why);
@@ -71,6 +74,7 @@ class ReconnectingSource final : public CaptureSource {
   SessionTime last_sign_;  // when the last frame arrived or the device was opened
   SessionTime last_try_;
   std::string why_lost_;
+  std::optional<Exposure> wanted_;  // set last; nullopt: as the camera had it
   std::uint64_t sequence_ = 0;
   std::uint64_t times_lost_ = 0;
 };

@@ -16,9 +16,18 @@ constexpr std::string_view kPlaysNoForeignPage =
 constexpr std::string_view kRecordsNoForeignPage =
     "this web page is from another site, which may not record. fix: allow the page's scheme and host: telepalp-server "
     "--allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kNoReading =
+    "this address names no session that was opened for one page. fix: add ?reading=NUMBER of an open page";
 constexpr std::string_view kComparesNothing =
     "this server compares no sessions. fix: start telepalp-server with --source session:FILE.mcap and --compare-dir "
     "DIR";
+constexpr std::string_view kSetsUpNoForeignPage =
+    "this web page is from another site, which may not choose the source. fix: allow the page's scheme and host: "
+    "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kChoosesNothing =
+    "the page of this server does not choose the source. fix: start telepalp-server with another --source";
+constexpr std::string_view kExposesNothing =
+    "this server shows no camera. fix: choose a camera, or the synthetic patient, as its source";
 constexpr std::string_view kRecordsNothing =
     "recording from the web page is off on this server. fix: start telepalp-server with --record-dir DIR";
 
@@ -33,11 +42,11 @@ constexpr ResourceRow played(const origin::StateTopic& state, Operation change_o
           .pages = kPlaysNoForeignPage,
           .absent = absent,
           .empty_if_absent = false,
-          .is_audited = false};
+          .audited_as = {}};
 }
 
 constexpr ResourceRow recorded(const origin::StateTopic& state, Operation read, std::string_view people,
-                               bool is_audited) {
+                               std::optional<access::AuditEvent> audited_as) {
   return {.path = state.topic.name,
           .read = read,
           .change = Operation::Record,
@@ -46,7 +55,19 @@ constexpr ResourceRow recorded(const origin::StateTopic& state, Operation read, 
           .pages = kRecordsNoForeignPage,
           .absent = kRecordsNothing,
           .empty_if_absent = true,
-          .is_audited = is_audited};
+          .audited_as = audited_as};
+}
+
+constexpr ResourceRow set_up(const origin::StateTopic& state, std::string_view absent, access::AuditEvent audited_as) {
+  return {.path = state.topic.name,
+          .read = Operation::SetUp,
+          .change = Operation::SetUp,
+          .change_own = Operation::SetUp,
+          .people = "only technicians may choose the source and set the camera's exposure",
+          .pages = kSetsUpNoForeignPage,
+          .absent = absent,
+          .empty_if_absent = false,
+          .audited_as = audited_as};
 }
 
 constexpr std::array kRows{
@@ -56,9 +77,21 @@ constexpr std::array kRows{
     played(origin::kNotes, Operation::Play),  // they are kept beside the session, for all
     played(origin::kComparison, Operation::Record,
            kComparesNothing),  // it shows another recording, perhaps of another patient
-    recorded(origin::kRecording, Operation::Watch, "only doctors, technicians and QA may record", true),
+    ResourceRow{.path = origin::kReading.topic.name,
+                .read = Operation::Watch,
+                .change = Operation::Play,
+                .change_own = Operation::Watch,
+                .people = kOnlyForPlayers,
+                .pages = kPlaysNoForeignPage,
+                .absent = kNoReading,
+                .empty_if_absent = false,
+                .audited_as = {}},
+    recorded(origin::kRecording, Operation::Watch, "only doctors, technicians and QA may record",
+             access::AuditEvent::Records),
     recorded(origin::kSessions, Operation::Record, "only doctors, technicians and QA may open recorded sessions",
-             false),
+             std::nullopt),  // the server notes each file once it is whole
+    set_up(origin::kSource, kChoosesNothing, access::AuditEvent::ChoseSource),
+    set_up(origin::kExposure, kExposesNothing, access::AuditEvent::SetExposure),
 };
 
 constexpr bool has_row(const origin::StateTopic& state) {

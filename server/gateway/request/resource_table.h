@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "proto/keys/role.h"
+#include "server/access/access.h"
 
 namespace telepalp::gateway {
 
@@ -18,7 +20,7 @@ struct ResourceRow {
   std::string_view pages;      ///< reply to a page of a foreign origin
   std::string_view absent;     ///< reply if the server does not have this resource
   bool empty_if_absent;        ///< GET then gets an empty state: a browser logs each 404 as an error of the page
-  bool is_audited;             ///< each command is written to the audit log
+  std::optional<access::AuditEvent> audited_as;  ///< each command is written to the audit log as this
 };
 
 /// Refusals of a command for a played session, over HTTP and over the WebSocket.

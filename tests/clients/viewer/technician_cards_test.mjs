@@ -9,6 +9,8 @@ const {pictureRows} = await bundled('panel/technician/picture_problems.ts');
 const {NetworkRates} = await bundled('panel/technician/network_rows.ts');
 const {lightOf} = await bundled('present/light_meter.ts');
 const {depthColor} = await bundled('scene/depth_color.ts');
+const {sourceSays} = await bundled('panel/technician/source_card.ts');
+const {placeAt, valueAt} = await bundled('panel/technician/exposure_card.ts');
 
 const [width, height] = [160, 120];
 /** A picture whose pixels have the depth `depth_mm(column, row)`; 0 is a hole. */
@@ -90,4 +92,19 @@ test('rates are those between two statistics; one of another server begins anew'
   assert.equal(row(rows, 'Dropped').level, 'warn');
   assert.deepEqual(rates.show(stats(12, 360)), rows, 'the same statistics change nothing');
   assert.deepEqual(rates.show(stats(1, 5)), rows, 'a restarted server counts from 0');
+});
+
+test('the card says what all see, what is on its way, and why it did not come', () => {
+  const says = (more) => sourceSays({sources: [], present: 'synthetic', opening: '', read_share: 0, problem: '', ...more});
+  assert.equal(says({}), 'All see synthetic.');
+  assert.equal(says({opening: 'openni2:usb1'}), 'openni2:usb1 is being opened…');
+  assert.equal(says({opening: 'session:a.mcap', read_share: 0.42}), 'session:a.mcap is being opened: 42 %');
+  assert.equal(says({problem: 'no camera can be opened.'}), 'All still see synthetic. no camera can be opened.');
+});
+
+test('a slider reaches both ends of the camera\'s range, and each place leads back to itself', () => {
+  for (const [least, most] of [[0.5, 33], [0.25, 16], [0, 65535]]) {
+    for (let place = 0; place <= 100; ++place) assert.equal(placeAt(valueAt(place, least, most), least, most), place, `${place} of ${least} to ${most}`);
+    assert.ok(Math.abs(valueAt(100, least, most) / most - 1) < 0.01);
+  }
 });

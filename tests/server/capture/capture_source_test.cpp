@@ -47,6 +47,36 @@ TEST(SyntheticSource, DeliversWellFormedFramesAtThirtyHertz) {
   }
 }
 
+TEST(SyntheticSource, HalfTheExposureGivesHalfTheLightAndTheGainGivesItBack) {
+  const auto source = open_source("synthetic", options());
+  ASSERT_TRUE(source.ok());
+  const auto brightness = [&] {
+    const auto frame = (*source)->next(kPatience);
+    double sum = 0.0;
+    for (const std::uint8_t value : frame->color.rgb) sum += value;
+    return sum / static_cast<double>(frame->color.rgb.size());
+  };
+  const double as_painted = brightness();
+  const auto limits = (*source)->exposure_limits();
+  ASSERT_TRUE(limits);
+  const double exposure_ms = (*source)->exposure().exposure;
+  ASSERT_TRUE((*source)->set_exposure({.automatic = false, .exposure = exposure_ms / 2, .gain = 1.0}));
+  EXPECT_NEAR(brightness(), as_painted / 2, 0.6);
+  ASSERT_TRUE((*source)->set_exposure({.automatic = false, .exposure = exposure_ms / 2, .gain = 2.0}));
+  EXPECT_NEAR(brightness(), as_painted, 0.6);
+  ASSERT_TRUE((*source)->set_exposure({.automatic = false, .exposure = limits->most, .gain = limits->most_gain}));
+  EXPECT_GT(brightness(), 250.0) << "clipped";
+  ASSERT_TRUE((*source)->set_exposure({.automatic = true}));
+  EXPECT_DOUBLE_EQ(brightness(), as_painted);
+}
+
+TEST(RecordedSource, HasNoExposureToSetAndSaysSo) {
+  const auto source = open_source("oni:" + shipped("oni/3dj_test.oni"), options());
+  ASSERT_TRUE(source.ok()) << to_string(source.error());
+  EXPECT_FALSE((*source)->exposure_limits());
+  EXPECT_FALSE((*source)->set_exposure({.automatic = true}));
+}
+
 TEST(OniSource, PlaysARealRecordingWithColourAndStartsOver) {
   const auto source = open_source("oni:" + shipped("oni/3dj_test.oni"), options());
   ASSERT_TRUE(source.ok()) << to_string(source.error());

@@ -1,6 +1,8 @@
 import type {
-  CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, DepthImage, HandHolder, InnerStructures,
-  NetworkState, PlaybackState, RecordingState, ServerStats, SessionEvents, SessionList, SessionNotes,
+  CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, DepthImage, ExposureState, HandHolder,
+  InnerStructures,
+  NetworkState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList, SessionNotes,
+  SourceState,
   StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand,
 } from './generated';
 
@@ -28,12 +30,16 @@ export interface StateTopics {
   '/playback/network': NetworkState;
   '/playback/notes': SessionNotes;
   '/playback/comparison': ComparisonState;
+  '/reading': ReadingState;
   '/recording': RecordingState;
   '/sessions': SessionList;
+  '/source': SourceState;
+  '/exposure': ExposureState;
 }
 export type StateTopic = keyof StateTopics;
 export const STATE_TOPICS = [
-  '/playback', '/playback/events', '/playback/network', '/playback/notes', '/playback/comparison', '/recording', '/sessions',
+  '/playback', '/playback/events', '/playback/network', '/playback/notes', '/playback/comparison', '/reading', '/recording',
+  '/sessions', '/source', '/exposure',
 ] as const satisfies readonly StateTopic[];
 
 /** A state as it came. */

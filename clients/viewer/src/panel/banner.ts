@@ -19,6 +19,8 @@ export function bannerFor(health: Health): Banner | undefined {
         ? {level: 'alarm', title: 'Disconnected', text: `${wait} The picture is the last one received.`}
         : {level: 'wait', title: 'Connecting to the patient’s site', text: wait};
   }
+  if (health.opening !== undefined)
+    return {level: 'wait', title: 'Opening the session', text: `The server reads the file’s index: ${Math.floor(100 * health.opening)} %.`};
   if (health.unopened !== undefined)
     return {level: 'alarm', title: 'The session is not opened', text: `${health.unopened}. To see what the server publishes, open its address without a moment.`};
   if (health.phase === Phase.FAULTED && isRecent(health.station_ms))

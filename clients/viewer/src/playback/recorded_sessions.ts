@@ -1,4 +1,4 @@
-import type {SessionList} from '../messages/generated';
+import {type ReadingState, ReadingState_Phase, type SessionList} from '../messages/generated';
 
 /** A recorded session in the server's folder. */
 export interface Recorded {
@@ -19,6 +19,9 @@ export const PART_BYTES = 600_000;
 
 export const readSessions = ({sessions}: SessionList): Recorded[] =>
     sessions.map(({name, bytes, writtenS}) => ({name, bytes: Number(bytes), written_ms: 1000 * Number(writtenS)}));
+
+/** How much of a session's index the server has read; undefined: the session is open, or cannot be opened. */
+export const openingShare = ({phase, readShare}: ReadingState) => (phase === ReadingState_Phase.OPENING ? readShare : undefined);
 
 /** Sends `file` to the server in parts. `send` resolves with the reason why a part was refused; empty: it was taken. */
 export async function bring(

@@ -162,14 +162,17 @@ const stream = new Stream(
       '/playback/network': (state, at_ns) => stateCame('/playback/network', state, at_ns),
       '/playback/notes': (state, at_ns) => stateCame('/playback/notes', state, at_ns),
       '/playback/comparison': (state, at_ns) => stateCame('/playback/comparison', state, at_ns),
+      '/reading': (state, at_ns) => stateCame('/reading', state, at_ns),
       '/recording': (state, at_ns) => stateCame('/recording', state, at_ns),
       '/sessions': (state, at_ns) => stateCame('/sessions', state, at_ns),
+      '/source': (state, at_ns) => stateCame('/source', state, at_ns),
+      '/exposure': (state, at_ns) => stateCame('/exposure', state, at_ns),
     },
     {
       publishes: ['/viewer/hand'],
       onRequest: [
         '/station/compensation', '/station/surface', '/station/events', '/station/ultrasound', '/station/inside',
-        '/playback/network', '/playback/comparison', '/recording', '/sessions',
+        '/playback/network', '/playback/comparison', '/recording', '/sessions', '/source', '/exposure',
       ],
     },
     {

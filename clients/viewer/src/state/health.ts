@@ -19,6 +19,7 @@ export interface Health extends TouchHealth {
   connected: boolean;
   retryIn_ms: number | undefined;
   everConnected: boolean;
+  opening?: number | undefined;   // share of this page's own session that the server has read to open it; undefined: it is open
   unopened?: string | undefined;  // why the server does not open this page's own session; undefined: it does
   capture: CaptureStatus | undefined;
   picture_ms: number | undefined;

@@ -76,6 +76,7 @@ export class ViewerState {
   graphicsLost = false;
   pointerRests = false;  // true: the pointer that moves this page's hand rests
   paused = false;  // true: the played session is paused
+  opening: number | undefined;  // as Health.opening
   frames = 0;
 
   private coming: Instant | undefined;  // taken by the page, not drawn yet
@@ -140,6 +141,7 @@ export class ViewerState {
       connected,
       everConnected: news?.everConnected ?? false,
       retryIn_ms: news?.retryAt_ms === undefined ? undefined : Math.max(0, news.retryAt_ms - now_ms),
+      opening: this.opening,
       unopened: news?.unopened,
       capture: news?.capture,
       phase: news?.phase === Phase.FAULTED ? Phase.FAULTED : station?.phase ?? this.unknownPhase,

@@ -78,9 +78,23 @@ bool take(Summary& summary, Opcode opcode, std::string_view content, std::uint64
   }
 }
 
+/// Reads bytes [start, start + length) part by part, so that a reader of a slow disk sees it go on. False: unreadable.
+bool read_in_parts(ByteSource& source, std::uint64_t start, std::uint64_t length, std::string& into,
+                   const Progress& progress) {
+  constexpr std::uint64_t kPart = std::uint64_t{1} << 20;
+  std::string part;
+  into.reserve(length);
+  while (into.size() < length) {
+    if (!source.read(start + into.size(), std::min(kPart, length - into.size()), part)) return false;
+    into += part;
+    if (progress) progress(static_cast<double>(into.size()) / static_cast<double>(length));
+  }
+  return true;
+}
+
 }  // namespace
 
-Result<Summary> read_summary(ByteSource& source) {
+Result<Summary> read_summary(ByteSource& source, const Progress& progress) {
   if (const Result<void> magic = check_magic(source); !magic) return magic.error();
   const Result<Footing> footing = read_footer(source);
   if (!footing) return footing.error();
@@ -92,7 +106,7 @@ Result<Summary> read_summary(ByteSource& source) {
 
   std::string bytes;  // the summary and the footer's part that the CRC covers
   const std::uint64_t covered = length + kRecordHeadBytes + kFooterContentBytes - sizeof(std::uint32_t);
-  if (!source.read(start, covered, bytes)) return unreadable(source, start);
+  if (!read_in_parts(source, start, covered, bytes, progress)) return unreadable(source, start);
   if (footing->footer.summary_crc != 0 && footing->footer.summary_crc != crc32(bytes))
     return damaged(source, "the CRC of its summary does not match", start);
 

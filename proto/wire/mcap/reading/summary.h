@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,10 @@ struct Summary {
   std::vector<MetadataIndex> metadata;
 };
 
+/// Told of the share of the summary that has been read, 0 to 1.
+using Progress = std::function<void(double share)>;
+
 /// Finds, checks (CRC, bounds) and reads the summary. Error: no summary, a damaged one, or messages without an index.
-[[nodiscard]] Result<Summary> read_summary(ByteSource& source);
+[[nodiscard]] Result<Summary> read_summary(ByteSource& source, const Progress& progress = {});
 
 }  // namespace telepalp::wire::mcap

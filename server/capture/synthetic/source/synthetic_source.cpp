@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "server/capture/pacing/frame_pacer.h"
@@ -7,6 +10,20 @@
 
 namespace telepalp::capture {
 namespace {
+
+/// Exposure at a gain of 1 that gives the picture as it is painted. With the automatic exposure it is that one, too:
+/// the synthetic light never changes.
+constexpr double kAsPainted_ms = 10.0;
+constexpr Exposure kAutomatic{.automatic = true, .exposure = kAsPainted_ms, .gain = 1.0};
+const ExposureLimits kLimits{.unit = "ms", .least = 0.5, .most = 33.0, .least_gain = 0.25, .most_gain = 16.0};
+
+/// `color` under `times` as much light; what is brighter than the sensor can state is clipped.
+void expose(ColorImage& color, double times) {
+  std::array<std::uint8_t, 256> exposed{};
+  for (std::size_t value = 0; value < exposed.size(); ++value)
+    exposed[value] = static_cast<std::uint8_t>(std::lround(std::min(255.0, times * static_cast<double>(value))));
+  for (std::uint8_t& value : color.rgb) value = exposed[value];
+}
 
 /// The synthetic patient as a camera at 30 Hz.
 class SyntheticSource final : public CaptureSource {
@@ -18,9 +35,17 @@ class SyntheticSource final : public CaptureSource {
     const std::optional<FrameSlot> slot = pacer_.next(patience);
     if (!slot) return std::nullopt;
     state_ = CaptureState::Live;
-    return named_.patient.frame_at(slot->due, sequence_++);
+    RgbdFrame frame = named_.patient.frame_at(slot->due, sequence_++);
+    if (!exposure_.automatic) expose(frame.color, exposure_.exposure * exposure_.gain / kAsPainted_ms);
+    return frame;
   }
   CaptureState state() const override { return state_; }
+  std::optional<ExposureLimits> exposure_limits() const override { return kLimits; }
+  Exposure exposure() const override { return exposure_; }
+  Result<void> set_exposure(const Exposure& exposure) override {
+    exposure_ = exposure.automatic ? kAutomatic : exposure;
+    return {};
+  }
   std::string detail() const override { return "synthetic patient from " + named_.model + ", 30 Hz"; }
 
  private:
@@ -28,6 +53,7 @@ class SyntheticSource final : public CaptureSource {
   FramePacer pacer_;
   CaptureState state_ = CaptureState::Waiting;
   std::uint64_t sequence_ = 0;
+  Exposure exposure_ = kAutomatic;
 };
 
 }  // namespace
