@@ -22,7 +22,6 @@
 #include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/trials/virtual_station.h"
-#include "support/program/text_format.h"
 #include "where.h"
 
 namespace {
@@ -91,10 +90,10 @@ std::set<std::string> classes_of(const std::variant<Effects...>&) {
   return {class_in_effects(demangled(typeid(Effects).name()) + "::")...};
 }
 
-/// The class of the effect of each kName.
+/// The classes of the effects in the order of effects::Recipe.
 template <class... Effects>
-std::map<std::string, std::string> class_of_name(const std::variant<Effects...>&) {
-  return {{Effects::kName, class_in_effects(demangled(typeid(Effects).name()) + "::")}...};
+std::vector<std::string> classes_in_order(const std::variant<Effects...>&) {
+  return {class_in_effects(demangled(typeid(Effects).name()) + "::")...};
 }
 
 /// A shipped scene and the classes of the effects that it names.
@@ -110,19 +109,15 @@ std::filesystem::path file_of(const std::string& scene) {
 
 /// All shipped scenes with a streamed patient, those with the fewest kinds of effects first.
 std::vector<Named> shipped_scenes() {
-  const auto class_named = class_of_name(effects::Effect());
+  const std::vector<std::string> classes = classes_in_order(effects::Effect());
   std::vector<Named> all;
   for (const auto& entry : std::filesystem::directory_iterator(file_of("").parent_path())) {
     const std::string name = entry.path().filename().string();
-    msg::Scene message;
-    if (!name.ends_with(".scene.textproto") || !program::read_text_format(entry.path(), message).ok()) continue;
-    if (message.patient_surface().has_static_model()) continue;
+    if (!name.ends_with(".scene.textproto")) continue;
+    const Result<scenes::Scene> scene = scenes::read_scene(entry.path());
+    if (!scene || scene->model) continue;
     Named one{name.substr(0, name.find('.')), {}};
-    for (const msg::Effect& effect : message.effects()) {
-      const auto* kind =
-          effect.GetReflection()->GetOneofFieldDescriptor(effect, effect.GetDescriptor()->FindOneofByName("kind"));
-      one.classes.insert(class_named.at(std::string(kind->name())));
-    }
+    for (const effects::Recipe& recipe : scene->effects) one.classes.insert(classes.at(recipe.index()));
     all.push_back(std::move(one));
   }
   std::ranges::sort(all, {}, [](const Named& one) { return std::pair(one.classes.size(), one.scene); });
