@@ -8,6 +8,8 @@
 namespace telepalp::calibration {
 namespace {
 
+constexpr double kFurthest_rad = 0.2618;  // largest angle that a pose may have: 15 degrees
+
 using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -78,7 +80,7 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
     const Isometry3d fitted = fit.haptic_from_tracker * poses[i].tracker_from_hand;
     fit.residuals.each_m.push_back((predicted.translation() - fitted.translation()).norm());
     fit.angles_rad.push_back(Eigen::AngleAxisd(predicted.linear() * fitted.linear().transpose()).angle());
-    if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > settings.furthest_rad)
+    if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > kFurthest_rad)
       return refusal(
           "pose " + std::to_string(i + 1) + " disagrees with the others by " +
               std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +

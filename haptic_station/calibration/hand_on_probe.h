@@ -24,8 +24,7 @@ struct ProbeCalibration {
 };
 
 struct ProbeSettings {
-  double furthest_m = 0.03;      ///< largest residual that a pose may have
-  double furthest_rad = 0.2618;  ///< largest angle that a pose may have: 15 degrees
+  double furthest_m = 0.03;  ///< largest residual that a pose may have
 };
 
 /// Finds the tracker's pose in the haptic base's frame from poses of a hand that lies on the probe in the known pose

@@ -5,6 +5,8 @@
 namespace telepalp::calibration {
 namespace {
 
+constexpr double kMostMoved_m = 0.005;  // largest residual; beyond it the hand moved on the end-effector
+
 using Eigen::Vector3d;
 
 constexpr double kFurthest_m = 10.0;
@@ -39,7 +41,7 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   fit.haptic_from_tracker.iso.translation() = end_effector - fit.haptic_from_tracker.iso.linear() * hand;
   for (const Touch& touch : touches)
     fit.residuals.each_m.push_back((fit.haptic_from_tracker * touch.hand - touch.end_effector).v.norm());
-  if (fit.residuals.largest_m() > settings.most_moved_m)
+  if (fit.residuals.largest_m() > kMostMoved_m)
     return refusal("the hand moved on the end-effector by up to " +
                        std::to_string(std::lround(fit.residuals.largest_m() * 1e3)) + " mm",
                    "keep the hand still on the end-effector, in the tracker's view, and measure again");

@@ -22,7 +22,6 @@ struct OffsetCalibration {
 
 struct OffsetSettings {
   std::size_t least_touches = 10;
-  double most_moved_m = 0.005;  ///< largest residual; beyond it the hand moved on the end-effector
 };
 
 /// Paper S1 (docs/sources.md) eq. (2) and (4): p_H = R (p_L - p0_L) + p0_H with R = diag(1, -1, -1). H is the haptic

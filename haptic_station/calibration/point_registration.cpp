@@ -10,6 +10,11 @@
 namespace telepalp::calibration {
 namespace {
 
+// A main axis counts for the rank if its standard deviation is at least both of these.
+constexpr double kLeastSpread_m = 0.005;
+constexpr double kLeastSpreadShare = 0.02;  // of the widest axis's standard deviation
+constexpr double kLargestRmsShare = 0.1;    // largest rms residual, as a share of the widest axis's standard deviation
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -80,8 +85,8 @@ Vector3d spread(const Matrix3d& scatter) {
   return solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().reverse();
 }
 
-int rank_of(const Vector3d& widths, const RegistrationSettings& settings) {
-  const double least = std::max(settings.least_spread_m, settings.least_spread_share * widths[0]);
+int rank_of(const Vector3d& widths) {
+  const double least = std::max(kLeastSpread_m, kLeastSpreadShare * widths[0]);
   return static_cast<int>((widths.array() >= least).count());
 }
 
@@ -147,7 +152,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   const Centred c = centred(places);
   const Vector3d to_widths = spread(c.to_scatter);
   const Vector3d from_widths = spread(c.from_scatter);
-  const int rank = std::min(rank_of(to_widths, settings), rank_of(from_widths, settings));
+  const int rank = std::min(rank_of(to_widths), rank_of(from_widths));
   if (const auto error = refuse_sets(places, to_widths, from_widths, rank)) return *error;
   if (rank == 3 && c.cross.determinant() < 0.0)
     return refusal(
@@ -164,7 +169,7 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   fit.to_from_from.linear() = rotation(c, settings.rotation_by);
   fit.to_from_from.translation() = c.to_mean - fit.to_from_from.linear() * c.from_mean;
   fit.residuals = residuals_of(pairs, fit.to_from_from);
-  if (fit.residuals.rms_m() > settings.largest_rms_share * from_widths[0])
+  if (fit.residuals.rms_m() > kLargestRmsShare * from_widths[0])
     return refusal("the pairs do not match: the RMS residual is " + millimetres(fit.residuals.rms_m()) +
                        ", too much for places with a standard deviation of " + millimetres(from_widths[0]) +
                        "; the worst is pair " + std::to_string(fit.residuals.worst() + 1),

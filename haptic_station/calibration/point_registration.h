@@ -27,9 +27,6 @@ enum class RotationBy {
 
 struct RegistrationSettings {
   RotationBy rotation_by = RotationBy::Covariance;
-  double least_spread_m = 0.005;     ///< a main axis counts for the rank if its standard deviation is at least this …
-  double least_spread_share = 0.02;  ///< … and at least this share of the widest axis's standard deviation
-  double largest_rms_share = 0.1;    ///< largest rms residual, as a share of the widest axis's standard deviation
 };
 
 /// A rigid motion and how well it fits.
@@ -43,9 +40,9 @@ struct Registration {
 /// averaged first, so that each point has equal weight. Error: fewer than three points, over 100 000 pairs, a number
 /// that is not finite or beyond 10 m, points on a line (reported with their rank), points in a plane with
 /// AffinePolar, mirrored sets, sets of different scale (metres against millimetres), or an rms residual above
-/// largest_rms_share. Source: paper S3 4.2 (centroids, least squares, nearest rotation). Unlike S3, the translation
-/// is computed after the rotation, because the translation T as printed in S3 is correct only if the axes of both
-/// frames are parallel.
+/// a tenth of the widest axis's standard deviation. Source: paper S3 4.2 (centroids, least squares, nearest rotation).
+/// Unlike S3, the translation is computed after the rotation, because the translation T as printed in S3 is correct
+/// only if the axes of both frames are parallel.
 [[nodiscard]] Result<Registration> register_points(std::span<const PointPair> pairs,
                                                    const RegistrationSettings& settings = {});
 

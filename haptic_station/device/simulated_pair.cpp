@@ -7,6 +7,8 @@
 namespace telepalp::device {
 namespace {
 
+constexpr double kVelocityFilter_hz = 150.0;  // cut-off frequency of the reported velocity's filter
+
 using Eigen::Vector3d;
 
 struct Speeds {
@@ -111,7 +113,7 @@ void SimulatedPair::step(const Force<HapticBase>& motors, const Intention& inten
   device_.m += device_velocity_.v * dt;
 
   const Point<HapticBase> now = device();
-  const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * device_settings_.velocity_filter_hz * dt);
+  const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * kVelocityFilter_hz * dt);
   reported_velocity_.v += ((now.m - reported_.m) / dt - reported_velocity_.v) * share;
   reported_ = now;
 }

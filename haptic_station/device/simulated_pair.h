@@ -8,9 +8,8 @@ namespace telepalp::device {
 struct SimulatedDeviceSettings {
   double mass_kg = 0.3;
   double damping_N_s_per_m = 1.0;
-  double encoder_step_m = 0.13e-6;    ///< resolution of the reported position (S1 II.A)
-  double peak_N = 10.0;               ///< largest force of the motors
-  double velocity_filter_hz = 150.0;  ///< cut-off frequency of the reported velocity's filter
+  double encoder_step_m = 0.13e-6;  ///< resolution of the reported position (S1 II.A)
+  double peak_N = 10.0;             ///< largest force of the motors
 };
 
 /// A person's arm and hand: a mass that a spring and a damper pull towards the intended position. It yields to force.

@@ -14,12 +14,19 @@ constexpr double kHoldDecay_s = 0.005;  // time constant with which the last vel
 constexpr double kLongestGap_s = 0.02;  // after a longer silence the next reading is accepted as it is
 constexpr double kSpeedTolerance_m_per_s = 0.05;
 constexpr double kSpeedToleranceShare = 0.3;
+constexpr double kMostAcceleration_m_per_s2 = 300.0;  // of an end-effector that a hand holds
+constexpr double kEncoderNoise_m = 0.05e-3;
+constexpr double kTimingError = 0.5;  // relative error of the time between two readings
+constexpr double kSlip_m = 0.005;  // a lasting offset (slip) up to this is removed slowly; a larger one is implausible
+constexpr double kBelievedAfter_s = 0.001;  // after a jump, readings consistent for this long show a lasting offset
+constexpr double kRebasedAfter_s = 0.5;     // after a larger offset, they are then accepted unchanged
+constexpr double kAbsorbedOver_s = 0.02;    // time constant of the removal of an offset
+constexpr double kAbsorbed_m_per_s = 0.15;  // fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
 
 }  // namespace
 
 double DeviceGate::allowed_m(double speed_m_per_s, double since_s) const noexcept {
-  return settings_.encoder_noise_m + settings_.timing_error * speed_m_per_s * since_s +
-         settings_.most_acceleration_m_per_s2 * since_s * since_s;
+  return kEncoderNoise_m + kTimingError * speed_m_per_s * since_s + kMostAcceleration_m_per_s2 * since_s * since_s;
 }
 
 void DeviceGate::start(const ports::DeviceReading& reading) noexcept {
@@ -34,7 +41,7 @@ void DeviceGate::start(const ports::DeviceReading& reading) noexcept {
 void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, double dt_s) noexcept {
   const double offset_m = offset_m_.norm();
   if (offset_m > 0.0) {
-    const double absorbed_m = std::min(offset_m * dt_s / settings_.absorbed_over_s, settings_.absorbed_m_per_s * dt_s);
+    const double absorbed_m = std::min(offset_m * dt_s / kAbsorbedOver_s, kAbsorbed_m_per_s * dt_s);
     offset_m_ *= offset_m < 1e-7 ? 0.0 : 1.0 - absorbed_m / offset_m;
   }
   const Vector3d at_m = reading.at.m + offset_m_;
@@ -45,15 +52,15 @@ void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, dou
 
 /// Handles a reading after a jump. Readings that agree with each other are accepted again. If they differ little from
 /// the extrapolated position, this offset remains and is removed slowly. If they differ more, they are accepted without
-/// an offset, but only after rebased_after_s.
+/// an offset, but only after kRebasedAfter_s.
 void DeviceGate::hold(const ports::DeviceReading& reading, double dt_s) noexcept {
   if (implausible_s_ <= 0.0) ++jumps_;
   implausible_s_ += dt_s;
   at_m_ += speed_ * dt_s;
   speed_ *= std::exp(-dt_s / kHoldDecay_s);
   const Vector3d slip_m = at_m_ - reading.at.m;
-  if (agree_s_ >= settings_.rebased_after_s) return start(reading);
-  if (agree_s_ < settings_.believed_after_s || slip_m.norm() > settings_.slip_m) return;
+  if (agree_s_ >= kRebasedAfter_s) return start(reading);
+  if (agree_s_ < kBelievedAfter_s || slip_m.norm() > kSlip_m) return;
   offset_m_ = slip_m;
   speed_ = raw_speed_;
   implausible_s_ = 0.0;

@@ -7,18 +7,6 @@
 
 namespace telepalp::loop {
 
-/// Bounds of the motion of an end-effector that a hand holds, and the handling of readings beyond them.
-struct DeviceGateSettings {
-  double most_acceleration_m_per_s2 = 300.0;
-  double encoder_noise_m = 0.05e-3;
-  double timing_error = 0.5;  ///< relative error of the time between two readings
-  double slip_m = 0.005;      ///< a lasting offset (slip) up to this is removed slowly; a larger one is implausible
-  double believed_after_s = 0.001;  ///< after a jump, readings consistent for this long show a lasting offset
-  double rebased_after_s = 0.5;     ///< after a larger offset, readings consistent for this long are accepted unchanged
-  double absorbed_over_s = 0.02;    ///< time constant of the removal of an offset
-  double absorbed_m_per_s = 0.15;   ///< fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
-};
-
 /// A reading of the end-effector after the gate.
 struct GatedReading {
   Point<HapticBase> at;
@@ -29,11 +17,9 @@ struct GatedReading {
 /// Bridges encoder jumps that are impossibly fast. While a reading is farther from the expected position than a hand
 /// can move, the position is extrapolated with the last velocity, which decays. A small lasting offset is removed
 /// slowly. While an offset is large, readings count as implausible, so that the controller faults; once they have been
-/// consistent for rebased_after_s, they are accepted unchanged. Owner: haptic thread.
+/// consistent for half a second, they are accepted unchanged. Owner: haptic thread.
 class DeviceGate {
  public:
-  explicit DeviceGate(const DeviceGateSettings& settings = {}) noexcept : settings_(settings) {}
-
   [[nodiscard]] GatedReading step(const ports::DeviceReading& reading, double dt_s) noexcept;
 
   /// Number of implausible jumps since start.
@@ -46,7 +32,6 @@ class DeviceGate {
   [[nodiscard]] double allowed_m(double speed_m_per_s, double since_s) const noexcept;
   [[nodiscard]] GatedReading answer(const ports::DeviceReading& reading) const noexcept;
 
-  DeviceGateSettings settings_;
   bool started_ = false;
   ports::DeviceReading last_;                            ///< the last reading
   Eigen::Vector3d at_m_ = Eigen::Vector3d::Zero();       ///< position returned last

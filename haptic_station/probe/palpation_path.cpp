@@ -16,6 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kWithin_m = 0.12;   // largest distance of a spot from the first one
+constexpr double kCircle_m = 0.005;  // radius of the circle at depth
+
 struct Spot {
   Vector3d at = Vector3d::Zero();
   Vector3d normal = Vector3d::Zero();
@@ -33,11 +36,10 @@ Vector3d middle_of(const std::vector<Vector3d>& points) {
 }
 
 /// The spot at a point; nullopt unless the surface covers the whole region around it that the finger touches.
-std::optional<Spot> spot_at(const surface::SurfaceSnapshot& snapshot, const Vector3d& at,
-                            const PalpationSettings& settings) {
+std::optional<Spot> spot_at(const surface::SurfaceSnapshot& snapshot, const Vector3d& at) {
   const surface::FieldSample here = snapshot.evaluate(at, Vector3d::Zero(), {});
   if (!here.valid || here.coverage < 0.99) return std::nullopt;
-  const Vector3d side = settings.circle_m * here.normal.unitOrthogonal();
+  const Vector3d side = kCircle_m * here.normal.unitOrthogonal();
   const Vector3d other = here.normal.cross(side);
   for (const Vector3d& off : {side, other, Vector3d(-side), Vector3d(-other)}) {
     const surface::FieldSample there = snapshot.evaluate(at + off, here.normal, {});
@@ -55,11 +57,11 @@ std::vector<Spot> choose_spots(const surface::SurfaceSnapshot& snapshot, std::ve
   std::vector<Spot> spots;
   for (const Vector3d& at : points) {
     if (static_cast<int>(spots.size()) == settings.spots) break;
-    if (!spots.empty() && (at - spots.front().at).norm() > settings.within_m) continue;
+    if (!spots.empty() && (at - spots.front().at).norm() > kWithin_m) continue;
     if (std::any_of(spots.begin(), spots.end(),
                     [&](const Spot& spot) { return (at - spot.at).norm() < settings.apart_m; }))
       continue;
-    const std::optional<Spot> spot = spot_at(snapshot, at, settings);
+    const std::optional<Spot> spot = spot_at(snapshot, at);
     if (spot && (spots.empty() || spot->normal.dot(spots.front().normal) > kSameWay)) spots.push_back(*spot);
   }
   return spots;
@@ -78,10 +80,10 @@ class Pen {
   }
 
   void circle(const Vector3d& centre, const Vector3d& normal) {
-    const Vector3d u = settings_.circle_m * normal.unitOrthogonal();
+    const Vector3d u = kCircle_m * normal.unitOrthogonal();
     const Vector3d v = normal.cross(u);
     move_to(centre + u);
-    const double around_m = 2.0 * std::numbers::pi * settings_.circle_m;
+    const double around_m = 2.0 * std::numbers::pi * kCircle_m;
     const int steps = std::max(8, static_cast<int>(around_m / step_m()));
     for (int i = 1; i <= steps; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / steps;

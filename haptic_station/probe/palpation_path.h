@@ -12,11 +12,9 @@ namespace telepalp::probe {
 /// constant depth, and withdraws; then it moves to the next spot.
 struct PalpationSettings {
   int spots = 5;
-  double apart_m = 0.03;    ///< least distance between spots
-  double within_m = 0.12;   ///< largest distance of a spot from the first one
-  double depth_m = 0.01;    ///< depth below the surface
-  double above_m = 0.03;    ///< height above the surface at which each press begins and ends
-  double circle_m = 0.005;  ///< radius of the circle at depth
+  double apart_m = 0.03;  ///< least distance between spots
+  double depth_m = 0.01;  ///< depth below the surface
+  double above_m = 0.03;  ///< height above the surface at which each press begins and ends
   double speed_m_per_s = 0.1;
   double rate_hz = 2000.0;
   std::optional<Eigen::Vector3d> at_m =

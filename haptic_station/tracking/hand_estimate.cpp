@@ -6,6 +6,10 @@
 namespace telepalp::tracking {
 namespace {
 
+constexpr double kSurpriseMemory_s = 0.05;     // time over which the hand's changes of velocity are estimated
+constexpr double kLongestPrediction_s = 0.05;  // at a greater age the predicted position no longer changes
+constexpr double kRestartAfter_s = 0.2;        // the filter restarts after a longer gap between samples
+
 constexpr double kStartSpeed_m_per_s = 0.5;  // standard deviation of the velocity after a restart
 constexpr double kLeastProcess_m2_per_s3 = 1e-4;
 constexpr double kRounding_m2 = 1e-14;
@@ -71,7 +75,7 @@ Taken HandEstimate::hold(SessionTime at, const Point<HapticBase>& hand) noexcept
 /// The process noise is the innovations' mean square minus the value that the filter expects. Half the square of a
 /// single large innovation counts at once, so that a hand that starts to move is followed without delay.
 void HandEstimate::adapt(double surprise_m2, double expected_m2, double dt_s) noexcept {
-  const double remembered = surprise_m2_ > 0.0 ? std::exp(-dt_s / settings_.surprise_memory_s) : 0.0;
+  const double remembered = surprise_m2_ > 0.0 ? std::exp(-dt_s / kSurpriseMemory_s) : 0.0;
   surprise_m2_ += (1.0 - remembered) * (surprise_m2 - surprise_m2_);
   const double unexpected_m2 = std::max(surprise_m2_, 0.5 * surprise_m2) - expected_m2 - noise_.variance_m2();
   process_m2_per_s3_ = std::max(kLeastProcess_m2_per_s3, unexpected_m2 / (dt_s * dt_s * dt_s));
@@ -97,7 +101,7 @@ void HandEstimate::filter(const Point<HapticBase>& hand, double dt_s) noexcept {
 Taken HandEstimate::update(SessionTime at, const Point<HapticBase>& hand) noexcept {
   if (!hand.m.allFinite()) return ++refused_, Taken::NotFinite;
   const double since_s = started_ ? to_seconds(at - received_) : 0.0;
-  if (!started_ || since_s > settings_.restart_after_s) return restart(at, hand), Taken::Restarted;
+  if (!started_ || since_s > kRestartAfter_s) return restart(at, hand), Taken::Restarted;
   if (since_s <= 0.0) return ++refused_, Taken::OutOfOrder;
   if (is_jump(at, hand)) return hold(at, hand);
   const double dt_s = to_seconds(at - newest_);
@@ -111,8 +115,8 @@ Taken HandEstimate::update(SessionTime at, const Point<HapticBase>& hand) noexce
 HandPrediction HandEstimate::predict(SessionTime now) const noexcept {
   if (!started_) return {};
   const double age_s = to_seconds(now - newest_);
-  const double dt_s = std::clamp(age_s, 0.0, settings_.longest_prediction_s);
-  const bool held = age_s > settings_.longest_prediction_s;
+  const double dt_s = std::clamp(age_s, 0.0, kLongestPrediction_s);
+  const bool held = age_s > kLongestPrediction_s;
   const Eigen::Matrix2d step = transition(dt_s);
   const double spread_m2 = (step * covariance_ * step.transpose())(0, 0);
   const double random_m2 = process_m2_per_s3_ * dt_s * dt_s * dt_s / 3.0;  // white acceleration

@@ -11,14 +11,8 @@
 namespace telepalp::tracking {
 
 struct HandEstimateSettings {
-  double noise_memory_s = 3.0;         ///< time over which the tracker's noise is estimated
-  double surprise_memory_s = 0.05;     ///< time over which the hand's changes of velocity are estimated
-  double persistence_memory_s = 1.0;   ///< time over which the velocity's time constant is learnt
-  double velocity_memory_s = 0.1;      ///< the velocity's time constant before any movement was seen
-  double longest_prediction_s = 0.05;  ///< at a greater age the predicted position no longer changes
-  double restart_after_s = 0.2;        ///< the filter restarts after a longer gap between samples
-  double fastest_m_per_s = 5.0;        ///< a sample that implies a greater speed is a jump and is rejected
-  double believed_after_s = 0.5;       ///< after a jump, samples that agree with each other for this time are accepted
+  double fastest_m_per_s = 5.0;   ///< a sample that implies a greater speed is a jump and is rejected
+  double believed_after_s = 0.5;  ///< after a jump, samples that agree with each other for this time are accepted
 };
 
 /// The hand's state at an instant, predicted from the samples before this instant.
@@ -39,15 +33,13 @@ enum class Taken { Used, Restarted, NotFinite, OutOfOrder, Jump };
 /// and the velocity's time constant from the recent movements (VelocityPersistence). With a tracker that smooths its
 /// samples, the filter extrapolates the straight line through the last two samples, at a velocity that decays with this
 /// time constant; with a noisy tracker the filter averages. It uses the time stamp of each sample, so jitter, gaps and
-/// bursts cause no model error. After a gap longer than restart_after_s it restarts, so its covariance stays bounded. A
+/// bursts cause no model error. After a gap of more than 0.2 s it restarts, so its covariance stays bounded. A
 /// sample that implies an impossible speed is rejected, and the estimate continues from the accepted samples. Axes are
 /// independent and share one covariance. No allocation. Owner: haptic thread.
 class HandEstimate {
  public:
   explicit HandEstimate(const HandEstimateSettings& settings = {}) noexcept
-      : settings_(settings),
-        noise_(settings.noise_memory_s),
-        persistence_(settings.velocity_memory_s, settings.persistence_memory_s) {}
+      : settings_(settings), noise_(kNoiseMemory_s), persistence_(kVelocityMemory_s, kPersistenceMemory_s) {}
 
   /// Adds a sample taken at `at`. The estimate changes only when the result is Used or Restarted.
   Taken update(SessionTime at, const Point<HapticBase>& hand) noexcept;
@@ -60,6 +52,10 @@ class HandEstimate {
   [[nodiscard]] double noise_m() const noexcept;
 
  private:
+  static constexpr double kNoiseMemory_s = 3.0;        ///< time over which the tracker's noise is estimated
+  static constexpr double kPersistenceMemory_s = 1.0;  ///< time over which the velocity's time constant is learnt
+  static constexpr double kVelocityMemory_s = 0.1;     ///< the velocity's time constant before any movement was seen
+
   using Motion = Eigen::Matrix<double, 2, 3>;  ///< rows: position, velocity; columns: axes
 
   void restart(SessionTime at, const Point<HapticBase>& hand) noexcept;

@@ -11,6 +11,9 @@
 namespace telepalp::trials {
 namespace {
 
+constexpr double kHalfWidth_m = 0.05;  // half side of the searched square, about the middle of the skin
+constexpr double kTremor_m = 0.0005;   // amplitude of the hand's tremor at 9 Hz
+constexpr double kWeber = 0.10;  // standard deviation of the perceived force as a share of the force (Weber fraction)
 constexpr int kPlacesASide = 4;
 constexpr double kLeg_s[] = {0.55, 0.35, 0.30, 0.40};  // durations: over the place, down to the skin, into it, out
 constexpr double kPress_s = 1.6;                       // sum of all four
@@ -25,10 +28,10 @@ struct Place {
   double stiffest_N_per_m = 0.0;
 };
 
-std::vector<Place> grid(double half_width_m) {
+std::vector<Place> grid() {
   std::vector<Place> places;
   for (int i = 0; i < kPlacesASide * kPlacesASide; ++i) {
-    const auto along = [&](int n) { return half_width_m * (2.0 * n / (kPlacesASide - 1) - 1.0); };
+    const auto along = [&](int n) { return kHalfWidth_m * (2.0 * n / (kPlacesASide - 1) - 1.0); };
     const int row = i / kPlacesASide;
     const int column = row % 2 == 0 ? i % kPlacesASide : kPlacesASide - 1 - i % kPlacesASide;
     places.push_back({along(column), along(row)});
@@ -69,10 +72,9 @@ double median_stiffness(std::vector<Place> places) {
 BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
   device::Random random(settings.seed);
   BlindSearchOutcome outcome;
-  outcome.cylinder.m = {random.uniform(-settings.half_width_m, settings.half_width_m), 0.0,
-                        random.uniform(-settings.half_width_m, settings.half_width_m)};
+  outcome.cylinder.m = {random.uniform(-kHalfWidth_m, kHalfWidth_m), 0.0, random.uniform(-kHalfWidth_m, kHalfWidth_m)};
   const double breath_begins_s = random.uniform(0.0, 4.0);
-  std::vector<Place> places = grid(settings.half_width_m);
+  std::vector<Place> places = grid();
   const std::vector<device::Waypoint> script = presses(places);
   const std::unique_ptr<TrialSkin> skin =
       settings.by_camera
@@ -87,7 +89,7 @@ BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
     const double now_s = station.time_s();
     (void)station.step([&](const device::TrialView& view) {
       device::Intention aim = person.step(view, tick_s);
-      aim.at.m.y() += settings.tremor_m * std::sin(2.0 * std::numbers::pi * 9.0 * now_s);
+      aim.at.m.y() += kTremor_m * std::sin(2.0 * std::numbers::pi * 9.0 * now_s);
       return aim;
     });
     const double depth_m = station.true_depth_m();
@@ -96,7 +98,7 @@ BlindSearchOutcome search_blindly(const BlindSearchSettings& settings) {
     place.stiffest_N_per_m = std::max(place.stiffest_N_per_m, station.pair().felt().N.norm() / depth_m);
   }
   for (const Place& place : places) outcome.places_unfelt += place.stiffest_N_per_m < kFelt_N_per_m ? 1 : 0;
-  for (Place& place : places) place.stiffest_N_per_m *= 1.0 + settings.weber * random.normal();
+  for (Place& place : places) place.stiffest_N_per_m *= 1.0 + kWeber * random.normal();
   const auto stiffest = std::max_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
     return a.stiffest_N_per_m < b.stiffest_N_per_m;
   });

@@ -10,11 +10,8 @@ namespace telepalp::trials {
 struct BlindSearchSettings {
   std::uint64_t seed = 1;
   bool with_cylinder = true;   ///< hide S1's cylinder at a random place of the searched square
-  double half_width_m = 0.05;  ///< half side of the searched square, about the middle of the skin
   double breathing_m = 0.003;  ///< amplitude of the skin's rise and fall
-  double tremor_m = 0.0005;    ///< amplitude of the hand's tremor at 9 Hz
   bool by_camera = false;      ///< a Kinect-like camera sees a curved skin; false: the skin is level, its surface exact
-  double weber = 0.10;         ///< standard deviation of the perceived force as a share of the force (Weber fraction)
 };
 
 struct BlindSearchOutcome {

@@ -10,6 +10,8 @@ namespace telepalp::trials {
 namespace {
 
 constexpr double kFrame_hz = 30.0;
+constexpr double kAlongRadius_m = 0.6;  // radius of curvature in the direction from head to feet
+constexpr double kAcrossRadius_m = 0.25;
 
 constexpr Intrinsics kCamera{320, 240, 525.0, 525.0, 159.5, 119.5};
 
@@ -34,8 +36,8 @@ class CameraSkin final : public TrialSkin {
   }
 
   [[nodiscard]] double true_depth_m(const Point<HapticBase>& point, double time_s) const override {
-    const double x_slope = point.m.x() / belly_.along_radius_m;
-    const double z_slope = point.m.z() / belly_.across_radius_m;
+    const double x_slope = point.m.x() / kAlongRadius_m;
+    const double z_slope = point.m.z() / kAcrossRadius_m;
     const double above_m = point.m.y() - height_m(point.m.x(), point.m.z(), time_s);
     return -above_m / std::sqrt(1.0 + x_slope * x_slope + z_slope * z_slope);
   }
@@ -44,7 +46,7 @@ class CameraSkin final : public TrialSkin {
   [[nodiscard]] double height_m(double x_m, double z_m, double time_s) const noexcept {
     const double breath_m =
         belly_.breathing_m * std::sin(2.0 * std::numbers::pi * belly_.rate_hz * (belly_.begins_s + time_s));
-    return breath_m - 0.5 * x_m * x_m / belly_.along_radius_m - 0.5 * z_m * z_m / belly_.across_radius_m;
+    return breath_m - 0.5 * x_m * x_m / kAlongRadius_m - 0.5 * z_m * z_m / kAcrossRadius_m;
   }
 
   [[nodiscard]] DepthImage seen_at(double time_s, SessionTime now) const {

@@ -32,9 +32,7 @@ class TrialSkin {
 struct BellySettings {
   double breathing_m = 0.0;  ///< amplitude of the belly's rise and fall, a sine
   double rate_hz = 0.25;
-  double begins_s = 0.0;        ///< time of the sine at the trial's start
-  double along_radius_m = 0.6;  ///< radius of curvature in the direction from head to feet
-  double across_radius_m = 0.25;
+  double begins_s = 0.0;  ///< time of the sine at the trial's start
   std::uint64_t seed = 1;
 };
 [[nodiscard]] std::unique_ptr<TrialSkin> camera_skin(const BellySettings& belly);

@@ -6,6 +6,9 @@
 namespace telepalp::ultrasound {
 namespace {
 
+constexpr double kRange_dB = 60.0;      // dynamic range: difference of echo level between black and white
+constexpr double kSpecularPower = 4.0;  // a boundary's echo is proportional to cos(incidence) to this power
+
 using effects::Echo;
 using Eigen::Vector3d;
 
@@ -87,7 +90,7 @@ class ScanLine {
     const double reflected = std::pow((z2 - z1) / (z2 + z1), 2.0);
     const Vector3d& normal = crossings_[now != kTissue ? now : last_].gradient;
     const double cosine = std::min(1.0, std::abs(normal.dot(along)));
-    const double echo_dB = 10.0 * std::log10(reflected * std::pow(cosine, settings_.specular_power) + 1e-12);
+    const double echo_dB = 10.0 * std::log10(reflected * std::pow(cosine, kSpecularPower) + 1e-12);
     const double before_dB = sent_dB_;                      // the boundary's echo does not cross the boundary
     sent_dB_ += 20.0 * std::log10(1.0 - reflected + 1e-6);  // both ways through the boundary
     return before_dB + echo_dB;
@@ -126,7 +129,7 @@ BModeImage b_mode(std::span<const PlacedLayer> layers, const ProbePose& probe, c
       const Vector3d p = probe.at + x_m * probe.across + depth_m * probe.into_body;
       const double dB = line.next_dB(p, probe.into_body, depth_m, step_m);
       image.gray[v * side + u] =
-          static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(1.0 + dB / settings.range_dB, 0.0, 1.0)));
+          static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(1.0 + dB / kRange_dB, 0.0, 1.0)));
     }
   }
   return image;

@@ -21,9 +21,7 @@ struct BModeSettings {
   int side_px = 256;
   double width_m = 0.06;
   double depth_m = 0.10;
-  double range_dB = 60.0;       ///< dynamic range: difference of echo level between black and white
-  effects::Echo tissue{};       ///< echo properties around and between the layers
-  double specular_power = 4.0;  ///< a boundary's echo is proportional to cos(incidence) to this power
+  effects::Echo tissue{};  ///< echo properties around and between the layers
 };
 
 /// Brightness of each pixel, 0 (black) to 255: `side_px` rows of `side_px` pixels, from the skin down.

@@ -21,14 +21,14 @@ inline constexpr std::array kPlaceKinds{PlaceKind::Station, PlaceKind::Recorder,
 }
 
 struct PlaceLimits {
-  std::size_t stations = 8;    ///< role doctor
-  std::size_t recorders = 8;   ///< roles recorder, technician, qa
-  std::size_t viewers = 48;    ///< any other role
-  std::size_t strangers = 32;  ///< connections without a Hello yet, or refused and not closed yet
+  static constexpr std::size_t kStations = 8;   ///< role doctor
+  static constexpr std::size_t kRecorders = 8;  ///< roles recorder, technician, qa
+  std::size_t viewers = 48;                     ///< any other role
+  std::size_t strangers = 32;                   ///< connections without a Hello yet, or refused and not closed yet
 
   [[nodiscard]] constexpr std::size_t of(PlaceKind kind) const noexcept {
-    if (kind == PlaceKind::Station) return stations;
-    return kind == PlaceKind::Recorder ? recorders : viewers;
+    if (kind == PlaceKind::Station) return kStations;
+    return kind == PlaceKind::Recorder ? kRecorders : viewers;
   }
 };
 

@@ -5,6 +5,13 @@
 #include "haptic_station/control/safety/shortened.h"
 
 namespace telepalp::control {
+namespace {
+
+constexpr double kTolerance_J = 1e-5;      // a smaller excess of energy is ignored as rounding and quantisation
+constexpr double kHandTolerance_J = 1e-4;  // a smaller excess in HandLedger is ignored as noise of the surface
+constexpr double kLeastSlew_N_per_s = 40.0;
+
+}  // namespace
 
 double PassivityController::Damper::follow(double excess_J, double speed2_m2_per_s2, double dt_s) noexcept {
   constexpr double kStill_m2_per_s2 = 1e-8;  // 0.1 mm/s: a slower movement dissipates no energy
@@ -34,13 +41,13 @@ Wrench<HapticBase> PassivityController::step(const Exchange& exchange, double dt
   const Eigen::Vector3d& absolute = exchange.device_velocity.v;
   const Eigen::Vector3d turning = exchange.lever_m * exchange.turning.v;
   const double turning2 = turning.squaredNorm();
-  const double display_excess_J = -balance_J() - settings_.tolerance_J;
-  const double hand_excess_J = exchange.hand_excess_J - settings_.hand_tolerance_J;
+  const double display_excess_J = -balance_J() - kTolerance_J;
+  const double hand_excess_J = exchange.hand_excess_J - kHandTolerance_J;
   const double by_display = display_.follow(display_excess_J, relative.squaredNorm() + turning2, dt_s);
   const double by_hand = hand_.follow(hand_excess_J, absolute.squaredNorm() + turning2, dt_s);
   const Eigen::Vector3d wanted_N = -by_display * relative - by_hand * absolute;
   const double most_change_N =
-      std::max(settings_.least_slew_N_per_s * dt_s, settings_.slew_N_per_s * dt_s - exchange.force_change_N);
+      std::max(kLeastSlew_N_per_s * dt_s, settings_.slew_N_per_s * dt_s - exchange.force_change_N);
   damping_.force.N += at_most(wanted_N - damping_.force.N, most_change_N);
   const Eigen::Vector3d wanted_N_m = -exchange.lever_m * (by_display + by_hand) * turning;
   damping_.torque.N_m += at_most(wanted_N_m - damping_.torque.N_m, exchange.lever_m * most_change_N);

@@ -7,16 +7,9 @@ namespace telepalp::control {
 
 struct PassivitySettings {
   bool enabled = true;
-  double most_damping_N_s_per_m = 40.0;
-  double tolerance_J = 1e-5;  ///< a smaller excess of energy is ignored as rounding and quantisation
-  double reaction_s = 0.004;  ///< time to remove an excess; the damping takes as long to rise from 0 to its limit
-  double hand_most_damping_N_s_per_m = 25.0;  ///< largest damping against an excess in HandLedger
-  double hand_tolerance_J = 1e-4;             ///< a smaller excess in HandLedger is ignored as noise of the surface
-  double hand_reaction_s = 0.01;
   /// The damping force changes by at most 0.045 N a tick, less the change of the effects' force in the same tick. It
   /// may always change by 0.02 N.
   double slew_N_per_s = 90.0;
-  double least_slew_N_per_s = 40.0;
 };
 
 /// Energy and motion between the effects and the hand over one tick. H is the haptic base's frame.
@@ -71,15 +64,15 @@ class PassivityController {
   /// A damping coefficient that grows and falls gradually with the excess of energy.
   struct Damper {
     double most_N_s_per_m;
-    double reaction_s;
+    double reaction_s;  ///< time to remove an excess; the damping takes as long to rise from 0 to its limit
     double now_N_s_per_m = 0.0;
     [[nodiscard]] double follow(double excess_J, double speed2_m2_per_s2, double dt_s) noexcept;
   };
 
   PassivitySettings settings_;
   Wrench<HapticBase> damping_;  ///< during the last tick
-  Damper display_{settings_.most_damping_N_s_per_m, settings_.reaction_s};
-  Damper hand_{settings_.hand_most_damping_N_s_per_m, settings_.hand_reaction_s};
+  Damper display_{.most_N_s_per_m = 40.0, .reaction_s = 0.004};
+  Damper hand_{.most_N_s_per_m = 25.0, .reaction_s = 0.01};  ///< against an excess in HandLedger
   double taken_J_ = 0.0;
   double stored_J_ = 0.0;
   double least_J_ = 0.0;

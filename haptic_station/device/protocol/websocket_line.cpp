@@ -19,6 +19,8 @@ namespace websocket = beast::websocket;
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
+constexpr std::chrono::milliseconds kSilence{1000};    // time without a message after which to reconnect
+constexpr std::chrono::milliseconds kAgainAfter{250};  // pause between attempts
 constexpr milliseconds kConnectTimeout{2000};
 
 }  // namespace
@@ -107,7 +109,7 @@ struct WebSocketLine::Shared {
     made->start();
   }
   void connect_later(const std::shared_ptr<Shared>& self) {
-    again.expires_after(settings.again_after);
+    again.expires_after(kAgainAfter);
     again.async_wait([self](const boost::system::error_code& error) {
       if (!error) self->connect(self);
     });
@@ -154,7 +156,7 @@ void WebSocketLine::Connection::connected() {
 
 void WebSocketLine::Connection::read() {
   if (dead_) return;
-  beast::get_lowest_layer(stream_).expires_after(line_->settings.silence);
+  beast::get_lowest_layer(stream_).expires_after(kSilence);
   stream_.async_read(incoming_, [self = shared_from_this()](beast::error_code error, std::size_t) {
     if (error == beast::error::timeout) return self->lost("the service sends no more messages");
     if (error) return self->lost(error.message());

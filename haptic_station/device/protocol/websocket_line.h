@@ -25,14 +25,12 @@ struct WebSocketUrl {
                                                        std::string_view where);
 [[nodiscard]] std::string to_string(const WebSocketUrl& url);
 
-/// A WebSocket client that reconnects when the connection is lost. A connection without a message for `silence` counts
-/// as lost. A text larger than `most_text_bytes` ends the connection. Owner: the io_context's one thread.
+/// A WebSocket client that reconnects when the connection is lost. A connection without a message for 1 s counts as
+/// lost. A text larger than `most_text_bytes` ends the connection. Owner: the io_context's one thread.
 class WebSocketLine {
  public:
   struct Settings {
     std::size_t most_text_bytes = 64U << 10U;
-    std::chrono::milliseconds silence{1000};     ///< time without a message after which to reconnect
-    std::chrono::milliseconds again_after{250};  ///< pause between attempts
   };
   struct Handlers {
     std::function<void()> on_open;

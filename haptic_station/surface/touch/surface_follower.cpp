@@ -9,6 +9,12 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kBandwidth_rad_per_s = 40.0;    // of the critically damped approach, while no other limit is reached
+constexpr double kFastestSurface_m_per_s = 0.3;  // a greater speed of the newest surface is limited to this
+constexpr double kAccelerationInGap_m_per_s2 = 6.0;
+// The greatest speed in a gap is the gap's width divided by this time, so that the surface has slowed down when it
+// meets the device.
+constexpr double kClosesGapOver_s = 0.05;
 constexpr double kLongestStep_s = 0.002;  // a longer tick is integrated in several steps
 constexpr FollowLimits kTurn{.speed_m_per_s = 1.0,
                              .acceleration_m_per_s2 = 30.0};  // values in radians instead of metres
@@ -27,23 +33,22 @@ void in_parts(double dt_s, const Step& step) noexcept {
 }
 
 FollowLimits in_gap(FollowLimits limits, double gap_m) noexcept {
-  const double speed_m_per_s = std::min(gap_m / limits.closes_gap_over_s, limits.speed_in_gap_m_per_s);
+  const double speed_m_per_s = std::min(gap_m / kClosesGapOver_s, limits.speed_in_gap_m_per_s);
   limits.speed_m_per_s = std::max(limits.speed_m_per_s, speed_m_per_s);
-  limits.acceleration_m_per_s2 = std::max(limits.acceleration_m_per_s2, limits.acceleration_in_gap_m_per_s2);
+  limits.acceleration_m_per_s2 = std::max(limits.acceleration_m_per_s2, kAccelerationInGap_m_per_s2);
   return limits;
 }
 
 }  // namespace
 
-double FollowShare::of(const FollowLimits& limits, double dt_s) noexcept {
-  return share_.of(-2.0 * limits.bandwidth_rad_per_s * dt_s, [](double x) noexcept { return -std::expm1(x); });
+double FollowShare::of(double dt_s) noexcept {
+  return share_.of(-2.0 * kBandwidth_rad_per_s * dt_s, [](double x) noexcept { return -std::expm1(x); });
 }
 
 Vector3d next_rate(const Vector3d& rate, const Vector3d& error, const Vector3d& target_rate, const FollowLimits& limits,
                    double share, double dt_s) noexcept {
-  const double w = limits.bandwidth_rad_per_s;
   const Vector3d wanted =
-      at_most(target_rate, limits.fastest_surface_m_per_s) + at_most(0.5 * w * error, limits.speed_m_per_s);
+      at_most(target_rate, kFastestSurface_m_per_s) + at_most(0.5 * kBandwidth_rad_per_s * error, limits.speed_m_per_s);
   return rate + at_most(share * (wanted - rate), limits.acceleration_m_per_s2 * dt_s);
 }
 
@@ -67,7 +72,7 @@ void SurfaceFollower::follow_at_once(const Vector3d& normal, double speed_m_per_
   lag_m_.setZero();
   tilt_rad_.setZero();
   turn_rad_per_s_.setZero();
-  velocity_m_per_s_ = at_most(speed_m_per_s * normal, limits_.fastest_surface_m_per_s);
+  velocity_m_per_s_ = at_most(speed_m_per_s * normal, kFastestSurface_m_per_s);
 }
 
 void SurfaceFollower::take_over(const Vector3d& foot, const Vector3d& normal, const Vector3d& there,
@@ -89,10 +94,9 @@ void SurfaceFollower::advance(const Vector3d& foot, const Vector3d& normal, doub
   const FollowLimits limits = gap_m > 0.0 ? in_gap(limits_, gap_m) : limits_;
   const Vector3d newest = newest_speed_m_per_s * normal;
   in_parts(dt_s, [&](double part_s) noexcept {
-    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits, share_.of(limits, part_s), part_s);
+    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits, share_.of(part_s), part_s);
     lag_m_ += part_s * (newest - velocity_m_per_s_);
-    turn_rad_per_s_ =
-        next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, turn_share_.of(kTurn, part_s), part_s);
+    turn_rad_per_s_ = next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, turn_share_.of(part_s), part_s);
     tilt_rad_ -= part_s * turn_rad_per_s_;
   });
 }
@@ -107,7 +111,7 @@ void LineFollower::begin(const Vector3d& at, const Vector3d& along, double rate_
 void LineFollower::advance(double error_m, double target_m_per_s, double dt_s) noexcept {
   in_parts(dt_s, [&](double part_s) noexcept {
     const Vector3d rate = next_rate({rate_m_per_s_, 0.0, 0.0}, {error_m, 0.0, 0.0}, {target_m_per_s, 0.0, 0.0}, limits_,
-                                    share_.of(limits_, part_s), part_s);
+                                    share_.of(part_s), part_s);
     rate_m_per_s_ = rate.x();
     risen_m_ += part_s * rate_m_per_s_;
     error_m += part_s * (target_m_per_s - rate_m_per_s_);

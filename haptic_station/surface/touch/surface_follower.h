@@ -9,28 +9,23 @@ namespace telepalp::surface {
 
 /// Limits of the approach of the displayed surface, which the hand feels, to the newest one.
 struct FollowLimits {
-  double bandwidth_rad_per_s = 40.0;  ///< of the critically damped approach, while no other limit is reached
-  double speed_m_per_s = 0.05;        ///< greatest speed of the approach, in addition to the surface's own motion
+  double speed_m_per_s = 0.05;  ///< greatest speed of the approach, in addition to the surface's own motion
   double acceleration_m_per_s2 = 1.5;
-  double fastest_surface_m_per_s = 0.3;  ///< a greater speed of the newest surface is limited to this
-  double speed_in_gap_m_per_s = 0.15;    ///< speed_m_per_s while the device is above the displayed surface (in a gap)
-  double acceleration_in_gap_m_per_s2 = 6.0;  ///< acceleration_m_per_s2 in a gap
-  double closes_gap_over_s = 0.05;  ///< the greatest speed in a gap is the gap's width divided by this time, so that
-                                    ///< the surface has slowed down to speed_m_per_s when it meets the device
+  double speed_in_gap_m_per_s = 0.15;  ///< speed_m_per_s while the device is above the displayed surface (in a gap)
 };
 
 /// The share of the difference between wanted and present rate that one step of next_rate() removes, 1 - exp(-2
 /// bandwidth dt). Keeps the last result, because the time between ticks seldom changes.
 class FollowShare {
  public:
-  [[nodiscard]] double of(const FollowLimits& limits, double dt_s) noexcept;
+  [[nodiscard]] double of(double dt_s) noexcept;
 
  private:
   LastResult share_;
 };
 
 /// One step of a critically damped approach with bounded speed and acceleration. `rate`: rate of the value; `error`:
-/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of(`limits`, `dt_s`). Returns the
+/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of(`dt_s`). Returns the
 /// next rate of the value. The result depends only on the present error and rates, so the approach is the same
 /// whether the target is updated 10 or 200 times a second.
 [[nodiscard]] Eigen::Vector3d next_rate(const Eigen::Vector3d& rate, const Eigen::Vector3d& error,

@@ -14,8 +14,13 @@ using Eigen::Vector3d;
 constexpr double kSteepEnough = 0.2;   // |gradient| below which f says nothing about direction (1 on a clean surface)
 constexpr double kSharpCosine = 0.94;  // planes turned by more than 20 degrees in one slide make a crease
 constexpr int kMostHops = 32;
-constexpr double kFootPerDevice = 3.0;      // largest ratio of the foot's movement to the device's, as on a dome
-constexpr double kFoot_m_per_s = 0.10;      // largest speed of the foot under a device at rest
+constexpr double kLongestHop_m = 0.004;  // a longer move of the device is searched in parts, to miss no surface
+constexpr int kMostIterations = 4;       // of one search for the foot; each evaluates the surface at least once
+constexpr double kSettle_m = 2e-5;  // a shorter step of the foot ends the search: the error left is of second order
+constexpr double kOtherSurface_m = 0.045;  // a surface that jumps farther than this during a contact is another surface
+constexpr double kOffFoot_m = 0.004;       // a device tangentially farther than this from its foot is beyond the rim
+constexpr double kFootPerDevice = 3.0;     // largest ratio of the foot's movement to the device's, as on a dome
+constexpr double kFoot_m_per_s = 0.10;     // largest speed of the foot under a device at rest
 constexpr double kHeldPlane_m_per_s = 0.1;  // largest speed at which the foot slides on a held plane
 constexpr double kLeastShown = 0.05;        // least displayed share at which a contact begins
 constexpr double kFreeDepth_m = 0.03;       // to this depth of a device without force, the skin rises faster
@@ -90,7 +95,7 @@ FieldSample Touch::meet(const Vector3d& expected) noexcept {
   const double steepness = newest.gradient.norm();
   if (!newest.valid || steepness < kSteepEnough || normal_.isZero()) return newest;
   there -= newest.f_m / (steepness * steepness) * newest.gradient;
-  const double farthest_m = side_ == Side::Inside ? settings_.other_surface_m : settings_.deepest_start_m;
+  const double farthest_m = side_ == Side::Inside ? kOtherSurface_m : kDeepestStart_m;
   if (std::min((there - expected).norm(), (there - foot_).norm()) > farthest_m) return {};
   follower_.take_over(foot_, normal_, there, newest.gradient / steepness);
   newest.f_m = 0.0;
@@ -111,7 +116,7 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   carry_on(dt, felt);
   basis_ = motion_basis(snapshot_->motion, age_s());
   const Vector3d from = has_device_ ? device_ : device.m;
-  const double hops = std::ceil((device.m - from).norm() / settings_.longest_hop_m);
+  const double hops = std::ceil((device.m - from).norm() / kLongestHop_m);
   const int parts = static_cast<int>(std::clamp(hops, 1.0, static_cast<double>(kMostHops)));
   if (!felt) end_too_deep(device.m);
   const bool was_inside = side_ == Side::Inside && at_foot_.valid;
@@ -131,9 +136,9 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
 }
 
 /// Ends a contact that gives no force, as after a release, when the device is deeper than any contact may begin
-/// (deepest_start_m). The device must then be lifted before the next contact.
+/// (kDeepestStart_m). The device must then be lifted before the next contact.
 void Touch::end_too_deep(const Vector3d& device) noexcept {
-  if (side_ != Side::Inside || -height_of(device) <= settings_.deepest_start_m) return;
+  if (side_ != Side::Inside || -height_of(device) <= kDeepestStart_m) return;
   side_ = Side::Unknown;
   held_ = 0.0;
 }
@@ -201,8 +206,8 @@ void Touch::follow(const Vector3d& device) noexcept {
     if (!last.normal.isZero() && last.normal.dot(normal_) < kSharpCosine)
       slide = tangential(goal_in_crease(device, last, plane) - foot_, normal_);
     slide = shortened(slide, snapshot_->stride_m(foot_));
-    const bool settled = std::abs(here.f_m) < settings_.settle_m && slide.norm() < settings_.settle_m;
-    if (settled || iteration == settings_.most_iterations) {
+    const bool settled = std::abs(here.f_m) < kSettle_m && slide.norm() < kSettle_m;
+    if (settled || iteration == kMostIterations) {
       foot_ += onto + (settled ? slide : Vector3d::Zero());
       here.f_m = 0.0;
       break;
@@ -231,8 +236,8 @@ void Touch::decide(const Vector3d& device) noexcept {
     side_ = Side::Outside;
     return;
   }
-  if (side_ == Side::Inside || sideways_of(device) >= settings_.off_foot_m) return;
-  if (side_ == Side::Unknown && !is_seen_near(*snapshot_, device, settings_.deepest_start_m)) return;
+  if (side_ == Side::Inside || sideways_of(device) >= kOffFoot_m) return;
+  if (side_ == Side::Unknown && !is_seen_near(*snapshot_, device, kDeepestStart_m)) return;
   if (at_foot_.coverage * freshness() < kLeastShown) return;
   side_ = Side::Inside;
   if (!was_in_front && settings_.gentle_start) show_at(device);
@@ -261,7 +266,7 @@ void Touch::look_at_anchor() noexcept {
   }
   const double slope = newest.gradient.dot(along);
   const double lag_m = along.dot(there - anchor_.at()) - newest.f_m / std::max(slope, kSteepEnough);
-  anchor_seen_ = newest.valid && slope > kSteepEnough && std::abs(lag_m) < settings_.deepest_start_m;
+  anchor_seen_ = newest.valid && slope > kSteepEnough && std::abs(lag_m) < kDeepestStart_m;
   if (!anchor_seen_) return;
   anchor_lag_m_ = lag_m;
   anchor_target_m_per_s_ = newest.velocity_m_per_s / slope;
@@ -301,10 +306,10 @@ void Touch::follow_anchor(double dt_s) noexcept {
 void Touch::hold(double dt_s, const Vector3d& device, bool felt) noexcept {
   double target = 0.0;
   if (has_foot_ && at_foot_.valid) {
-    const double beyond = (sideways_of(device) - settings_.off_foot_m) / (2.0 * settings_.off_foot_m);
+    const double beyond = (sideways_of(device) - kOffFoot_m) / (2.0 * kOffFoot_m);
     target = at_foot_.coverage * freshness() * (1.0 - smooth_step(beyond));
   }
-  const double most = dt_s / settings_.let_go_over_s;
+  const double most = dt_s / kLetGoOver_s;
   held_ = side_ == Side::Inside ? std::clamp(target, held_ - most, felt ? held_ + most : 1.0) : target;
   if (side_ == Side::Inside && has_foot_ && !at_foot_.valid)
     foot_ += shortened(tangential(device - foot_, normal_), kHeldPlane_m_per_s * dt_s);
@@ -326,7 +331,7 @@ double Touch::age_s() const noexcept {
 }
 
 double Touch::freshness() const noexcept {
-  return 1.0 - smooth_step((age_s() - settings_.stale_after_s) / settings_.let_go_over_s);
+  return 1.0 - smooth_step((age_s() - settings_.stale_after_s) / kLetGoOver_s);
 }
 
 Displaced Touch::displaced() const noexcept {

@@ -10,17 +10,15 @@
 
 namespace telepalp::surface {
 
+/// Time over which a contact fades after its surface is stale or lost.
+inline constexpr double kLetGoOver_s = 0.5;
+/// A device first seen deeper than this is behind the surface, not in the body.
+inline constexpr double kDeepestStart_m = 0.09;
+
 struct TouchSettings {
   FollowLimits follow;
-  int most_iterations = 4;         ///< iterations of one search for the foot; each evaluates the surface at least once
-  double settle_m = 2e-5;          ///< a shorter step of the foot ends the search: the error left is of second order
-  double longest_hop_m = 0.004;    ///< a longer move of the device is searched in up to 32 parts, to miss no surface
-  double deepest_start_m = 0.09;   ///< a device first seen deeper than this is behind the surface, not in the body
-  bool gentle_start = true;        ///< skin over a device first seen in the body is displayed at the device, then rises
-  double other_surface_m = 0.045;  ///< a surface that jumps farther than this during a contact is another surface
-  double off_foot_m = 0.004;       ///< a device tangentially farther than this from its foot is beyond the rim
-  double stale_after_s = 1.0;      ///< age of the snapshot at which the contact begins to fade
-  double let_go_over_s = 0.5;      ///< time over which a contact fades after its surface is stale or lost
+  bool gentle_start = true;    ///< skin over a device first seen in the body is displayed at the device, then rises
+  double stale_after_s = 1.0;  ///< age of the snapshot at which the contact begins to fade
 };
 
 /// The result of one step, in the depth camera's frame.
@@ -70,7 +68,7 @@ class Touch {
   void release() noexcept;
   /// The touch at `now`, `dt_s` after the last step. A position that is not finite moves nothing and gives an empty
   /// sample, as does a step without a snapshot. If `now` goes back, the latest `now` so far counts. `felt`: the skin
-  /// gave force at the last tick; if not, the coverage may rise at once, and a contact below deepest_start_m ends.
+  /// gave force at the last tick; if not, the coverage may rise at once, and a contact below kDeepestStart_m ends.
   [[nodiscard]] TouchSample step(const Point<DepthCamera>& device, SessionTime now, double dt_s,
                                  bool felt = true) noexcept;
 

@@ -8,25 +8,17 @@
 
 namespace telepalp::tracking {
 
-struct FollowedHandSettings {
-  double same_within_m = 0.06;  ///< a hand farther than this from the predicted position is not the followed hand
-  double other_after_s = 0.3;   ///< another hand is followed when the followed one has been missing for this long
-};
-
 /// Selects the examining hand among the hands of one tracker frame. Trackers give a hand a new id after losing it for a
 /// moment, and sometimes swap the ids of two hands. So position and velocity decide first; the id decides only among
 /// the hands near the predicted position. Pure.
 class FollowedHand {
  public:
-  explicit FollowedHand(const FollowedHandSettings& settings = {}) noexcept : settings_(settings) {}
-
   /// The followed hand in this frame; nullopt: it is missing. `time_s`: the frame's time; any monotonic clock will do.
   [[nodiscard]] std::optional<leap::Hand> choose(double time_s, std::span<const leap::Hand> hands) noexcept;
 
  private:
   [[nodiscard]] double apart_m(double time_s, const leap::Hand& hand) const noexcept;
 
-  FollowedHandSettings settings_;
   std::optional<leap::Hand> last_;
   double seen_s_ = 0.0;
 };

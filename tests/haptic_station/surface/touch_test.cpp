@@ -107,7 +107,7 @@ TEST(Touch, AContactThatIsNotFeltHasItsWholeShareOnceImagesReturn) {
 
 TEST(Touch, AContactThatIsFeltRegainsItsShareGradually) {
   const ShareOnReturn share = share_on_return(true);
-  EXPECT_NEAR(share.after - share.before, 0.0005 / TouchSettings{}.let_go_over_s, 1e-9);
+  EXPECT_NEAR(share.after - share.before, 0.0005 / kLetGoOver_s, 1e-9);
 }
 
 TEST(GridSurface, TheGradientIsThatOfF) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "haptic_station/surface/touch/touch.h"
 #include "messages/station.pb.h"
 
 namespace telepalp::replay {
@@ -26,7 +27,6 @@ constexpr float kYoung_s = 0.8F;
 constexpr float kNoForce_N = 0.05F;
 constexpr Nanoseconds kFadeWithin = 500ms;
 constexpr float kDeep_m = 0.005F;
-constexpr float kDeepestStart_m = 0.09F;  // surface::TouchSettings::deepest_start_m
 constexpr Nanoseconds kSettle = 3s;
 constexpr Nanoseconds kFeltWithin = 1500ms;
 
@@ -112,7 +112,8 @@ void Invariants::check_release(const TickRecord& tick) {
 
 /// A device that the station let go of can fall deeper than a contact may begin. From there, the station must lift it.
 void Invariants::check_felt(const TickRecord& tick) {
-  const bool is_lifted = tick.depth_m > kDeepestStart_m && tick.phase == control::Phase::BodyToPlane;
+  const bool is_lifted =
+      tick.depth_m > static_cast<float>(surface::kDeepestStart_m) && tick.phase == control::Phase::BodyToPlane;
   const bool unfelt =
       now() > calm_from_ && tick.depth_m > kDeep_m && tick.surface_age_s < kYoung_s && !tick.felt && !is_lifted;
   unfelt_ = unfelt ? unfelt_ + kTick : 0ns;
