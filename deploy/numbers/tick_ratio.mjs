@@ -6,7 +6,7 @@ import {fileURLToPath} from 'node:url';
 
 import {machineName, toJson, toTable} from './rows.mjs';
 import {commitOf, git} from './sources.mjs';
-import {column, quantile, ratioRows} from './tick_rows.mjs';
+import {column, disturbance, quantile, ratioRows} from './tick_rows.mjs';
 
 const HELP = `deploy/tick-ratio: compares the computing time of a tick with that of
 another commit
@@ -29,6 +29,7 @@ options:
 example: deploy/tick-ratio --base HEAD~20 --pairs 10`;
 
 const REACH = 1.05;
+const DISTURBED = 1.5;  // one unchanged program's p99.9, from run to run
 const WARM_UP_S = 2;
 const checkout = fileURLToPath(new URL('../..', import.meta.url));
 const ownPrograms = process.env.TELEPALP_BIN ?? join(checkout, 'build/release/bin');
@@ -143,7 +144,9 @@ const commit = options.base && commitOf(checkout, options.base);
 if (options.base && !commit) fail(2, `there is no commit ${options.base} in ${checkout}`, 'name another commit, or fetch it');
 try {
   const base = options['base-bin'] ? resolve(options['base-bin']) : programsOf(commit);
-  const rows = ratioRows(await pairsOf(options, base), REACH);
+  const pairs = await pairsOf(options, base);
+  const rows = ratioRows(pairs, REACH);
+  if (disturbance(pairs) > DISTURBED) process.stderr.write('  the runs of the base differ much: other programs disturb them. fix: repeat it on a machine that does nothing else\n');
   const report = {bench: 'tick-ratio', commit: git(checkout, 'rev-parse', '--short=8', 'HEAD'), machine: machineName(), rows};
   process.stdout.write(options.json ? toJson(report) : toTable(report));
   process.exitCode = rows.every(({holds}) => holds) ? 0 : 1;

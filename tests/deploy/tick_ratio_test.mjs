@@ -5,7 +5,7 @@ import {join} from 'node:path';
 import {test} from 'node:test';
 
 const sourceDir = process.argv[2];
-const {column, median, quantile, ratioRows} = await import(join(sourceDir, 'deploy/numbers/tick_rows.mjs'));
+const {column, disturbance, median, quantile, ratioRows} = await import(join(sourceDir, 'deploy/numbers/tick_rows.mjs'));
 
 test('a column is found by its name', () => {
   assert.deepEqual(column('tick,work_us,phase\n1,2.5,0\n2,3,1\n', 'work_us'), [2.5, 3]);
@@ -26,6 +26,11 @@ test('a slower tick misses, and one disturbed pair does not', () => {
   assert.equal(ratioRows(pairs([1.06, 1.06, 1.06]), 1.05)[0].holds, false);
   assert.equal(ratioRows(pairs([1, 1.02, 9]), 1.05)[0].holds, true);
   assert.equal(ratioRows(pairs([1, 1.02, 9]), 1.05)[0].value, 1.02);
+});
+
+test('runs of one program that differ are a disturbed machine', () => {
+  assert.equal(disturbance(pairs([1, 1.3])), 1, 'the base alone tells it');
+  assert.equal(disturbance([{base: {p999: 10}}, {base: {p999: 35}}]), 3.5);
 });
 
 test('a wrong question is answered with what to ask', () => {
