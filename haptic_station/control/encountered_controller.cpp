@@ -73,7 +73,8 @@ bool EncounteredController::feels_skin(const ControlInput& in) const noexcept {
 /// force control fades the contact out, and only then the input counts as stale.
 bool EncounteredController::inputs_are_stale(const ControlInput& in) const noexcept {
   const bool holds = force_control_.touching() && !force_control_.released();
-  return surface_is_stale(in, settings_.ages) || (!holds && hand_is_lost(in, settings_.ages.tracker_s));
+  return device_is_unreadable(in, settings_.ages) || surface_is_stale(in, settings_.ages) ||
+         (!holds && hand_is_lost(in, settings_.ages.tracker_s));
 }
 
 /// Upper bound of the force of the displayed skin and of the measured skin now [N]. In Released and Faulted, it is the

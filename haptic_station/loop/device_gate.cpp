@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace telepalp::loop {
@@ -23,6 +24,10 @@ constexpr double kRebasedAfter_s = 0.5;     // after a larger offset, they are t
 constexpr double kAbsorbedOver_s = 0.02;    // time constant of the removal of an offset
 constexpr double kAbsorbed_m_per_s = 0.15;  // fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
 
+bool is_finite(const ports::DeviceReading& reading) noexcept {
+  return reading.at.m.allFinite() && reading.velocity.v.allFinite() && std::isfinite(reading.age_s);
+}
+
 }  // namespace
 
 double DeviceGate::allowed_m(double speed_m_per_s, double since_s) const noexcept {
@@ -33,7 +38,7 @@ void DeviceGate::start(const ports::DeviceReading& reading) noexcept {
   at_m_ = reading.at.m;
   speed_ = raw_speed_ = reading.velocity.v;
   offset_m_.setZero();
-  implausible_s_ = agree_s_ = 0.0;
+  implausible_s_ = unreadable_s_ = agree_s_ = 0.0;
   last_ = reading;
   started_ = true;
 }
@@ -50,14 +55,41 @@ void DeviceGate::accept(const ports::DeviceReading& reading, double since_s, dou
   implausible_s_ = 0.0;
 }
 
+/// Moves on with the last velocity, which decays.
+void DeviceGate::go_on(double dt_s) noexcept {
+  at_m_ += speed_ * dt_s;
+  speed_ *= std::exp(-dt_s / kHoldDecay_s);
+}
+
+/// Without any earlier reading, the position is zero and counts as unreadable for ever.
+GatedReading DeviceGate::bridge(double dt_s) noexcept {
+  const double part_s = dt_s > 0.0 ? dt_s : 0.0;
+  if (started_) go_on(part_s);
+  unreadable_s_ += part_s;
+  return {.at = {at_m_},
+          .velocity = {speed_},
+          .implausible_s = implausible_s_,
+          .unreadable_s = started_ ? unreadable_s_ : std::numeric_limits<double>::infinity()};
+}
+
+/// Takes the first finite reading after a bridge. If the bridge ended beside it by no more than a slip, the position
+/// goes on from where the bridge ended, and the slip is removed slowly.
+void DeviceGate::come_back(const ports::DeviceReading& reading, double since_s, double dt_s) noexcept {
+  go_on(dt_s);
+  unreadable_s_ = 0.0;
+  const Vector3d slip_m = at_m_ - reading.at.m;
+  if (slip_m.norm() > kSlip_m) return hold(reading, 0.0);
+  offset_m_ = slip_m;
+  speed_ = raw_speed_ = (reading.at.m - last_.at.m) / since_s;
+}
+
 /// Handles a reading after a jump. Readings that agree with each other are accepted again. If they differ little from
 /// the extrapolated position, this offset remains and is removed slowly. If they differ more, they are accepted without
 /// an offset, but only after kRebasedAfter_s.
 void DeviceGate::hold(const ports::DeviceReading& reading, double dt_s) noexcept {
   if (implausible_s_ <= 0.0) ++jumps_;
   implausible_s_ += dt_s;
-  at_m_ += speed_ * dt_s;
-  speed_ *= std::exp(-dt_s / kHoldDecay_s);
+  go_on(dt_s);
   const Vector3d slip_m = at_m_ - reading.at.m;
   if (agree_s_ >= kRebasedAfter_s) return start(reading);
   if (agree_s_ < kBelievedAfter_s || slip_m.norm() > kSlip_m) return;
@@ -74,10 +106,9 @@ GatedReading DeviceGate::answer(const ports::DeviceReading& reading) const noexc
 }
 
 GatedReading DeviceGate::step(const ports::DeviceReading& reading, double dt_s) noexcept {
-  // The controller faults on readings that are not finite and on a silent device, so this gate passes them on.
-  if (!reading.at.m.allFinite() || !reading.velocity.v.allFinite() || !std::isfinite(reading.age_s) || !(dt_s > 0.0))
-    return {.at = reading.at, .velocity = reading.velocity, .implausible_s = implausible_s_};
-  const double since_s = dt_s + last_.age_s - reading.age_s;  // time between the last two readings
+  if (!is_finite(reading)) return bridge(dt_s);
+  if (!(dt_s > 0.0)) return {.at = reading.at, .velocity = reading.velocity, .implausible_s = implausible_s_};
+  const double since_s = unreadable_s_ + dt_s + last_.age_s - reading.age_s;  // time between the last two readings
   if (!started_ || !(since_s < kLongestGap_s)) {
     start(reading);
     return answer(reading);
@@ -85,6 +116,12 @@ GatedReading DeviceGate::step(const ports::DeviceReading& reading, double dt_s) 
   if (since_s <= 0.0 ||
       (reading.age_s > last_.age_s && reading.at.m == last_.at.m)) {  // the device gave no new reading
     last_.age_s = reading.age_s;
+    unreadable_s_ = 0.0;
+    return answer(reading);
+  }
+  if (unreadable_s_ > 0.0) {
+    come_back(reading, since_s, dt_s);
+    last_ = reading;
     return answer(reading);
   }
   const Vector3d raw_speed = (reading.at.m - last_.at.m) / since_s;

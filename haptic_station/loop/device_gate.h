@@ -12,12 +12,14 @@ struct GatedReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
   double implausible_s = 0.0;   ///< how long the readings have been impossibly fast; 0: this one is plausible
+  double unreadable_s = 0.0;    ///< how long the readings have been no numbers; 0: this one is finite
 };
 
 /// Bridges encoder jumps that are impossibly fast. While a reading is farther from the expected position than a hand
 /// can move, the position is extrapolated with the last velocity, which decays. A small lasting offset is removed
 /// slowly. While an offset is large, readings count as implausible, so that the controller faults; once they have been
-/// consistent for half a second, they are accepted unchanged. Owner: haptic thread.
+/// consistent for half a second, they are accepted unchanged. A reading with a number that is not finite is bridged
+/// in the same way. The position returned is always finite. Owner: haptic thread.
 class DeviceGate {
  public:
   [[nodiscard]] GatedReading step(const ports::DeviceReading& reading, double dt_s) noexcept;
@@ -26,6 +28,9 @@ class DeviceGate {
   [[nodiscard]] std::uint64_t jumps() const noexcept { return jumps_; }
 
  private:
+  [[nodiscard]] GatedReading bridge(double dt_s) noexcept;
+  void come_back(const ports::DeviceReading& reading, double since_s, double dt_s) noexcept;
+  void go_on(double dt_s) noexcept;
   void start(const ports::DeviceReading& reading) noexcept;
   void accept(const ports::DeviceReading& reading, double since_s, double dt_s) noexcept;
   void hold(const ports::DeviceReading& reading, double dt_s) noexcept;
@@ -40,6 +45,7 @@ class DeviceGate {
   Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();   ///< returned minus read position, while a slip is removed
   LastExp speed_left_;                                   ///< weight of the older readings in `speed_` after a reading
   double implausible_s_ = 0.0;
+  double unreadable_s_ = 0.0;
   double agree_s_ = 0.0;  ///< how long consecutive readings have been consistent with each other
   std::uint64_t jumps_ = 0;
 };

@@ -76,8 +76,9 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
   hand.at = in_patient_frame(hand.at);
   const control::ControlInput in{.device = device_at,
                                  .device_velocity = gated.velocity,
-                                 .device_age_s = given.reading.age_s,
+                                 .device_age_s = gated.unreadable_s > 0.0 ? 0.0 : given.reading.age_s,
                                  .device_implausible_s = gated.implausible_s,
+                                 .device_unreadable_s = gated.unreadable_s,
                                  .hand = hand.at,
                                  .hand_velocity = hand.velocity,
                                  .hand_valid = hand.valid,
@@ -146,7 +147,7 @@ TickSample HapticLoop::sample_of(const control::ControlInput& in, const control:
   sample.hand_excess_J = static_cast<float>(out.hand_excess_J);
   sample.unmodelled = static_cast<float>(last_.touch.unmodelled);
   sample.yields_in_s = static_cast<float>(out.yields_in_s);
-  sample.device_age_s = static_cast<float>(in.device_age_s);
+  sample.device_age_s = static_cast<float>(in.device_age_s + in.device_unreadable_s);
   sample.hand_age_s = static_cast<float>(in.hand_age_s);
   sample.surface_age_s = static_cast<float>(in.contact.age_s);
   sample.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;

@@ -24,7 +24,7 @@ bool is_finite(const effects::Placements& placements) noexcept {
 bool is_finite(const ControlInput& in) noexcept {
   return in.device.m.allFinite() && in.device_velocity.v.allFinite() && std::isfinite(in.device_age_s) &&
          in.recall.N.allFinite() && in.reindexed.v.allFinite() && std::isfinite(in.device_implausible_s) &&
-         std::isfinite(in.hand_implausible_s) &&
+         !std::isnan(in.device_unreadable_s) && std::isfinite(in.hand_implausible_s) &&
          (!in.attitude || (in.attitude->coeffs().allFinite() && in.turning.v.allFinite())) &&
          (!in.hand_valid || (in.hand.m.allFinite() && in.hand_velocity.v.allFinite())) &&
          (!in.contact.valid || is_finite(in.contact)) && is_finite(in.placements);
@@ -51,6 +51,10 @@ FaultCause standing_fault(const ControlInput& in, bool touching, const AgeLimits
 // Each comparison is true only for a valid age; it is false for NaN.
 bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept {
   return !(in.contact.age_s <= ages.surface_s);
+}
+
+bool device_is_unreadable(const ControlInput& in, const AgeLimits& ages) noexcept {
+  return !(in.device_unreadable_s <= ages.unreadable_s);
 }
 
 bool hand_is_lost(const ControlInput& in, double limit_s) noexcept {

@@ -42,6 +42,7 @@ struct AgeLimits {
   double surface_s = 1.0;
   double device_s = 0.1;
   double implausible_s = 0.008;      ///< longest run of impossibly fast device readings; a longer one is a fault
+  double unreadable_s = 0.00825;     ///< longest run of device readings that are no numbers: 16 ticks; then the release
   double hand_implausible_s = 0.08;  ///< longest run of impossibly fast tracker samples out of contact
 };
 

@@ -98,16 +98,35 @@ TEST(DeviceGate, ADeviceThatAnswersEveryOtherTickIsNotJumping) {
   }
 }
 
-TEST(DeviceGate, LeavesSilenceAndNumbersThatAreNotFiniteToTheController) {
+TEST(DeviceGate, GoesOnWhereAReadingIsNoNumber) {
+  for (const double broken : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    DeviceGate gate;
+    ports::DeviceReading reading;
+    reading.velocity.v.y() = -0.1;
+    double before_m = 0.0;
+    for (int tick = 0; tick < 400; ++tick) {
+      reading.at.m.y() = -0.1 * tick * kTick_s;
+      ports::DeviceReading given = reading;
+      const bool breaks = tick >= 200 && tick < 216;
+      if (breaks) given.at.m.z() = broken;
+      const GatedReading got = gate.step(given, kTick_s);
+      ASSERT_TRUE(got.at.m.allFinite() && got.velocity.v.allFinite());
+      EXPECT_NEAR(got.unreadable_s, breaks ? (tick - 199) * kTick_s : 0.0, 1e-12);
+      EXPECT_EQ(got.implausible_s, 0.0);
+      EXPECT_LT(std::abs(got.at.m.y() - before_m), 1.5e-4) << tick;
+      before_m = got.at.m.y();
+    }
+    EXPECT_NEAR(before_m, reading.at.m.y(), 1e-5) << "the slip is removed within a tenth of a second";
+  }
+}
+
+TEST(DeviceGate, ADeviceThatNeverSentANumberStaysUnreadable) {
   DeviceGate gate;
   ports::DeviceReading reading;
-  (void)gate.step(reading, kTick_s);
-  reading.at.m.x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isnan(gate.step(reading, kTick_s).at.m.x()));
-  reading.at.m.x() = 0.2;
-  reading.age_s = 0.0;
-  reading.at.m.x() = 0.0;
-  EXPECT_EQ(gate.step(reading, kTick_s).implausible_s, 0.0);
+  reading.age_s = std::numeric_limits<double>::quiet_NaN();
+  const GatedReading got = gate.step(reading, kTick_s);
+  EXPECT_TRUE(got.at.m.isZero());
+  EXPECT_TRUE(std::isinf(got.unreadable_s));
 }
 
 }  // namespace

@@ -133,6 +133,35 @@ AssertionResult encoder_offset() {
                  {seen.felt.last.force.N.norm() == 0.0, "no force on an unknown place"}});
 }
 
+std::function<double(double)> no_number(double for_s, double number) {
+  return [=](double now_s) { return now_s >= kGlitch_s && now_s < kGlitch_s + for_s - 1e-6 ? number : 0.0; };
+}
+
+AssertionResult no_number_for_16_ticks() {
+  double step_N = 0.0;
+  bool holds = true;
+  for (const double number : {std::nan(""), HUGE_VAL})
+    for (const int ticks : {1, 2, 16}) {
+      const WrongEncoders seen = with_encoders(no_number(ticks * LoopScene::kTick_s, number), 4.0);
+      step_N = std::max(step_N, seen.step_N);
+      holds = holds && seen.felt.finite && !seen.felt.faulted && seen.felt.let_gos == 0;
+    }
+  return all_of({below_N("step", step_N, 0.05), {holds, "contact holds"}});
+}
+
+AssertionResult no_number_for_long() {
+  WrongEncoders last;
+  for (const int ticks : {17, 60, 600}) {
+    last = with_encoders(no_number(ticks * LoopScene::kTick_s, std::nan("")), 4.5);
+    const AssertionResult result =
+        all_of({{last.felt.finite && !last.felt.faulted && last.felt.let_gos > 0, "let go, no fault"},
+                below_N("step", last.step_N, 0.1),
+                {control::is_inside(last.felt.last.phase), "felt again, without re-arming"}});
+    if (!result) return result;
+  }
+  return all_of({below_N("step", last.step_N, 0.1), {!last.felt.faulted, "felt again, without re-arming"}});
+}
+
 /// A probe whose tip is 50 mm beside the device point presses on a membrane of 500 N/m, 20 mm under a soft skin. The
 /// device states that it gives `most_N_m`.
 struct Probing {
@@ -233,7 +262,9 @@ std::vector<HardCase> device_rows() {
        attitude_that_is_no_rotation},
       {"0.25 N m asked of 0.05 N m", "cut alone, it would leak energy", "relaxed with the force",
        torque_above_the_devices},
-      {"device that is no number", "NaN spreads", "fault, finite force", device_that_is_no_number},
+      {"readings are no numbers for 16 ticks", "NaN spreads", "bridged: step 0.05 N", no_number_for_16_ticks},
+      {"readings are no numbers for longer", "the place is unknown", "let go, resumes by itself", no_number_for_long},
+      {"a number in the controller is NaN", "NaN spreads", "fault, finite force", device_that_is_no_number},
   };
 }
 
