@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "haptic_station/solids/proxy/walls.h"
+#include "haptic_station/solids/walls.h"
 #include "haptic_station/solids/solid_tree.h"
 
 namespace telepalp::solids {

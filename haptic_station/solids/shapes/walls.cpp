@@ -1,4 +1,4 @@
-#include "haptic_station/solids/proxy/walls.h"
+#include "haptic_station/solids/walls.h"
 
 #include <algorithm>
 #include <cmath>
