@@ -1,11 +1,9 @@
 #pragma once
 
-#include <atomic>
+#include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,13 +12,14 @@
 #include <string_view>
 #include <vector>
 
-#include "proto/wire/clock_sync.h"
+#include "proto/wire/client_outbox.h"
+#include "proto/wire/client_timers.h"
 #include "proto/wire/connection.h"
 #include "proto/wire/datagrams/path_watch.h"
+#include "proto/wire/dialer.h"
+#include "proto/wire/link_clock.h"
 #include "proto/wire/message.h"
-#include "proto/wire/send_queue.h"
 #include "proto/wire/session_clock.h"
-#include "proto/wire/tls_stream.h"
 
 namespace telepalp::wire {
 
@@ -100,12 +99,12 @@ class ClientLink : private ConnectionOwner {
 
   /// The current estimate of the session clock; before the first connection, this machine's wall clock. Any thread.
   /// Call clock() for each reading, because the offset is slewed.
-  [[nodiscard]] SessionClock clock() const noexcept;
+  [[nodiscard]] SessionClock clock() const noexcept { return clock_.clock(); }
   /// Bound on the error of clock() now; Nanoseconds::max() before the first connection and during a new one's first
   /// round trip.
-  [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept;
+  [[nodiscard]] Nanoseconds clock_uncertainty() const noexcept { return clock_.uncertainty(); }
   /// Sum of the steps of clock(), corrections of 1 s or more, since the first connection. Upward steps are positive.
-  [[nodiscard]] Nanoseconds clock_stepped() const noexcept { return clock_sync_.stepped(); }
+  [[nodiscard]] Nanoseconds clock_stepped() const noexcept { return clock_.stepped(); }
 
   [[nodiscard]] LinkState state() const noexcept { return state_; }
   /// In LinkState::Refused: the reason, the server's host and port, and the fix.
@@ -119,7 +118,9 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] DatagramPhase datagrams() const noexcept;
   /// Continues on another local UDP port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_datagram_port();
-  [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
+  [[nodiscard]] Counts counts() const noexcept {
+    return {.connections = connections_, .published = outbox_.published(), .not_sent = outbox_.not_sent()};
+  }
   /// Received and missed messages by topic, over all connections.
   [[nodiscard]] std::map<std::string_view, ReceivedCount> received() const;
 
@@ -133,62 +134,50 @@ class ClientLink : private ConnectionOwner {
   void on_datagram_offer(const msg::DatagramOffer& offer) override;
   void on_hand_over(const msg::HandOver& answer) override;
   void on_closed(const std::string& reason) override;
-  std::optional<Message> next_to_send() override;
+  std::optional<Message> next_to_send() override { return outbox_.next(); }
   SessionTime session_now() override { return clock().now(); }
   [[nodiscard]] SessionTime datagram_now() const noexcept;
 
-  /// Wraps `handler` so that it does nothing after this link is destroyed: the io_context may still hold it.
-  template <class Handler>
-  auto while_alive(Handler handler) {
-    return [alive = std::weak_ptr<const bool>(alive_), handler = std::move(handler)](const auto&... arguments) {
-      if (!alive.expired()) handler(arguments...);
-    };
-  }
-
   void connect();
-  void resolve();
-  void connect_next();
+  void greet(std::unique_ptr<ByteStream> stream);
   void on_connect_failed(const std::string& reason, std::optional<Error> not_served_because = std::nullopt);
-  void greet(boost::asio::ip::tcp::socket socket);
   void refuse(Error why);
-  [[nodiscard]] Result<std::unique_ptr<ByteStream>> secured(boost::asio::ip::tcp::socket socket);
   void retry_later();
-  void probe_later();
   void start_datagrams();
   void end_datagrams();
   void become(LinkState state, const std::string& detail);
 
-  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending handlers hold weak_ptrs to it
+  /// The datagrams of the present connection.
+  struct Datagrams {
+    std::optional<msg::DatagramOffer> offer;   ///< nullopt: the server offers none
+    std::unique_ptr<ClientDatagrams> carrier;  ///< null before the clock is synchronised, and without an offer
+    Nanoseconds stepped_before{0};             ///< clock_stepped() when `carrier` began
+  };
+  /// What is under way about the permission to touch.
+  struct Touch {
+    bool accepts_once = false;  ///< accept_touch() was called, and no connection came since
+    bool hands_over = false;    ///< the server's answer to hand_over() has not come
+  };
+
   boost::asio::io_context& io_;
   Options options_;
   Handlers handlers_;
   const std::uint64_t run_;  // random number by which a server recognises this link after a reconnection
-  TlsSettings tls_;          // null before the first connection, and always without a key
+  Dialer dialer_;
+  BackOff back_off_;
+  LinkState state_ = LinkState::Stopped;
   Error refusal_;
   std::optional<Error> not_served_because_;
-  LinkState state_ = LinkState::Stopped;
-  std::shared_ptr<Connection> connection_;              // shared with pending operations; null without a connection
-  std::optional<msg::DatagramOffer> offered_;           // nullopt: the server offers no datagrams
-  std::unique_ptr<ClientDatagrams> datagrams_;          // null before the clock is synchronised, and without an offer
-  boost::asio::ip::tcp::endpoint server_;               // address and TCP port
-  std::deque<boost::asio::ip::tcp::endpoint> untried_;  // further addresses of the host's name
+  boost::asio::ip::tcp::endpoint server_;   // address and TCP port of the present connection
+  std::shared_ptr<Connection> connection_;  // shared with pending operations; null without a connection
   std::string peer_name_;
-  boost::asio::ip::tcp::resolver resolver_;
-  boost::asio::ip::tcp::socket connecting_;
-  boost::asio::steady_timer retry_;
-  boost::asio::steady_timer probe_;
-  std::chrono::milliseconds back_off_;
-  ClockSync clock_sync_;
-  Nanoseconds stepped_before_datagrams_{0};              // clock_stepped() when datagrams_ began
-  std::atomic<std::int64_t> offset_target_ns_;           // SlewedOffset::target (clock_sync.h); stored last
-  std::atomic<std::int64_t> offset_line_at_zero_ns_{0};  // SlewedOffset::line_at_zero; readers load it last
-  bool accepts_once_ = false;                            // accept_touch() was called, and no connection came since
-  bool hands_over_ = false;                              // the server's answer to hand_over() has not come
-  int probes_ = 0;                                       // number of clock probes sent on this connection
-  SendQueue outgoing_;
-  std::map<std::string_view, std::uint64_t> sequences_;  // last sequence number by topic
+  LinkClock clock_;
+  ClockProber prober_;
+  Datagrams datagrams_;
+  Touch touch_;
+  ClientOutbox outbox_;
   std::map<std::string_view, ReceivedCount> received_before_;
-  Counts counts_;
+  std::uint64_t connections_ = 0;
 };
 
 }  // namespace telepalp::wire

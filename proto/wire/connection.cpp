@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "codec/unmarked/unmarked_depth.h"
-#include "proto/words/demand.h"
+#include "proto/wire/bad_peer.h"
 #include "proto/words/error_line.h"
 
 namespace telepalp::wire {
@@ -13,28 +12,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMaxHelloBytes = 4096;
-constexpr std::size_t kMaxWaitingControl = 64;
-constexpr std::size_t kMaxProbes = 64;  // unanswered probes: a probe each 20 ms with a delay of a second
-constexpr std::size_t kMaxChannels = 256;
 constexpr int kMaxSubscriptions = 64;
 constexpr std::size_t kMaxNameBytes = 128;
 constexpr std::size_t kMaxTokenBytes = 512;
 constexpr std::size_t kMaxReasonBytes = 512;
 constexpr auto kLinger = 500ms;
-constexpr std::uint64_t kLatestStamp = std::uint64_t{1} << 61;  // beyond it, sums of stamps could overflow
-
-/// on_bytes() puts the peer's address before it.
-Error bad_peer(std::string what) {
-  return {.what = std::move(what),
-          .where = {},
-          .fix = "install the same version of telepalp at both ends; other programs must follow proto/WIRE.md"};
-}
-
-Error no_publisher(const Topic& topic) {
-  return {.what = "this client may not publish " + std::string(topic.name),
-          .where = {},
-          .fix = "publish only topics that begin with /station/, from a station that holds the touch"};
-}
 
 Error other_version(const std::string& detail) {
   return {.what = "the program at this port is no telepalp-server, or one of another version: " + detail,
@@ -50,18 +32,6 @@ Error final_goodbye(const std::string& reason) {
   return error;
 }
 
-Nanoseconds local_now() noexcept { return std::chrono::steady_clock::now().time_since_epoch(); }
-
-std::uint64_t stamp(Nanoseconds since_epoch) noexcept { return static_cast<std::uint64_t>(since_epoch.count()); }
-
-/// The channel number of `topic`: its position, from 1, in the list of topics that this end publishes.
-std::uint32_t channel_of(const std::vector<Topic>& publishes, const Topic& topic) {
-  const auto found =
-      std::find_if(publishes.begin(), publishes.end(), [&](const Topic& t) { return t.name == topic.name; });
-  demand(found != publishes.end(), "a program sends only topics that it advertises");
-  return static_cast<std::uint32_t>(found - publishes.begin()) + 1;
-}
-
 msg::Control hello(const Connection::Options& options) {
   msg::Control control;
   control.mutable_hello()->set_protocol(kOldestProtocolVersion);
@@ -75,25 +45,6 @@ msg::Control hello(const Connection::Options& options) {
   return control;
 }
 
-/// A frame of a version that does not mark predicted messages is decided by its payload.
-bool is_key_frame(const Topic& topic, const Frame& frame) {
-  if (!topic.predicted) return true;
-  if (frame.header.version >= kFirstVersionThatMarks) return !frame.header.predicted;
-  return codec::is_unmarked_key_frame(frame.payload);
-}
-
-msg::Control advertise(const std::vector<Topic>& publishes) {
-  msg::Control control;
-  control.mutable_advertise();
-  for (const Topic& topic : publishes) {
-    msg::Advertise::Topic& entry = *control.mutable_advertise()->add_topics();
-    entry.set_channel(channel_of(publishes, topic));
-    entry.set_name(std::string(topic.name));
-    entry.set_schema(std::string(topic.schema));
-  }
-  return control;
-}
-
 }  // namespace
 
 Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, ConnectionOwner& owner)
@@ -102,11 +53,13 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
       owner_(&owner),
       deadline_(stream_->executor()),
       read_again_(stream_->executor()),
-      parser_(kMaxHelloBytes) {}
+      pace_(options_.max_read_bytes_per_s),
+      parser_(kMaxHelloBytes),
+      outgoing_(options_.publishes, [this] { return owner_->session_now(); }) {}
 
 void Connection::start() {
   send(hello(options_));
-  send(advertise(options_.publishes));
+  send(outgoing_.advertise());
   watch(kHandshakeDeadline, "no Hello message (the greeting of a telepalp program) arrived within 5 s");
   read();
 }
@@ -117,8 +70,7 @@ void Connection::subscribe(const std::vector<std::string>& topics) {
   msg::Control control;
   control.mutable_subscribe();  // the field must be present even with an empty list
   for (const std::string& topic : topics) control.mutable_subscribe()->add_topics(topic);
-  for (auto& [number, channel] : channels_)
-    channel.last_sequence = 0;  // messages from before the subscription do not count as missed
+  channels_.forget_sequences();
   send(std::move(control));
 }
 
@@ -148,24 +100,20 @@ void Connection::hand_over(const msg::HandOver& request) {
 }
 
 void Connection::take_datagram(Message message) {
-  const auto found = std::find_if(channels_.begin(), channels_.end(), [&](const auto& entry) {
-    return entry.second.topic && entry.second.topic->name == message.topic.name;
-  });
-  if (phase_ != Phase::Open || found == channels_.end()) return;
-  found->second.by_datagram = true;
-  deliver(found->second, std::move(message));
+  if (phase_ != Phase::Open) return;
+  if (std::optional<Message> taken = channels_.take_datagram(std::move(message))) owner_->on_message(std::move(*taken));
 }
 
 void Connection::close(const std::string& reason, bool final) {
-  refuses_ = final;
-  drains_ = phase_ == Phase::Open;
+  farewell_.is_final = final;
+  farewell_.after_messages = phase_ == Phase::Open;
   leave(reason);
 }
 
 void Connection::leave(const std::string& reason) {
   if (phase_ == Phase::Leaving || phase_ == Phase::Closed) return;
   phase_ = Phase::Leaving;
-  leaving_because_ = reason;
+  farewell_.reason = reason;
   watch(kLinger, reason);
   write();
 }
@@ -186,7 +134,7 @@ void Connection::finish(const std::string& reason) noexcept {
 
 void Connection::on_lost(const boost::system::error_code& code) noexcept {
   if (phase_ == Phase::Greeting) refusal_ = stream_->refusal(code);
-  finish(phase_ == Phase::Leaving ? leaving_because_ : "the connection ended unexpectedly: " + code.message());
+  finish(phase_ == Phase::Leaving ? farewell_.reason : "the connection ended unexpectedly: " + code.message());
 }
 
 void Connection::watch(std::chrono::steady_clock::duration patience, std::string reason) {
@@ -208,17 +156,11 @@ void Connection::read() {
                            });
 }
 
-/// Each read delays the next one in proportion to its bytes. A peer that was silent may first send as much as in two
-/// seconds.
 void Connection::read_when_due(std::size_t bytes_before) {
-  if (options_.max_read_bytes_per_s == 0) return read();
-  constexpr auto kBurst = 2s;
   const auto now = std::chrono::steady_clock::now();
-  const double cost_s = static_cast<double>(bytes_before) / static_cast<double>(options_.max_read_bytes_per_s);
-  read_due_ = std::max(read_due_, now - kBurst) +
-              std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(cost_s));
-  if (read_due_ <= now) return read();
-  read_again_.expires_at(read_due_);
+  const auto due = pace_.next(bytes_before, now);
+  if (due <= now) return read();
+  read_again_.expires_at(due);
   read_again_.async_wait([self = shared_from_this()](const boost::system::error_code& cancelled) {
     if (!cancelled && self->phase_ != Phase::Closed) self->read();
   });
@@ -253,18 +195,20 @@ Result<void> Connection::on_control(const Frame& frame) {
     case msg::Control::kHello:
       return on_hello(control.hello());
     case msg::Control::kAdvertise:
-      return on_advertise(control.advertise());
+      return channels_.advertise(control.advertise(), [this](const Topic& topic) { return owner_->accepts(topic); });
     case msg::Control::kSubscribe:
       return on_subscription(control.subscribe());
     case msg::Control::kClockProbe: {
       msg::Control answer;
       answer.mutable_clock_reply()->set_asked_ns(control.clock_probe().asked_ns());
-      answer.mutable_clock_reply()->set_received_ns(stamp(owner_->session_now().time_since_epoch()));
+      answer.mutable_clock_reply()->set_received_ns(static_cast<std::uint64_t>(to_nanoseconds(owner_->session_now())));
       send(std::move(answer));
       return {};
     }
     case msg::Control::kClockReply:
-      on_clock_reply(control.clock_reply());
+      if (const auto sample =
+              outgoing_.sample(control.clock_reply(), std::chrono::steady_clock::now().time_since_epoch()))
+        owner_->on_clock(*sample);
       return {};
     case msg::Control::kKeyFrameRequest:
       if (const std::optional<Topic> topic = find_topic(control.key_frame_request().topic()))
@@ -308,22 +252,7 @@ Result<void> Connection::agree_on_version(const msg::Hello& peer) {
     refusal_ = other_version(error.what);
     return error;
   }
-  version_ = static_cast<std::uint8_t>(newest);
-  return {};
-}
-
-Result<void> Connection::on_advertise(const msg::Advertise& advertise) {
-  for (const msg::Advertise::Topic& entry : advertise.topics()) {
-    const std::optional<Topic> topic = find_topic(entry.name());
-    if (topic && topic->schema != entry.schema())
-      return bad_peer("advertises " + std::string(topic->name) + " with another message type than " +
-                      std::string(topic->schema));
-    if (topic && !owner_->accepts(*topic)) return no_publisher(*topic);
-    if (channels_.size() >= kMaxChannels) return bad_peer("advertises more than 256 channels");
-    if (entry.channel() == 0) return bad_peer("announces a topic on channel 0, which is reserved for control messages");
-    if (!channels_.try_emplace(entry.channel(), Incoming{topic, 0}).second)
-      return bad_peer("advertises channel " + std::to_string(entry.channel()) + " twice");
-  }
+  outgoing_.speak(static_cast<std::uint8_t>(newest));
   return {};
 }
 
@@ -333,20 +262,6 @@ Result<void> Connection::on_subscription(const msg::Subscribe& subscribe) {
     if (name.size() > kMaxNameBytes) return bad_peer("subscribes to a topic whose name is longer than 128 B");
   owner_->on_subscribe({subscribe.topics().begin(), subscribe.topics().end()});
   return {};
-}
-
-void Connection::on_clock_reply(const msg::ClockReply& reply) {
-  const Nanoseconds heard = local_now();
-  const auto question =
-      std::find_if(asked_.begin(), asked_.end(), [&](Nanoseconds asked) { return stamp(asked) == reply.asked_ns(); });
-  if (question == asked_.end()) return;  // no reply to a probe of this connection
-  const Nanoseconds asked = *question;
-  asked_.erase(asked_.begin(), question + 1);  // replies come in order
-  if (reply.received_ns() > kLatestStamp || reply.replied_ns() > kLatestStamp) return;
-  owner_->on_clock({.asked = asked,
-                    .received = Nanoseconds{static_cast<std::int64_t>(reply.received_ns())},
-                    .replied = Nanoseconds{static_cast<std::int64_t>(reply.replied_ns())},
-                    .heard = heard});
 }
 
 Result<void> Connection::on_datagram_offer(const msg::DatagramOffer& offer) {
@@ -363,90 +278,43 @@ Result<void> Connection::on_hand_over(const msg::HandOver& request) {
 }
 
 Result<void> Connection::on_data(Frame frame) {
-  const auto found = channels_.find(frame.header.channel);
-  if (found == channels_.end())
-    return bad_peer("sends on channel " + std::to_string(frame.header.channel) + " without advertising it");
-  Incoming& channel = found->second;
-  if (!channel.topic) return {};
-  if (frame.header.predicted && !channel.topic->predicted)
-    return bad_peer("sends a predicted message of " + std::string(channel.topic->name) +
-                    ", a topic without predicted messages");
-  const bool key_frame = is_key_frame(*channel.topic, frame);
-  deliver(channel, {*channel.topic, frame.header.published,
-                    std::make_shared<const std::string>(std::move(frame.payload)), frame.header.sequence, key_frame});
+  Result<std::optional<Message>> message = channels_.take(std::move(frame));
+  if (!message) return message.error();
+  if (*message) owner_->on_message(std::move(**message));
   return {};
-}
-
-void Connection::deliver(Incoming& channel, Message message) {
-  const std::uint64_t sequence = message.sequence;
-  if (channel.by_datagram && sequence <= channel.last_sequence)
-    return;  // it was counted as missed when it was overtaken
-  ReceivedCount& count = received_[channel.topic->name];
-  ++count.messages;
-  if (channel.last_sequence != 0 && sequence > channel.last_sequence)
-    count.missed += sequence - channel.last_sequence - 1;
-  channel.last_sequence = sequence;
-  owner_->on_message(std::move(message));
 }
 
 void Connection::send(msg::Control control) {
   if (phase_ == Phase::Leaving || phase_ == Phase::Closed) return;
-  if (control_.size() >= kMaxWaitingControl) return finish("the peer sends requests without reading the replies");
-  control_.push_back(std::move(control));
+  if (!outgoing_.add(std::move(control))) return finish("the peer sends requests without reading the replies");
   write();
 }
 
-void Connection::write() {
-  if (writing_ || phase_ == Phase::Closed || said_goodbye_) return;
-  if (!control_.empty()) {
-    msg::Control control = std::move(control_.front());
-    control_.pop_front();
-    return write_control(std::move(control));
+/// The next frame to write: a control message, else a message of the owner, else the Goodbye. False: there is none.
+bool Connection::begin_frame() {
+  if (outgoing_.begin_control()) return true;
+  const bool sends_data = phase_ == Phase::Open || (phase_ == Phase::Leaving && farewell_.after_messages);
+  if (std::optional<Message> message = sends_data ? owner_->next_to_send() : std::nullopt) {
+    outgoing_.begin(std::move(*message));
+    return true;
   }
-  const bool sends_data = phase_ == Phase::Open || (phase_ == Phase::Leaving && drains_);
-  if (std::optional<Message> message = sends_data ? owner_->next_to_send() : std::nullopt)
-    return write_frame({.kind = FrameKind::Data,
-                        .sequence = message->sequence,
-                        .published = message->published,
-                        .channel = channel_of(options_.publishes, message->topic),
-                        .version = version_,
-                        .predicted = !message->key_frame},
-                       std::move(message->payload));
-  if (phase_ != Phase::Leaving) return;
-  said_goodbye_ = true;
+  if (phase_ != Phase::Leaving) return false;
+  farewell_.is_said = true;
   msg::Control goodbye;
-  goodbye.mutable_goodbye()->set_reason(leaving_because_.substr(0, kMaxReasonBytes));
-  goodbye.mutable_goodbye()->set_final(refuses_);
-  write_control(std::move(goodbye));
+  goodbye.mutable_goodbye()->set_reason(farewell_.reason.substr(0, kMaxReasonBytes));
+  goodbye.mutable_goodbye()->set_final(farewell_.is_final);
+  outgoing_.begin(std::move(goodbye));
+  return true;
 }
 
-void Connection::write_control(msg::Control control) {
-  // The probe is stamped when it is written, not when it is queued, because the wait behind an image is no network
-  // delay.
-  if (control.has_clock_probe()) {
-    asked_.push_back(local_now());
-    if (asked_.size() > kMaxProbes) asked_.pop_front();
-    control.mutable_clock_probe()->set_asked_ns(stamp(asked_.back()));
-  }
-  if (control.has_clock_reply())
-    control.mutable_clock_reply()->set_replied_ns(stamp(owner_->session_now().time_since_epoch()));
-  write_frame({.kind = FrameKind::Control, .sequence = ++control_sequence_, .version = version_},
-              std::make_shared<const std::string>(control.SerializeAsString()));
-}
-
-void Connection::write_frame(FrameHeader header, std::shared_ptr<const std::string> payload) {
-  demand(payload->size() <= kMaxPayloadBytes, "a message is not larger than 8 MiB");
-  header.payload_bytes = static_cast<std::uint32_t>(payload->size());
-  header_being_written_ = encode_header(header);
-  payload_being_written_ = std::move(payload);
-  writing_ = true;
-  stream_->async_write({boost::asio::buffer(header_being_written_), boost::asio::buffer(*payload_being_written_)},
+void Connection::write() {
+  if (outgoing_.is_writing() || phase_ == Phase::Closed || farewell_.is_said || !begin_frame()) return;
+  stream_->async_write(outgoing_.buffers(),
                        [self = shared_from_this()](const boost::system::error_code& code, std::size_t) {
-                         self->writing_ = false;
-                         self->payload_being_written_.reset();
+                         self->outgoing_.end();
                          if (self->phase_ == Phase::Closed) return;
                          if (code) return self->on_lost(code);
-                         if (self->said_goodbye_) return self->stream_->end_writing();
+                         if (self->farewell_.is_said) return self->stream_->end_writing();
                          self->write();
                        });
 }

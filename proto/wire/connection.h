@@ -4,7 +4,6 @@
 #include <boost/asio/steady_timer.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,7 +15,10 @@
 #include "proto/wire/byte_stream.h"
 #include "proto/wire/clock_sync.h"
 #include "proto/wire/frame.h"
+#include "proto/wire/incoming_channels.h"
 #include "proto/wire/message.h"
+#include "proto/wire/outgoing_frames.h"
+#include "proto/wire/read_pace.h"
 
 namespace telepalp::wire {
 
@@ -47,12 +49,6 @@ class ConnectionOwner {
   virtual void on_datagram_offer(const msg::DatagramOffer&) {}
   /// Current session time, for the replies to the peer's clock probes.
   virtual SessionTime session_now() = 0;
-};
-
-/// Received messages of one topic.
-struct ReceivedCount {
-  std::uint64_t messages = 0;
-  std::uint64_t missed = 0;  ///< gaps in the sequence numbers: messages dropped, lost, or overtaken by a newer one
 };
 
 /// One connection to one peer with the protocol of WIRE.md, over any ByteStream. Owner: the stream's thread; no locks.
@@ -108,14 +104,18 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const {
     return stream_->keying_material(label);
   }
-  [[nodiscard]] const std::map<std::string_view, ReceivedCount>& received() const noexcept { return received_; }
+  [[nodiscard]] const std::map<std::string_view, ReceivedCount>& received() const noexcept {
+    return channels_.received();
+  }
 
  private:
   enum class Phase { Greeting, Open, Leaving, Closed };
-  struct Incoming {
-    std::optional<Topic> topic;  ///< nullopt: an unknown topic, whose messages are ignored
-    std::uint64_t last_sequence = 0;
-    bool by_datagram = false;  ///< true once a message came by datagram: then messages may overtake each other
+  /// How this end takes leave.
+  struct Farewell {
+    std::string reason{};
+    bool is_final = false;        ///< the Goodbye tells the peer not to try again
+    bool after_messages = false;  ///< the owner's queued messages are sent before the Goodbye
+    bool is_said = false;
   };
 
   void read();
@@ -124,20 +124,16 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] Result<void> on_frame(Frame frame);
   [[nodiscard]] Result<void> on_control(const Frame& frame);
   [[nodiscard]] Result<void> on_hello(const msg::Hello& hello);
-  [[nodiscard]] Result<void> on_advertise(const msg::Advertise& advertise);
   [[nodiscard]] Result<void> on_subscription(const msg::Subscribe& subscribe);
-  void on_clock_reply(const msg::ClockReply& reply);
   [[nodiscard]] Result<void> on_datagram_offer(const msg::DatagramOffer& offer);
   [[nodiscard]] Result<void> on_hand_over(const msg::HandOver& request);
   [[nodiscard]] Result<void> on_data(Frame frame);
   [[nodiscard]] Result<void> agree_on_version(const msg::Hello& peer);
-  void deliver(Incoming& channel, Message message);
 
   void send(msg::Control control);
   void write();
-  void write_control(msg::Control control);
-  void write_frame(FrameHeader header, std::shared_ptr<const std::string> payload);
-  void leave(const std::string& reason);  ///< sends the owner's messages if drains_, then a Goodbye, and closes
+  [[nodiscard]] bool begin_frame();
+  void leave(const std::string& reason);  ///< sends a Goodbye as farewell_ says, and closes
   void watch(std::chrono::steady_clock::duration patience, std::string reason);
   void finish(const std::string& reason) noexcept;
   void on_lost(const boost::system::error_code& code) noexcept;
@@ -146,29 +142,19 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Options options_;
   ConnectionOwner* owner_;  // null once closed or abandoned
   boost::asio::steady_timer deadline_;
-  boost::asio::steady_timer read_again_;
-  std::chrono::steady_clock::time_point read_due_{};  // when max_read_bytes_per_s allows the next read
   Phase phase_ = Phase::Greeting;
-  std::uint8_t version_ = kOldestProtocolVersion;  // of the frames that are sent: the newest that both ends speak
-  std::string leaving_because_;
-  bool refuses_ = false;  // the Goodbye tells the peer not to try again: close() with `final`
+  Farewell farewell_;
   std::optional<Error> refusal_;
   std::optional<std::string> peers_goodbye_;
 
   std::array<std::byte, 64 << 10> incoming_{};
+  boost::asio::steady_timer read_again_;
+  ReadPace pace_;
   FrameParser parser_;
-  std::map<std::uint32_t, Incoming> channels_;
-  std::map<std::string_view, ReceivedCount> received_;
-
-  std::deque<msg::Control> control_;  // bounded: a peer that sends requests without reading replies is disconnected
-  std::uint64_t control_sequence_ = 0;
+  IncomingChannels channels_;
   bool has_offer_ = false;  // a datagram offer was received; a second one would reuse its keys and nonces
-  bool writing_ = false;
-  bool drains_ = false;  // closing: the owner's queued messages are sent before the Goodbye
-  bool said_goodbye_ = false;
-  HeaderBytes header_being_written_{};
-  std::shared_ptr<const std::string> payload_being_written_;
-  std::deque<Nanoseconds> asked_;  // send times of unanswered clock probes, oldest first; bounded
+
+  OutgoingFrames outgoing_;
 };
 
 }  // namespace telepalp::wire

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "proto/words/counted.h"
+#include "server/access/audit_text.h"
 #include "server/hub/peer.h"
 
 namespace telepalp::hub {
@@ -75,9 +76,36 @@ PeerListener::PeerListener(asio::io_context& io, Hub& hub, const wire::SessionCl
       acceptor_(io),
       accept_again_(io),
       second_(io),
-      datagrams_(std::make_unique<DatagramPort>(io)) {}
+      datagrams_(std::make_unique<DatagramPort>(io)),
+      site_(std::make_unique<const PeerSite>(site_for_peers())) {}
 
 PeerListener::~PeerListener() = default;
+
+PeerSite PeerListener::site_for_peers() {
+  return {.io = io_,
+          .hub = hub_,
+          .datagrams = *datagrams_,
+          .access = *options_.access,
+          .server_name = options_.name,
+          .places = options_.places,
+          .idle = options_.idle,
+          .now = [this] { return clock_.now(); },
+          .taken = [this](PlaceKind kind) { return taken(kind); },
+          .sender_number = [this](std::uint64_t run) { return sender_number(run); },
+          .hand_over =
+              [this](PeerNumber peer, const keys::Identity& who) {
+                if (const auto before = peers_.find(peer); before != peers_.end()) before->second->give_touch_to(who);
+              },
+          .note = [this](const std::string& text) { note(text); },
+          .note_refusal = [this](const std::string& text) { note_refusal(text); },
+          .on_invalid = [this] { ++counts_.invalid_messages; },
+          .on_over_rate = [this] { ++counts_.over_rate; },
+          .on_leaving =
+              [this] {
+                if (options_.on_leaving) options_.on_leaving();
+              },
+          .forget = [this](PeerNumber peer) { forget(peer); }};
+}
 
 /// Opens the TCP port, and the UDP port of the same number. For port 0 it takes a number that is free for both.
 error_code PeerListener::open(const tcp::endpoint& endpoint) {
@@ -146,7 +174,7 @@ void PeerListener::admit(tcp::socket socket) {
   if (taken(std::nullopt) >= options_.places.strangers) let_a_stranger_go();
   ++counts_.accepted;
   const PeerNumber number = ++last_number_;
-  peers_.emplace(number, std::make_unique<Peer>(*this, number, std::move(socket)));
+  peers_.emplace(number, std::make_unique<Peer>(*site_, number, stream_over(std::move(socket))));
 }
 
 /// A peer that reconnects keeps its number. Two connected peers never have the same number, even if they state the same

@@ -26,6 +26,8 @@ namespace telepalp::hub {
 [[nodiscard]] Result<boost::asio::ip::address> listening_address(const std::string& address, bool has_keys);
 
 class DatagramPort;
+class Peer;
+struct PeerSite;
 
 /// Accepts peers (stations, recorders, tools) and connects each to the hub: subscribed messages go to the peer,
 /// messages of a station go to the hub. Owner: the server's network thread.
@@ -70,12 +72,12 @@ class PeerListener {
   void close(const std::string& reason);
 
  private:
-  class Peer;
   using PeerNumber = std::uint64_t;
 
   PeerListener(boost::asio::io_context& io, Hub& hub, const wire::SessionClock& clock, Options options);
   [[nodiscard]] boost::system::error_code open(const boost::asio::ip::tcp::endpoint& endpoint);
   void accept();
+  [[nodiscard]] PeerSite site_for_peers();
   void admit(boost::asio::ip::tcp::socket socket);
   void forget(PeerNumber number);
   [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;
@@ -97,6 +99,7 @@ class PeerListener {
   boost::asio::steady_timer second_;
   std::uint16_t port_ = 0;
   std::unique_ptr<DatagramPort> datagrams_;  // the UDP port with the number port_; closed if another program uses it
+  std::unique_ptr<const PeerSite> site_;     // what each peer needs of this listener
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;

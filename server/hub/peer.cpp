@@ -1,0 +1,209 @@
+#include "server/hub/peer.h"
+
+#include <boost/asio/post.hpp>
+#include <cmath>
+#include <utility>
+
+#include "server/access/audit_text.h"
+
+namespace telepalp::hub {
+namespace {
+
+/// The operation for which a peer needs permission to take a place of `kind`.
+keys::Operation operation_of(PlaceKind kind) noexcept {
+  if (kind == PlaceKind::Station) return keys::Operation::Touch;
+  return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
+}
+
+}  // namespace
+
+Peer::Peer(const PeerSite& site, std::uint64_t number, std::unique_ptr<wire::ByteStream> stream)
+    : site_(site),
+      number_(number),
+      touch_(site.access, number, [this] { return in_audit(); }),
+      connection_(std::make_shared<wire::Connection>(
+          std::move(stream),
+          wire::Connection::Options{.name = site.server_name,
+                                    .role = "server",
+                                    .publishes = {wire::kTopics.begin(), wire::kTopics.end()},
+                                    .max_payload_bytes = kMaxUpstreamBytes,
+                                    .max_read_bytes_per_s = kMaxReadBytesPerSecond},
+          static_cast<wire::ConnectionOwner&>(*this))) {
+  connection_->start();
+}
+
+Peer::~Peer() {
+  touch_.leave(true);
+  if (subscriber_) site_.hub.leave(subscriber_);
+  connection_->abandon();
+}
+
+void Peer::check_key() {
+  if (!who_ || site_.access.still_holds(*who_)) return;
+  const bool expired = who_->expires <= std::chrono::system_clock::now();
+  deny({.what = "the key of " + describe(*who_) + (expired ? " has expired" : " is revoked"),
+        .where = {},
+        .fix = expired ? "ask the technician to renew it: telepalp-keys renew FILE"
+                       : "ask the technician for a key: telepalp-keys client --name NAME --role ROLE"});
+}
+
+bool Peer::is_idle(Clock::time_point now) const noexcept {
+  const auto limit = advertised_ ? site_.idle.silent : site_.idle.without_topics;
+  return place_ && !subscribed_ && now - useful_ > limit;
+}
+
+bool Peer::accepts(const wire::Topic& topic) {
+  const bool may = may_publish_upstream(topic) && who_ && site_.access.may(*who_, keys::Operation::Touch) &&
+                   (touch_.holds() || takes_touch(false));
+  if (!may)
+    site_.access.note(access::AuditEvent::Refused,
+                      in_audit() + " why=" + access::audit_text("may not publish " + std::string(topic.name)));
+  advertised_ = advertised_ || may;
+  return may;
+}
+
+std::string Peer::in_audit() const {
+  return "who=" + (who_ ? describe(*who_) : std::string("stranger")) + " program=" + access::audit_text(name_) +
+         " from=" + connection_->peer() + (who_ && !who_->serial.empty() ? " key=" + who_->serial : "");
+}
+
+/// Refuses the peer with a Goodbye that tells the peer not to try again, because the attempt would fail the same way.
+void Peer::deny(const Error& why) {
+  audited_ = true;
+  site_.access.note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(why.what));
+  site_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + why.what);
+  connection_->close(to_string(why), true);
+}
+
+void Peer::refuse(const std::string& reason) {
+  site_.access.note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
+  site_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + reason);
+  connection_->close(reason);
+}
+
+void Peer::on_ready(const msg::Hello& peer) {
+  name_ = peer.name();
+  useful_ = Clock::now();
+  const Result<keys::Identity> who = site_.access.who(connection_->is_sealed(), connection_->identity(), peer.token(),
+                                                      access::host_of(connection_->peer()));
+  if (!who) return deny(who.error());
+  who_ = *who;
+  const PlaceKind kind = place_for(peer.role());
+  if (const Result<void> may = site_.access.may(*who_, operation_of(kind)); !may) return deny(may.error());
+  const std::size_t places = site_.places.of(kind);
+  if (site_.taken(kind) >= places) return refuse(full_house(kind, places));
+  if (kind == PlaceKind::Station && !takes_touch(peer.accepts_touch())) return refuse(touch_.is_held(*who_));
+  join(kind, peer);
+  offer_datagrams(peer.datagrams());
+}
+
+void Peer::join(PlaceKind kind, const msg::Hello& peer) {
+  place_ = kind;
+  sender_ = site_.sender_number(peer.run());
+  subscriber_ = site_.hub.join(
+      name_, connection_->peer(), [this] { wake(); }, sender_);
+  site_.note(name_ + " (" + (site_.access.has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
+             connection_->peer());
+  site_.access.note(access::AuditEvent::Joined, in_audit());
+  if (kind == PlaceKind::Recorder) site_.access.note(access::AuditEvent::Records, in_audit());
+}
+
+/// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random
+/// secret.
+void Peer::offer_datagrams(msg::DatagramCipher wanted) {
+  if (!site_.datagrams.is_open()) return;
+  datagrams_ = PeerDatagrams::offer(site_.io, site_.datagrams, site_.hub, wanted,
+                                    connection_->keying_material(wire::kDatagramKeyLabel),
+                                    {.subscriber = subscriber_,
+                                     .now = [this] { return session_now(); },
+                                     .on_message = messages_by_datagram(),
+                                     .on_phase = [this](wire::DatagramPhase phase) { note_images(phase); }});
+  if (!datagrams_) return;
+  connection_->offer_datagrams(datagrams_->message());
+  datagrams_->start();
+}
+
+/// Passes a message that came by datagram to the connection, with the checks of a message over TCP. Empty for a peer
+/// that may not publish.
+std::function<void(wire::Message)> Peer::messages_by_datagram() {
+  if (!who_ || !site_.access.may(*who_, keys::Operation::Touch)) return {};
+  return [this](wire::Message message) { connection_->take_datagram(std::move(message)); };
+}
+
+void Peer::note_images(wire::DatagramPhase phase) {
+  site_.note(name_ + " at " + connection_->peer() +
+             (phase == wire::DatagramPhase::Up ? ": images go by sealed datagrams (UDP)"
+                                               : ": no UDP datagram arrives: images go over TCP"));
+}
+
+void Peer::wake() {
+  connection_->wake();
+  if (datagrams_) datagrams_->wake();
+}
+
+/// Takes the touch for this peer; false: another doctor holds it.
+bool Peer::takes_touch(bool accepts) {
+  const PeerTouch::Taken taken = touch_.take(*who_, accepts);
+  if (taken.from) site_.hand_over(*taken.from, *who_);
+  return taken.may_touch;
+}
+
+void Peer::on_hand_over(const msg::HandOver& request) {
+  if (who_) connection_->hand_over(touch_.offer(*who_, request.to()));
+}
+
+void Peer::on_subscribe(std::vector<std::string> topics) {
+  if (!who_ || !site_.access.may(*who_, keys::Operation::Watch)) return;
+  if (subscribed_ && topics.empty()) useful_ = Clock::now();
+  subscribed_ = !topics.empty();
+  site_.hub.subscribe(subscriber_, topics);
+}
+
+void Peer::on_message(wire::Message message) {
+  useful_ = Clock::now();
+  if (!touch_.renew()) return refuse(touch_.is_held(*who_));
+  if (!rates_.passes(message, useful_)) return on_over_rate(message.topic);
+  if (is_valid_upstream(message)) return site_.hub.publish(with_sender(std::move(message), sender_));
+  site_.on_invalid();
+}
+
+void Peer::on_over_rate(const wire::Topic& topic) {
+  site_.on_over_rate();
+  if (std::exchange(over_rate_noted_, true)) return;
+  const Rate rate = upstream_rate(topic);
+  site_.note(name_ + " at " + connection_->peer() + " publishes " + std::string(topic.name) + " faster than " +
+             std::to_string(std::lround(rate.messages_per_s)) + " messages or " +
+             std::to_string(std::lround(rate.bytes_per_s / 1024)) +
+             " KiB a second: the messages beyond that are dropped. fix: let that program publish less often");
+}
+
+void Peer::on_key_frame_request(const wire::Topic& topic, SessionTime published) {
+  site_.hub.request_key_frame(subscriber_, topic, published);
+}
+
+void Peer::on_closed(const std::string& reason) {
+  if (place_) site_.access.note(access::AuditEvent::Left, in_audit() + " why=" + access::audit_text(reason));
+  touch_.leave(reason.starts_with("peer left"));
+  if (!who_ && !audited_ && site_.access.has_keys())
+    site_.access.note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
+  leave_hub();
+  site_.note((name_.empty() ? "a peer without a name" : name_) + " at " + connection_->peer() +
+             " disconnected: " + reason);
+  site_.forget(number_);
+}
+
+void Peer::end_datagrams() {
+  if (!datagrams_) return;
+  datagrams_->close();
+  boost::asio::post(site_.io, [ended = std::move(datagrams_)] {});  // *datagrams_ may be on the call stack
+}
+
+void Peer::leave_hub() {
+  if (!subscriber_) return;
+  site_.on_leaving();
+  end_datagrams();
+  site_.hub.leave(std::exchange(subscriber_, 0));
+  sender_ = 0;  // the number is free for this peer's next connection
+}
+
+}  // namespace telepalp::hub
