@@ -29,12 +29,11 @@ DatagramLink::DatagramLink(const DatagramLinkSettings& settings, End end)
       receiver_(settings.deadline, settings.most_assembling_B),
       takes_frames_(settings.takes_frames) {}
 
-std::optional<Datagram> DatagramLink::seal(std::span<const std::byte> payload, SessionTime now) {
-  std::optional<Datagram> datagram(std::in_place);
-  const std::optional<std::uint64_t> sequence = sealer_.seal(payload, *datagram);
-  if (!sequence) return std::nullopt;
-  path_.sent(*sequence, datagram->size, now);
-  return datagram;
+bool DatagramLink::seal(std::span<const std::byte> head, std::span<const std::byte> tail, SessionTime now,
+                        Datagram& into) {
+  const std::optional<std::uint64_t> sequence = sealer_.seal(head, tail, into);
+  if (sequence) path_.sent(*sequence, into.size, now);
+  return sequence.has_value();
 }
 
 std::optional<std::vector<std::byte>> DatagramLink::feedback_due(SessionTime now) {
@@ -61,10 +60,16 @@ std::optional<SessionTime> DatagramLink::due(SessionTime now) const noexcept {
   return std::nullopt;
 }
 
+bool DatagramLink::next(SessionTime now, Datagram& into) {
+  if (const auto feedback = feedback_due(now)) return seal(*feedback, {}, now, into);
+  if (const auto fragment = sender_.next(now, path_)) return seal(fragment->header, fragment->shard, now, into);
+  return false;
+}
+
 std::optional<Datagram> DatagramLink::next(SessionTime now) {
-  if (const auto feedback = feedback_due(now)) return seal(*feedback, now);
-  if (const auto fragment = sender_.next(now, path_)) return seal(*fragment, now);
-  return std::nullopt;
+  std::optional<Datagram> datagram(std::in_place);
+  if (!next(now, *datagram)) datagram.reset();
+  return datagram;
 }
 
 void DatagramLink::count(const Opened& opened, std::size_t bytes, SessionTime now) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -31,6 +32,9 @@ class DatagramLink {
 
   /// Queues a frame; returns the number of the waiting frame that it replaces; nullopt: none. If a frame was replaced
   /// and frames of its channel depend on each other, the next frame that is offered must be a key frame.
+  std::optional<std::uint32_t> offer(std::shared_ptr<const SharedFrame> frame) {
+    return sender_.offer(std::move(frame));
+  }
   std::optional<std::uint32_t> offer(Frame frame) { return sender_.offer(std::move(frame)); }
 
   /// True when a frame that is offered now starts at once: no other frame waits, and the path has room. A caller with a
@@ -46,6 +50,8 @@ class DatagramLink {
 
   /// The next datagram to send now; nullopt: nothing to send. Call again at due(), and after offer() or received().
   [[nodiscard]] std::optional<Datagram> next(SessionTime now);
+  /// The same, into memory of the caller, to which the seal writes. False: nothing to send.
+  [[nodiscard]] bool next(SessionTime now, Datagram& into);
 
   /// Processes a received datagram. nullopt: it is forged, damaged or repeated; the caller must not answer. True: it is
   /// the peer's newest so far, so its source address may become the peer's address. False: it is older.
@@ -63,7 +69,8 @@ class DatagramLink {
   [[nodiscard]] const OpenerStatistics& opener() const noexcept { return opener_.statistics(); }
 
  private:
-  [[nodiscard]] std::optional<Datagram> seal(std::span<const std::byte> payload, SessionTime now);
+  [[nodiscard]] bool seal(std::span<const std::byte> head, std::span<const std::byte> tail, SessionTime now,
+                          Datagram& into);
   [[nodiscard]] std::optional<std::vector<std::byte>> feedback_due(SessionTime now);
   void count(const Opened& opened, std::size_t bytes, SessionTime now);
 

@@ -39,23 +39,23 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
   const SubscriberId subscriber = made->peer_.subscriber;
   made->end_ = std::make_unique<wire::DatagramEnd>(
       io.get_executor(), made->offer_.seal, link::End::Server,
-      wire::DatagramEnd::Handlers{.send =
-                                      [raw = made.get()](std::span<const std::byte> datagram) {
-                                        return !raw->address_ || raw->port_.send(datagram, *raw->address_);
-                                      },
-                                  .next_frame = [&hub, subscriber, raw = made.get()]() -> std::optional<link::Frame> {
-                                    const std::optional<wire::Message> message = hub.next_for_datagram(subscriber);
-                                    if (!message) return std::nullopt;
-                                    return wire::frame_of(*message, raw->peer_.now());
-                                  },
-                                  .on_frame = frames_to(made->peer_.on_message),
-                                  .on_key_frame_needed =
-                                      [&hub, subscriber](std::uint8_t channel) {
-                                        if (const auto topic = wire::topic_of_datagram_channel(channel))
-                                          hub.restart_group(subscriber, *topic);
-                                      },
-                                  .on_phase = [raw = made.get()](wire::DatagramPhase phase) { raw->on_phase(phase); },
-                                  .now = made->peer_.now});
+      wire::DatagramEnd::Handlers{
+          .send =
+              [raw = made.get()](std::span<const std::byte> datagram) {
+                return !raw->address_ || raw->port_.send(datagram, *raw->address_);
+              },
+          .next_frame = [&hub, subscriber, raw = made.get()]() -> std::shared_ptr<const link::SharedFrame> {
+            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber);
+            if (!message) return nullptr;
+            return raw->port_.frames().frame_of(*message, raw->peer_.now());
+          },
+          .on_frame = frames_to(made->peer_.on_message),
+          .on_key_frame_needed =
+              [&hub, subscriber](std::uint8_t channel) {
+                if (const auto topic = wire::topic_of_datagram_channel(channel)) hub.restart_group(subscriber, *topic);
+              },
+          .on_phase = [raw = made.get()](wire::DatagramPhase phase) { raw->on_phase(phase); },
+          .now = made->peer_.now});
   return made;
 }
 

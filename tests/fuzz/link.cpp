@@ -56,7 +56,7 @@ void read_reports(Bytes rest) {
   std::uint64_t sequence = 0;
   const auto transmit = [&] {
     for (int i = 0; i < 300; ++i)
-      if (const auto payload = sender.next(now, path)) path.sent(sequence++, payload->size(), now);
+      if (const auto payload = sender.next(now, path)) path.sent(sequence++, payload->bytes(), now);
   };
   transmit();
   while (!rest.empty()) {

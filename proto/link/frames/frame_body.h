@@ -9,17 +9,8 @@
 
 namespace telepalp::link {
 
-/// Size of the capture time that precedes a frame's bytes.
+/// Size of the capture time that precedes a frame's bytes. SharedFrame writes it.
 inline constexpr std::size_t kStampBytes = sizeof(std::int64_t);
-
-/// The content that is cut into shards: capture time, `bytes`, and zeros up to a whole number of shards.
-[[nodiscard]] inline std::vector<std::byte> frame_body(SessionTime captured, std::span<const std::byte> bytes,
-                                                       const FrameLayout& layout) {
-  std::vector<std::byte> body(layout.data_shards * layout.shard_bytes);
-  put_little_endian<std::int64_t>(body.data(), to_nanoseconds(captured));
-  std::copy(bytes.begin(), bytes.end(), body.begin() + kStampBytes);
-  return body;
-}
 
 /// The capture time in `body`; 0 for a negative one, which no correct peer sends and whose age would overflow.
 [[nodiscard]] inline SessionTime stamp_of(std::span<const std::byte> body) noexcept {

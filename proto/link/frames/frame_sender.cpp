@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "proto/link/frames/frame_body.h"
-#include "proto/link/frames/reed_solomon.h"
-#include "proto/words/demand.h"
+#include <utility>
 
 namespace telepalp::link {
 namespace {
@@ -16,23 +13,35 @@ constexpr std::size_t kMostKept = 32;  ///< started frames that are kept for rep
 
 }  // namespace
 
-std::optional<std::uint32_t> FrameSender::offer(Frame frame) {
-  demand(frame.channel < kMostChannels && !frame.bytes.empty() && frame.bytes.size() <= kMostFrameBytes - kStampBytes,
-         "a frame names a channel that exists, is not empty, and is not larger than a frame may be");
-  const auto [place, is_new] = waiting_.try_emplace(frame.channel);
-  const std::optional<std::uint32_t> replaced = is_new ? std::nullopt : std::optional(place->second.number);
+std::shared_ptr<const SharedFrame> shared(Frame frame) {
+  const auto bytes = std::make_shared<const std::vector<std::byte>>(std::move(frame.bytes));
+  return std::make_shared<const SharedFrame>(
+      SharedFrame::Label{
+          .channel = frame.channel, .number = frame.number, .key_frame = frame.key_frame, .captured = frame.captured},
+      std::span<const std::byte>{}, std::span(*bytes), bytes);
+}
+
+std::vector<std::byte> FrameSender::Next::joined() const {
+  std::vector<std::byte> payload(header.begin(), header.end());
+  payload.insert(payload.end(), shard.begin(), shard.end());
+  return payload;
+}
+
+std::optional<std::uint32_t> FrameSender::offer(std::shared_ptr<const SharedFrame> frame) {
+  const auto [place, is_new] = waiting_.try_emplace(frame->label().channel);
+  const std::optional<std::uint32_t> replaced = is_new ? std::nullopt : std::optional(place->second->label().number);
   if (replaced) ++statistics_.replaced;
   place->second = std::move(frame);
   return replaced;
 }
 
-std::optional<std::vector<std::byte>> FrameSender::next(SessionTime now, PathEstimate& path) {
+std::optional<FrameSender::Next> FrameSender::next(SessionTime now, PathEstimate& path) {
   if (first_round_.empty()) start_newest(now, path);
   std::deque<Piece>& from = requested_.empty() ? first_round_ : requested_;
   if (from.empty() || !path.has_room(now)) return std::nullopt;
-  std::vector<std::byte> payload = fragment(from.front());
+  Next next = fragment(from.front());
   from.pop_front();
-  return payload;
+  return next;
 }
 
 /// A frame is dropped unsent when it would arrive after twice the deadline. Over a path whose one-way delay exceeds the
@@ -40,7 +49,7 @@ std::optional<std::vector<std::byte>> FrameSender::next(SessionTime now, PathEst
 void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
   const Nanoseconds oldest = std::max(2 * deadline_ - path.least_round_trip() / 2, deadline_);
   std::erase_if(waiting_, [&](const auto& entry) {
-    const bool late = now - entry.second.captured > oldest;
+    const bool late = now - entry.second->label().captured > oldest;
     if (late) ++statistics_.expired;
     return late;
   });
@@ -51,24 +60,22 @@ void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
   start(waiting_.extract(turn).mapped(), now, path);
 }
 
-void FrameSender::start(Frame frame, SessionTime now, const PathEstimate& path) {
-  const std::size_t bytes = kStampBytes + frame.bytes.size();
-  const FrameLayout layout(bytes);
-  Outgoing outgoing{.header = {.channel = frame.channel,
-                               .key_frame = frame.key_frame,
-                               .frame = frame.number,
-                               .frame_bytes = static_cast<std::uint32_t>(bytes)},
-                    .captured = frame.captured,
-                    .padded = frame_body(frame.captured, frame.bytes, layout),
-                    .layout = layout,
-                    .blocks = std::vector<Block>(layout.blocks)};
-  const bool can_ask = can_repair(deadline_ - (now - frame.captured), path);
+void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path) {
+  const SharedFrame::Label& label = frame->label();
+  const FrameLayout& layout = frame->layout();
+  const bool can_ask = can_repair(deadline_ - (now - label.captured), path);
   const std::size_t repairs = repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
-  outgoing.header.repair_shards = static_cast<std::uint8_t>(repairs);
+  Outgoing outgoing{.header = {.channel = label.channel,
+                               .key_frame = label.key_frame,
+                               .frame = label.number,
+                               .frame_bytes = static_cast<std::uint32_t>(frame->bytes()),
+                               .repair_shards = static_cast<std::uint8_t>(repairs)},
+                    .frame = frame,
+                    .blocks = std::vector<Block>(layout.blocks)};
   const std::uint64_t place = forgotten_ + sent_.size();
   for (std::size_t i = 0; i < layout.data_shards; ++i)
     first_round_.push_back(
-        {place, static_cast<std::uint8_t>(i % layout.blocks), static_cast<std::uint8_t>(i / layout.blocks), {}});
+        {place, static_cast<std::uint8_t>(i % layout.blocks), static_cast<std::uint8_t>(i / layout.blocks)});
   for (std::size_t block = 0; block < layout.blocks; ++block)
     queue_repairs(place, outgoing, block, repairs, first_round_);
   ++statistics_.started;
@@ -78,41 +85,32 @@ void FrameSender::start(Frame frame, SessionTime now, const PathEstimate& path) 
 }
 
 /// Appends `count` repair shards that were not sent before, as far as the code has them.
-void FrameSender::queue_repairs(std::uint64_t place, Outgoing& frame, std::size_t block, std::size_t count,
+void FrameSender::queue_repairs(std::uint64_t place, Outgoing& outgoing, std::size_t block, std::size_t count,
                                 std::deque<Piece>& to) {
-  const std::size_t first = frame.blocks[block].next_row;
+  const std::size_t first = outgoing.blocks[block].next_row;
   count = std::min(count, kMostRepairShards - first);
-  const std::size_t data = frame.layout.data_in_block(block);
-  std::vector<const std::byte*> shards;
-  for (std::size_t i = 0; i < data; ++i) shards.push_back(frame.padded.data() + frame.layout.offset(block, i));
-  std::vector<std::vector<std::byte>> repairs(count, std::vector<std::byte>(frame.layout.shard_bytes));
-  std::vector<std::byte*> out;
-  for (std::vector<std::byte>& repair : repairs) out.push_back(repair.data());
-  make_repair_shards(shards, frame.layout.shard_bytes, first, out);
+  const std::size_t data = outgoing.frame->layout().data_in_block(block);
+  outgoing.frame->make_repairs(block, first + count);
   for (std::size_t i = 0; i < count; ++i)
-    to.push_back(
-        {place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(data + first + i), std::move(repairs[i])});
-  frame.blocks[block].next_row += count;
+    to.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(data + first + i)});
+  outgoing.blocks[block].next_row += count;
   statistics_.repair_shards += count;
 }
 
-std::vector<std::byte> FrameSender::fragment(const Piece& piece) const {
-  const Outgoing& frame = sent_[piece.outgoing - forgotten_];
-  FragmentHeader header = frame.header;
+FrameSender::Next FrameSender::fragment(const Piece& piece) const {
+  const Outgoing& outgoing = sent_[piece.outgoing - forgotten_];
+  FragmentHeader header = outgoing.header;
   header.block = piece.block;
   header.shard = piece.shard;
-  std::vector<std::byte> payload(kFragmentHeaderBytes + frame.layout.shard_bytes);
-  write_fragment_header(header, std::span<std::byte, kFragmentHeaderBytes>(payload.data(), kFragmentHeaderBytes));
-  const std::byte* const shard =
-      piece.repair.empty() ? frame.padded.data() + frame.layout.offset(piece.block, piece.shard) : piece.repair.data();
-  std::copy_n(shard, frame.layout.shard_bytes, payload.begin() + kFragmentHeaderBytes);
-  return payload;
+  Next next{.shard = outgoing.frame->shard(piece.block, piece.shard), .frame = outgoing.frame};
+  write_fragment_header(header, next.header);
+  return next;
 }
 
 std::optional<std::size_t> FrameSender::find(const Missing& missing) const noexcept {
   const auto found = std::find_if(sent_.begin(), sent_.end(), [&](const Outgoing& frame) {
     return frame.header.channel == missing.channel && frame.header.frame == missing.frame &&
-           missing.block < frame.layout.blocks;
+           missing.block < frame.frame->layout().blocks;
   });
   if (found == sent_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - sent_.begin());
@@ -123,7 +121,7 @@ void FrameSender::on_missing(std::span<const Missing> missing, SessionTime now, 
     const std::optional<std::size_t> place = find(one);
     if (!place) continue;
     Outgoing& frame = sent_[*place];
-    if (now + path.least_round_trip() / 2 > frame.captured + deadline_) continue;
+    if (now + path.least_round_trip() / 2 > frame.frame->label().captured + deadline_) continue;
     Block& block = frame.blocks[one.block];
     if (block.repaired_at != SessionTime{} && now - block.repaired_at < path.round_trip()) continue;  // on its way
     block.repaired_at = now;

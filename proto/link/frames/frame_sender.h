@@ -1,19 +1,22 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "proto/link/format/fragment.h"
+#include "proto/link/frames/shared_frame.h"
 #include "proto/link/path/path_estimate.h"
 #include "proto/words/time.h"
 
 namespace telepalp::link {
 
-/// A message that is worthless when it is late (topics: proto/wire/datagram_message.h), as FrameSender takes it and
-/// FrameReceiver returns it.
+/// A message that is worthless when it is late (topics: proto/wire/datagram_message.h), as FrameReceiver returns it.
 struct Frame {
   std::uint8_t channel = 0;
   std::uint32_t number = 0;  ///< counts the channel's frames at the source
@@ -22,6 +25,9 @@ struct Frame {
   std::vector<std::byte> bytes{};
   bool newest = true;  ///< set by the receiver: no newer frame of the channel was delivered before
 };
+
+/// `frame`, to be sent.
+[[nodiscard]] std::shared_ptr<const SharedFrame> shared(Frame frame);
 
 struct SenderStatistics {
   std::uint64_t started = 0;
@@ -35,17 +41,26 @@ struct SenderStatistics {
 };
 
 /// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is
-/// sent completely. `deadline` counts from Frame::captured. Pure: time and the path are arguments. Owner: one thread.
+/// sent completely. `deadline` counts from the frame's capture. Pure: time and the path are arguments. Owner: one
+/// thread.
 class FrameSender {
  public:
   explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
 
-  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces. Aborts if
-  /// `channel` is not below kMostChannels, or `bytes` is empty or exceeds kMostFrameBytes - 8 (the time stamp's bytes).
-  std::optional<std::uint32_t> offer(Frame frame);
+  /// The frame waits until the path has room. Returns the number of the waiting frame that it replaces.
+  std::optional<std::uint32_t> offer(std::shared_ptr<const SharedFrame> frame);
+  std::optional<std::uint32_t> offer(Frame frame) { return offer(shared(std::move(frame))); }
 
-  /// The payload of the next datagram; nullopt: nothing to send, or no room on the path.
-  [[nodiscard]] std::optional<std::vector<std::byte>> next(SessionTime now, PathEstimate& path);
+  /// The next datagram's payload, of which nothing was copied.
+  struct Next {
+    std::array<std::byte, kFragmentHeaderBytes> header{};
+    std::span<const std::byte> shard{};  ///< follows the header; lies in `frame`
+    std::shared_ptr<const SharedFrame> frame{};
+    [[nodiscard]] std::size_t bytes() const noexcept { return header.size() + shard.size(); }
+    [[nodiscard]] std::vector<std::byte> joined() const;  ///< a copy of the payload, in one piece
+  };
+  /// nullopt: nothing to send, or no room on the path.
+  [[nodiscard]] std::optional<Next> next(SessionTime now, PathEstimate& path);
 
   /// True when no frame waits and each started frame is sent, apart from requested repairs: a new frame can start.
   [[nodiscard]] bool idle() const noexcept { return first_round_.empty() && waiting_.empty(); }
@@ -64,26 +79,24 @@ class FrameSender {
   };
   struct Outgoing {
     FragmentHeader header;
-    SessionTime captured;
-    std::vector<std::byte> padded;  ///< time stamp, bytes, zeros up to a whole number of shards
-    FrameLayout layout;
+    std::shared_ptr<const SharedFrame> frame;  ///< shared with the other links that send it
     std::vector<Block> blocks;
   };
   struct Piece {
     std::uint64_t outgoing;  ///< index of the frame among all started frames
     std::uint8_t block;
     std::uint8_t shard;
-    std::vector<std::byte> repair;  ///< bytes of a repair shard; empty: a data shard
   };
   void start_newest(SessionTime now, const PathEstimate& path);
-  void start(Frame frame, SessionTime now, const PathEstimate& path);
-  void queue_repairs(std::uint64_t place, Outgoing& frame, std::size_t block, std::size_t count, std::deque<Piece>& to);
-  [[nodiscard]] std::vector<std::byte> fragment(const Piece& piece) const;
+  void start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path);
+  void queue_repairs(std::uint64_t place, Outgoing& outgoing, std::size_t block, std::size_t count,
+                     std::deque<Piece>& to);
+  [[nodiscard]] Next fragment(const Piece& piece) const;
   [[nodiscard]] std::optional<std::size_t> find(const Missing& missing) const noexcept;
   void forget_old();
 
   Nanoseconds deadline_;
-  std::map<std::uint8_t, Frame> waiting_;
+  std::map<std::uint8_t, std::shared_ptr<const SharedFrame>> waiting_;  ///< by channel
   std::uint8_t last_channel_ = kMostChannels;  ///< channel of the frame started last: channels take turns
   std::deque<Outgoing> sent_;                  ///< started frames, kept for repairs
   std::uint64_t forgotten_ = 0;                ///< number of frames removed from the front of sent_

@@ -34,13 +34,18 @@ void Aead::start(std::uint64_t sequence, std::span<const std::byte> header) {
   must(EVP_CipherUpdate(context_.get(), nullptr, &written, bytes(header.data()), size_of(header)));
 }
 
-void Aead::seal(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> plain,
-                std::byte* out) {
+void Aead::seal(std::uint64_t sequence, std::span<const std::byte> header, const PlainParts& plain, std::byte* out) {
   start(sequence, header);
-  int written = 0;
-  if (!plain.empty()) must(EVP_CipherUpdate(context_.get(), bytes(out), &written, bytes(plain.data()), size_of(plain)));
-  must(EVP_CipherFinal_ex(context_.get(), bytes(out) + written, &written));
-  must(EVP_CIPHER_CTX_ctrl(context_.get(), EVP_CTRL_AEAD_GET_TAG, kTagBytes, out + plain.size()));
+  for (const std::span<const std::byte> part : plain) {
+    if (part.empty()) continue;
+    int written = 0;
+    must(EVP_CipherUpdate(context_.get(), bytes(out), &written, bytes(part.data()), size_of(part)));
+    demand(written == size_of(part), "a stream cipher writes as many bytes as it reads");
+    out += part.size();
+  }
+  int rest = 0;
+  must(EVP_CipherFinal_ex(context_.get(), bytes(out), &rest));
+  must(EVP_CIPHER_CTX_ctrl(context_.get(), EVP_CTRL_AEAD_GET_TAG, kTagBytes, out));
 }
 
 bool Aead::open(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> sealed,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,9 +17,10 @@ class Aead {
   enum class Use { Seal, Open };
   Aead(Cipher cipher, const PacketKey& key, Use use);
 
-  /// Encrypts `plain` to `out`, which has kTagBytes more for the tag. The tag authenticates `plain` and `header`.
-  void seal(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> plain,
-            std::byte* out);
+  using PlainParts = std::array<std::span<const std::byte>, 2>;
+  /// Encrypts the parts of `plain`, one behind the other, to `out`, which has kTagBytes more for the tag. The tag
+  /// authenticates `plain` and `header`.
+  void seal(std::uint64_t sequence, std::span<const std::byte> header, const PlainParts& plain, std::byte* out);
   /// Decrypts `sealed` to `out`, which has kTagBytes less. False: the tag is wrong; `out` is then all zero.
   [[nodiscard]] bool open(std::uint64_t sequence, std::span<const std::byte> header, std::span<const std::byte> sealed,
                           std::byte* out);

@@ -30,14 +30,16 @@ bool Sealer::change_key() {
   return true;
 }
 
-std::optional<std::uint64_t> Sealer::seal(std::span<const std::byte> payload, Datagram& out) {
-  demand(payload.size() <= kPayloadBytes, "the payload of a sealed datagram is not larger than its limit");
+std::optional<std::uint64_t> Sealer::seal(std::span<const std::byte> head, std::span<const std::byte> tail,
+                                          Datagram& out) {
+  const std::size_t payload_bytes = head.size() + tail.size();
+  demand(payload_bytes <= kPayloadBytes, "the payload of a sealed datagram is not larger than its limit");
   if (sealed_in_epoch_ >= settings_.packets_per_epoch && !change_key()) return std::nullopt;
   ++sealed_in_epoch_;
   const HeaderBytes header(out.storage.data(), kHeaderBytes);
   write_header({.epoch = epoch_, .session = settings_.number, .sequence = sequence_}, header);
-  aead_.seal(sequence_, header, payload, out.storage.data() + kHeaderBytes);
-  out.size = kHeaderBytes + payload.size() + kTagBytes;
+  aead_.seal(sequence_, header, {head, tail}, out.storage.data() + kHeaderBytes);
+  out.size = kHeaderBytes + payload_bytes + kTagBytes;
   return sequence_++;
 }
 

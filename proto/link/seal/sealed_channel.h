@@ -33,9 +33,14 @@ class Sealer {
  public:
   Sealer(const SealSettings& settings, Direction direction);
 
-  /// Seals `payload`, of at most kPayloadBytes, to `out`, and returns its sequence number. nullopt: the last epoch's
-  /// key is used up, after 2^38 packets with the default setting; then a new session is needed.
-  [[nodiscard]] std::optional<std::uint64_t> seal(std::span<const std::byte> payload, Datagram& out);
+  /// Seals the payload, `head` and behind it `tail`, of at most kPayloadBytes together, to `out`, and returns its
+  /// sequence number. The payload is read once. nullopt: the last epoch's key is used up, after 2^38 packets with the
+  /// default setting; then a new session is needed.
+  [[nodiscard]] std::optional<std::uint64_t> seal(std::span<const std::byte> head, std::span<const std::byte> tail,
+                                                  Datagram& out);
+  [[nodiscard]] std::optional<std::uint64_t> seal(std::span<const std::byte> payload, Datagram& out) {
+    return seal(payload, {}, out);
+  }
 
  private:
   [[nodiscard]] bool change_key();

@@ -92,20 +92,20 @@ void DatagramEnd::report_phase() {
 
 void DatagramEnd::offer_next(SessionTime now) {
   if (!handlers_.next_frame || watch_.phase() != DatagramPhase::Up || !link_.ready_for_frame(now)) return;
-  std::optional<link::Frame> frame = handlers_.next_frame();
+  std::shared_ptr<const link::SharedFrame> frame = handlers_.next_frame();
   if (!frame) return;
-  if (frame->key_frame) repair_.key_frame_sent(frame->channel, now);
-  (void)link_.offer(std::move(*frame));
+  if (frame->label().key_frame) repair_.key_frame_sent(frame->label().channel, now);
+  (void)link_.offer(std::move(frame));
 }
 
 /// False: nothing more can be sent now.
 bool DatagramEnd::send_next(SessionTime now) {
-  if (!unsent_) {
+  if (!has_unsent_) {
     offer_next(now);
-    unsent_ = link_.next(now);
+    has_unsent_ = link_.next(now, unsent_);
   }
-  if (!unsent_ || !handlers_.send(unsent_->bytes())) return false;
-  unsent_.reset();
+  if (!has_unsent_ || !handlers_.send(unsent_.bytes())) return false;
+  has_unsent_ = false;
   return true;
 }
 
@@ -119,7 +119,7 @@ void DatagramEnd::pump() {
   int sent = 0;
   while (sent < kBatch && send_next(now)) ++sent;
   if (sent == kBatch) return wake_at(now, now);
-  if (unsent_) return wake_at(now + kFullSocket, now);
+  if (has_unsent_) return wake_at(now + kFullSocket, now);
   SessionTime next = link_.due(now).value_or(now + kReportEvery);
   if (reports(now)) next = std::min(next, reported_at_ + kReportEvery);
   if (const auto change = watch_.due()) next = std::min(next, *change);

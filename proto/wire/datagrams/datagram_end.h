@@ -20,8 +20,9 @@ namespace telepalp::wire {
 class DatagramEnd {
  public:
   struct Handlers {
-    std::function<bool(std::span<const std::byte>)> send{};    ///< false: the socket is full, try again
-    std::function<std::optional<link::Frame>()> next_frame{};  ///< nullopt: none now; empty function: sends none
+    std::function<bool(std::span<const std::byte>)> send{};  ///< false: the socket is full, try again
+    /// Null: none now. Empty function: this end sends none.
+    std::function<std::shared_ptr<const link::SharedFrame>()> next_frame{};
     /// Takes a complete frame that is newer than all before it on its channel. Empty function: this end takes none.
     std::function<void(link::Frame)> on_frame{};
     /// The peer cannot decode `channel` until it gets a key frame.
@@ -66,7 +67,8 @@ class DatagramEnd {
   std::uint64_t answers_ = 0;  // link_.path().answers() after the last received datagram
   SessionTime heard_at_{};     // arrival of the newest authenticated datagram
   SessionTime reported_at_{};
-  std::optional<link::Datagram> unsent_;  // waits until the socket has room
+  link::Datagram unsent_;    // sealed here, and sent from here
+  bool has_unsent_ = false;  // it waits until the socket has room
   std::uint64_t late_ = 0;
   bool closed_ = false;
   boost::asio::steady_timer timer_;

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "proto/link/datagram_link.h"
+#include "proto/wire/datagram_message.h"
 #include "server/hub/datagrams/datagram_counts.h"
 
 namespace telepalp::hub {
@@ -38,6 +39,8 @@ class DatagramPort {
   /// False: the socket's send buffer is full, and the datagram can be sent again. After other errors, it is lost: true.
   [[nodiscard]] bool send(std::span<const std::byte> datagram, const Endpoint& to);
 
+  /// The frames that the peers send; they share those of one message.
+  [[nodiscard]] wire::FrameCache& frames() noexcept { return frames_; }
   [[nodiscard]] const DatagramCounts& counts() const noexcept { return counts_; }
   [[nodiscard]] bool is_open() const noexcept { return socket_.is_open(); }
 
@@ -49,6 +52,7 @@ class DatagramPort {
   boost::asio::ip::udp::socket socket_;
   std::map<std::uint32_t, Session*> sessions_;                // bounded: each peer has one, and their number is limited
   std::array<std::byte, link::kDatagramBytes + 1> buffer_{};  // one byte more, to recognise datagrams that are too long
+  wire::FrameCache frames_;
   DatagramCounts counts_;
   std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // pending reads hold weak_ptrs to it
 };

@@ -98,7 +98,7 @@ class CraftedTest : public ::testing::Test {
     link::PathEstimate path;
     sender.offer(wire::frame_of(message, site().server.now()));
     std::vector<std::vector<std::byte>> payloads;
-    while (auto payload = sender.next(site().server.now(), path)) payloads.push_back(std::move(*payload));
+    while (const auto payload = sender.next(site().server.now(), path)) payloads.push_back(payload->joined());
     return payloads;
   }
 

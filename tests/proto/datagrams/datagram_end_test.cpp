@@ -36,8 +36,8 @@ struct Wire {
                   if (lose_next_down > 0 && datagram.size() > 500) return --lose_next_down, true;
                   return down_cut || carry(datagram, client);
                 },
-            .next_frame = [this]() -> std::optional<link::Frame> {
-              if (waiting.empty()) return std::nullopt;
+            .next_frame = [this]() -> std::shared_ptr<const link::SharedFrame> {
+              if (waiting.empty()) return nullptr;
               const Message next = std::move(waiting.front());
               waiting.pop_front();
               return frame_of(next, clock.now());
@@ -85,6 +85,20 @@ struct Wire {
     return server.phase() == DatagramPhase::Up && client.phase() == DatagramPhase::Up;
   }
 };
+
+TEST(FrameCache, AMessageForSeveralPeersIsOneFrameWhileOneOfThemKeepsIt) {
+  FrameCache cache;
+  const SessionTime now = session_time(10'000'000'000);
+  Message message{kCameraDepth, now, std::make_shared<const std::string>(5000, 'd'), 7, true};
+  const auto first = cache.frame_of(message, now);
+  EXPECT_EQ(cache.frame_of(message, now + Nanoseconds(1000)), first);
+  const Message copy{kCameraDepth, now, std::make_shared<const std::string>(5000, 'd'), 7, true};
+  EXPECT_NE(cache.frame_of(copy, now), first) << "another message";
+  const SessionTime much_later = now + std::chrono::seconds(5);
+  EXPECT_NE(cache.frame_of(message, much_later), first) << "its deadline would be over";
+  message.sequence = 8;
+  EXPECT_NE(cache.frame_of(message, now), first) << "the same picture, published again";
+}
 
 TEST(DatagramEnd, BothEndsComeUpAndAMessageArrivesAsItWas) {
   Wire wire;
