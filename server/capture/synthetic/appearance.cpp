@@ -103,4 +103,26 @@ ColorImage paint(const RestShape& rest, std::uint64_t seed) {
   return picture;
 }
 
+void paint_glove(const ColleagueHand& hand, const Intrinsics& camera, ColorImage& picture) {
+  constexpr float kFar_m = 100.0F;
+  constexpr double kSleeve_m = 0.12;  // from the palm's middle; what is farther away is sleeve
+  std::vector<float> depth_m(picture.rgb.size() / 3, kFar_m);
+  draw_over(capsules_of(hand), camera, depth_m);
+  for (std::size_t i = 0; i < depth_m.size(); ++i) {
+    if (depth_m[i] >= kFar_m) continue;
+    const auto z_m = static_cast<double>(depth_m[i]);
+    const auto u = static_cast<double>(i % static_cast<std::size_t>(picture.width));
+    const auto v = static_cast<double>(i / static_cast<std::size_t>(picture.width));
+    const Eigen::Vector2d from_palm_m{(u - camera.cx) / camera.fx * z_m - hand.under_palm_m.x(),
+                                      (v - camera.cy) / camera.fy * z_m - hand.under_palm_m.y()};
+    const double ahead_m = from_palm_m.x() * std::cos(hand.heading_rad) + from_palm_m.y() * std::sin(hand.heading_rad);
+    const bool sleeve = ahead_m < -kSleeve_m;
+    // Brighter towards the camera, so that fingers can be told apart.
+    const double light = std::clamp(0.5 + 12.0 * (hand.under_palm_m.z() - z_m), 0.45, 1.0);
+    const Eigen::Vector3d albedo = sleeve ? Eigen::Vector3d{0.75, 0.78, 0.8} : Eigen::Vector3d{0.12, 0.3, 0.62};
+    for (int channel = 0; channel < 3; ++channel)
+      picture.rgb[3 * i + static_cast<std::size_t>(channel)] = display(light * albedo[channel]);
+  }
+}
+
 }  // namespace telepalp::capture

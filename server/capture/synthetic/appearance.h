@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "server/capture/synthetic/shape/colleague_hand.h"
 #include "server/capture/synthetic/shape/rest_shape.h"
 
 namespace telepalp::capture {
@@ -10,5 +11,8 @@ namespace telepalp::capture {
 /// the table, lit from above the patient's left shoulder. Breathing moves the skin along the camera's rays, so the
 /// image is valid at each instant of a breath; it is not valid for a body that has slid.
 [[nodiscard]] ColorImage paint(const RestShape& rest, std::uint64_t seed);
+
+/// Paints a colleague's hand over `picture`: a blue glove and a white sleeve.
+void paint_glove(const ColleagueHand& hand, const Intrinsics& camera, ColorImage& picture);
 
 }  // namespace telepalp::capture

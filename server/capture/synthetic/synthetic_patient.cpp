@@ -58,6 +58,7 @@ RgbdFrame SyntheticPatient::frame_of(const PatientPose& pose, SessionTime time, 
   frame.camera = {.depth = settings_.camera, .color = settings_.camera, .color_registered = true};
   frame.depth = depth_of(pose, time);
   frame.color = picture_;
+  if (pose.colleague) paint_glove(*pose.colleague, settings_.camera, frame.color);
   if (settings_.noise != DepthNoise::None) add_color_noise(frame.color.rgb, to_nanoseconds(time), settings_.seed);
   return frame;
 }
@@ -75,10 +76,25 @@ RgbdFrame SyntheticPatient::frame_at(SessionTime time, std::uint64_t sequence) c
   return frame_of(pose(time), time, sequence);
 }
 
-PatientPose SyntheticPatient::pose(SessionTime time) const noexcept { return motion_.at(time); }
+/// The visits begin 8 s into each slot of 24 s. Every second one lies on the skin; the others hover 60 mm over it.
+PatientPose SyntheticPatient::pose(SessionTime time) const {
+  PatientPose pose = motion_.at(time);
+  if (!settings_.colleague) return pose;
+  constexpr double kSlot_s = 24.0;
+  const double now_s = 1e-9 * static_cast<double>(to_nanoseconds(time));
+  const double slot = std::floor(now_s / kSlot_s);
+  const bool lies = std::fmod(slot, 2.0) != 0.0;
+  const Intrinsics& camera = settings_.camera;
+  const ColleagueVisit visit{.place = surface_of({}).at_pixel(camera.cx, camera.cy).at,
+                             .over_m = lies ? 0.0 : 0.06,
+                             .heading_rad = -1.2,
+                             .begins_s = 8.0};
+  pose.colleague = visit.at(now_s - kSlot_s * slot, surface_of({}), surface_of(pose));
+  return pose;
+}
 
 TrueSurface SyntheticPatient::surface_of(const PatientPose& pose) const noexcept { return {rest_, pose}; }
 
-TrueSurface SyntheticPatient::true_surface(SessionTime time) const noexcept { return {rest_, pose(time)}; }
+TrueSurface SyntheticPatient::true_surface(SessionTime time) const { return {rest_, pose(time)}; }
 
 }  // namespace telepalp::capture

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "server/capture/synthetic/colleague_visit.h"
 #include "server/capture/synthetic/motion/patient_motion.h"
 #include "server/capture/synthetic/sensor/sensor_model.h"
 #include "server/capture/synthetic/shape/settings.h"
@@ -32,10 +33,10 @@ class SyntheticPatient {
   [[nodiscard]] TrueSurface surface_of(const PatientPose& pose) const noexcept;
 
   /// The noise-free surface of frame_at(time).
-  [[nodiscard]] TrueSurface true_surface(SessionTime time) const noexcept;
+  [[nodiscard]] TrueSurface true_surface(SessionTime time) const;
 
   [[nodiscard]] const SyntheticSettings& settings() const noexcept { return settings_; }
-  [[nodiscard]] PatientPose pose(SessionTime time) const noexcept;
+  [[nodiscard]] PatientPose pose(SessionTime time) const;
 
  private:
   SyntheticPatient(const SyntheticSettings& settings, RestShape rest);

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/bench/hand/colleague_visit.h"
 #include "tests/bench/hand/force_step.h"
 #include "tests/bench/hand/studies.h"
 
@@ -14,7 +13,19 @@ namespace {
 
 constexpr double kArm_N_per_m = 300.0;
 constexpr double kPressed_s = 2.0;  // the doctor's hand has arrived by then
+constexpr double kBegins_s = 6.0;   // of the visit
 constexpr double kJudged_s = 4.0;   // time after the visit for which the run goes on
+
+/// What the visit changed for the doctor, against the same run without it.
+struct VisitCost {
+  double outwards_m = 0.0;         ///< most by which the device is farther out
+  double force_N = 0.0;            ///< most by which the device pushes harder along the skin's normal
+  double work_mJ = 0.0;            ///< most by which the device has done more work on the hand since the visit began
+  double work_there_mJ = 0.0;      ///< the same, until the hand begins to leave
+  double work_returning_mJ = 0.0;  ///< from then on: most work beyond that of the true skin's law on the same path. The
+                                   ///< hand has sunk in while the skin was not felt, and the skin pushes it back
+  double again_s = 0.0;            ///< from the first image without the hand until the force is 90 % of the law's
+};
 
 enum class Doctor { Presses, Rests, Waits };
 
@@ -28,18 +39,18 @@ struct Drawn {
         one_way_s(random.uniform(0.0, 0.15)),
         force_N(doctor == Doctor::Presses ? random.uniform(1.0, 5.0) : random.uniform(0.2, 0.5)),
         height_m(doctor == Doctor::Waits ? random.uniform(0.011, 0.05) : -aim_depth_m(force_N)) {
-    visit.patient = patient;
     const Intrinsics& camera = patient->settings().camera;
     constexpr double kBeside_px = 20.0;  // 30 mm
-    visit.skin = patient->surface_of({})
-                     .at_pixel(camera.cx + spot.u + random.uniform(-kBeside_px, kBeside_px),
-                               camera.cy + spot.v + random.uniform(-kBeside_px, kBeside_px))
-                     .at;
+    visit.place = patient->surface_of({})
+                      .at_pixel(camera.cx + spot.u + random.uniform(-kBeside_px, kBeside_px),
+                                camera.cy + spot.v + random.uniform(-kBeside_px, kBeside_px))
+                      .at;
     visit.over_m = number % 3 == 0 ? 0.0 : random.uniform(0.02, 0.09);
     visit.from_above = number % 2 == 1;
     visit.heading_rad = random.uniform(0.0, 2.0 * std::numbers::pi);
     visit.arm_rise_rad = random.uniform(0.15, 0.5);
     visit.fingers_hz = random.uniform(0.5, 2.0);
+    visit.begins_s = kBegins_s;
   }
 
   /// The depth at which a hand on its arm must aim to press the skin with `force_N`.
@@ -48,7 +59,7 @@ struct Drawn {
   }
   [[nodiscard]] capture::PatientPose pose(double time_s, bool visited) const {
     capture::PatientPose pose = patient->pose(at_time(breath_begins_s + time_s));
-    if (visited) pose.colleague = visit.at(time_s, pose);
+    if (visited) pose.colleague = visit.at(time_s, patient->surface_of({}), patient->surface_of(pose));
     return pose;
   }
   [[nodiscard]] std::unique_ptr<Person> person() const {
@@ -68,7 +79,7 @@ struct Drawn {
   double one_way_s;
   double force_N;
   double height_m;  ///< of the doctor's aim over the skin at rest
-  ColleagueVisit visit;
+  capture::ColleagueVisit visit;
 };
 
 /// One tick of one of the two runs.
@@ -76,7 +87,8 @@ struct Felt {
   Eigen::Vector3d device_m;
   double pushed_N;
   double law_N;
-  double work_mJ;  ///< of the device on the hand since the visit began
+  double work_mJ;    ///< of the device on the hand since the visit began
+  double beyond_mJ;  ///< the same, less the work of the true skin's law on the same path
 };
 
 struct Played {
@@ -96,14 +108,18 @@ Played play(const Drawn& drawn, bool visited) {
   Played played;
   ForceSteps steps;
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+  Eigen::Vector3d law_N = Eigen::Vector3d::Zero();
   double work_mJ = 0.0;
+  double beyond_mJ = 0.0;
   run(feed, station, drawn.visit.gone_s() + kJudged_s, [&](const Tick& tick) {
     if (tick.time_s >= drawn.visit.begins_s) {
       work_mJ += 1e3 * force_N.dot(tick.moved_m);
+      beyond_mJ += 1e3 * (force_N - law_N).dot(tick.moved_m);
       steps.add(tick);
-      played.ticks.push_back({tick.device_m, tick.pushed_N(), tick.law_N(), work_mJ});
+      played.ticks.push_back({tick.device_m, tick.pushed_N(), tick.law_N(), work_mJ, beyond_mJ});
     }
     force_N = tick.force_N;
+    law_N = tick.law_N() * tick.normal;
     if (played.first_without_s == 0.0 && feed.newest_captured_s() >= drawn.visit.gone_s())
       played.first_without_s = tick.time_s;
   });
@@ -116,6 +132,7 @@ VisitCost cost_of(const Drawn& drawn, const Played& with, const Played& without)
   const Eigen::Vector3d normal = normal_at(*drawn.patient, drawn.spot).v;
   cost.again_s = drawn.height_m > 0.0 ? 0.0 : kJudged_s;
   bool felt = drawn.height_m > 0.0;
+  double left_mJ = 0.0;
   for (std::size_t i = 0; i < with.ticks.size(); ++i) {
     const Felt& one = with.ticks[i];
     const Felt& other = without.ticks[i];
@@ -123,6 +140,11 @@ VisitCost cost_of(const Drawn& drawn, const Played& with, const Played& without)
     cost.force_N = std::max(cost.force_N, one.pushed_N - other.pushed_N);
     cost.work_mJ = std::max(cost.work_mJ, one.work_mJ - other.work_mJ);
     const double since_s = drawn.visit.begins_s + static_cast<double>(i) * kTick_s - with.first_without_s;
+    if (since_s + with.first_without_s < drawn.visit.leaves_s()) {
+      cost.work_there_mJ = std::max(cost.work_there_mJ, one.work_mJ - other.work_mJ);
+      left_mJ = one.beyond_mJ;
+    }
+    cost.work_returning_mJ = std::max(cost.work_returning_mJ, one.beyond_mJ - left_mJ);
     if (felt || since_s < 0.0) continue;
     felt = one.law_N > 0.0 && one.pushed_N >= 0.9 * one.law_N;
     cost.again_s = since_s;
@@ -148,6 +170,10 @@ std::vector<Row> measure(const std::string& name, Doctor doctor, const Options& 
       at_most(name + ": device farther out than without the colleague, worst", 1e3 * worst(&VisitCost::outwards_m),
               "mm", 2.0),
       at_most(name + ": force above that without the colleague, worst", worst(&VisitCost::force_N), "N", 0.3),
+      at_most(name + ": work on the hand above that without the colleague, until it leaves, worst",
+              worst(&VisitCost::work_there_mJ), "mJ", 3.0),
+      at_most(name + ": work on the hand beyond the true skin's, from then on, worst",
+              worst(&VisitCost::work_returning_mJ), "mJ", 3.0),
       at_most(name + ": work on the hand above that without the colleague, worst", worst(&VisitCost::work_mJ), "mJ",
               3.0),
       at_most(name + ": force step in one tick, worst", *std::max_element(steps_N.begin(), steps_N.end()), "N", 0.1)};

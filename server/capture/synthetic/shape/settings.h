@@ -22,6 +22,7 @@ struct SyntheticSettings {
   bool disparity_steps = true;      ///< depth takes steps of 2.85 mm z^2 (z in metres), like 11-bit disparity
   bool holes = true;                ///< projector shadow, ragged silhouettes and grazing skin are not measured
   double depth_unit_m = 0.001;      ///< metres per unit of a sample; with 0.0001, the rounding error is at most 0.05 mm
+  bool colleague = false;           ///< every 24 s, a colleague's hand comes over the belly, stays for 10 s, and leaves
   std::uint64_t seed = 1;           ///< seed of the noise and of the motion
 };
 

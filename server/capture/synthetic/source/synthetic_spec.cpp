@@ -80,6 +80,8 @@ constexpr Key kKeys[] = {
     {"holes", "on or off", [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.holes); }},
     {"unit_mm", "0.05 to 10, the mm for a depth pixel's value of 1",
      [](std::string_view v, SyntheticSettings& s) { return set_number(v, 0.05, 10.0, kMm, s.depth_unit_m); }},
+    {"hand", "on or off: every 24 s, a colleague's hand comes over the belly for 10 s",
+     [](std::string_view v, SyntheticSettings& s) { return set_switch(v, s.colleague); }},
     {"width", "160, 320 or 640 pixels", set_width},
 };
 
