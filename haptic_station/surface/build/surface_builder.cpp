@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "haptic_station/surface/build/hidden_skin.h"
 #include "haptic_station/surface/build/mark_tracker.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
 #include "haptic_station/surface/depth/sample_depths.h"
@@ -27,7 +28,8 @@ std::vector<CloudPoint> points_in_reach(const DepthField& depth, const Intrinsic
 template <class Label>
 std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, const Intrinsics& camera,
                                                      const std::optional<Reach>& reach, const SurfaceSettings& settings,
-                                                     const MotionField* motion, const Label& label) {
+                                                     const MotionField* motion, const Hidden& hidden,
+                                                     const Label& label) {
   if (settings.method == Method::Paper) {
     auto snapshot = std::make_shared<PaperSurface>(to_points(depth, camera), settings);
     label(*snapshot);
@@ -44,6 +46,7 @@ std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, co
   }
   auto snapshot = std::make_shared<GridSnapshot>(depth, camera, reach, settings);
   if (motion != nullptr && settings.predict) snapshot->carry_forward(*motion);
+  if (hidden.any) snapshot->fade(hidden.lattice, hidden.shown);
   label(*snapshot);
   return snapshot;
 }
@@ -60,6 +63,7 @@ struct SurfaceBuilder::State {
   SampleDepths samples;
   DepthField field;  // of the newest frame; a member, because a new one costs as much as the frame's conversion
   std::optional<TemporalFilter> filter;
+  HiddenSkin skin;
   MarkTracker marks;
   Intrinsics camera;  // camera of the filter's frames
 };
@@ -83,7 +87,12 @@ void SurfaceBuilder::restart() {
   state_->last.reset();
   state_->samples = {};
   state_->filter.reset();
+  state_->skin.restart();
 }
+
+void SurfaceBuilder::admit_objects() { state_->skin.admit(); }
+
+bool SurfaceBuilder::object_over_place() const noexcept { return state_->skin.hidden().over_place; }
 
 std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& depth, const Intrinsics& camera,
                                                            SessionTime captured, const std::optional<Reach>& reach) {
@@ -106,15 +115,21 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
   else
     to_depth_field(depth, field);
   fill_pinholes(field, state.settings.break_m);
+  if (dt_s > kForgetAfter_s || camera != state.camera) state.skin.restart();
+  const Hidden& hidden =
+      state.skin.add(field, camera, dt_s, reach ? std::optional<Point<DepthCamera>>(reach->centre) : std::nullopt);
+  hidden.blank(field);
   if (state.settings.temporal) {
     if (!state.filter || dt_s > kForgetAfter_s || camera != state.camera)
       state.filter.emplace(camera.width, camera.height, state.settings);
-    state.camera = camera;
   }
-  const DepthField& shown = state.filter ? state.filter->add(field, dt_s) : field;
+  state.camera = camera;
+  const std::span<const std::uint8_t> covered =
+      hidden.any ? std::span<const std::uint8_t>(hidden.block) : std::span<const std::uint8_t>();
+  const DepthField& shown = state.filter ? state.filter->add(field, dt_s, covered) : field;
   state.marks.add(shown, field, camera, dt_s);
   const MotionField* motion = state.filter ? &state.filter->motion() : nullptr;
-  return make_snapshot(shown, camera, reach, state.settings, motion, [&](SurfaceSnapshot& snapshot) {
+  return make_snapshot(shown, camera, reach, state.settings, motion, hidden, [&](SurfaceSnapshot& snapshot) {
     snapshot.captured = captured;
     snapshot.sequence = ++state.sequence;
     snapshot.marks = state.marks.marks();

@@ -49,6 +49,12 @@ class SurfaceBuilder {
   /// when the camera is replaced or moved, or when session time has stepped back.
   void restart();
 
+  /// From the next image on, objects over the patient count as skin, as a towel that is to be felt (HiddenSkin).
+  void admit_objects();
+  /// In the last image, an object lay over the centre of the reach: the surface there is the remembered skin, which
+  /// fades (HiddenSkin).
+  [[nodiscard]] bool object_over_place() const noexcept;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

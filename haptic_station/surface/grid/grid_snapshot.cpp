@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/surface/grid/node_cover.h"
 #include "haptic_station/surface/grid/node_fit.h"
 
 namespace telepalp::surface {
@@ -71,6 +72,21 @@ void GridSnapshot::carry_forward(const MotionField& field) {
       node.motion = sum;
     }
   }
+}
+
+void GridSnapshot::fade(const BlockLattice& lattice, std::span<const float> shown) {
+  // A lattice of nodes without holes, with a slightly greater weight than kWholeCover, has the coverage 1 everywhere.
+  constexpr auto kLeast = static_cast<float>(kLeastCover);
+  constexpr auto kWhole = static_cast<float>(1.1 * kWholeCover);
+  for (int row = 0; row < layout_.rows; ++row)
+    for (int column = 0; column < layout_.columns; ++column) {
+      const int u = static_cast<int>(layout_.left_px + column * layout_.step_px) / BlockLattice::kBlock_px;
+      const int v = static_cast<int>(layout_.top_px + row * layout_.step_px) / BlockLattice::kBlock_px;
+      const float share = shown[lattice.at(u, v)];
+      if (share >= 1.0F) continue;
+      GridNode& node = storage_[static_cast<std::size_t>(row * layout_.columns + column)];
+      node.confidence = share <= 0.0F ? 0.0F : std::min(node.confidence, kLeast + share * (kWhole - kLeast));
+    }
 }
 
 }  // namespace telepalp::surface

@@ -2,7 +2,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
+#include "haptic_station/surface/depth/block_depths.h"
 #include "haptic_station/surface/depth/depth_field.h"
 #include "haptic_station/surface/grid/grid_surface.h"
 #include "haptic_station/surface/snapshot/surface_settings.h"
@@ -22,6 +24,9 @@ class GridSnapshot final : public GridSurface {
   /// Sets each node's predicted motion along its normal from the motion field at the node's pixel. SurfaceBuilder calls
   /// it before other threads get the snapshot.
   void carry_forward(const MotionField& field);
+  /// Lets the surface fade where an object has hidden it for long. `shown`: 1 for each block of `lattice` whose surface
+  /// counts fully, 0 for one that has none. SurfaceBuilder calls it before other threads get the snapshot.
+  void fade(const BlockLattice& lattice, std::span<const float> shown);
 
  private:
   std::vector<GridNode> storage_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptic_station/surface/grid/node_cover.h"
 #include "haptic_station/surface/grid/node_sums.h"
 #include "proto/words/smooth_step.h"
 
@@ -53,10 +54,6 @@ double full_weight(double support_nodes) noexcept {
   constexpr double kMeanWeight = 8.0 / 27.0;  // ∫ C ds over [0, 1]
   return std::numbers::pi * support_nodes * support_nodes * kMeanWeight;
 }
-
-/// Share of full_weight() below which there is no surface, and share from which the coverage is full.
-constexpr double kLeastCover = 0.30;
-constexpr double kWholeCover = 0.55;
 
 double coverage_of(double cover) noexcept { return smooth_step(kLeastCover, kWholeCover, cover); }
 

@@ -12,9 +12,8 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr float kFloor_m = 2e-4F;    // least standard deviation of the noise: rounding
-constexpr float kOutlier = 5.0F;     // a pixel farther than this from its average is an outlier [sigma]
-constexpr float kUnseenKeep = 0.7F;  // share of a pixel's frame count that an unmeasured frame leaves
+constexpr float kFloor_m = 2e-4F;  // least standard deviation of the noise: rounding
+constexpr float kOutlier = 5.0F;   // a pixel farther than this from its average is an outlier [sigma]
 constexpr float kOutlierKeep = 0.2F;
 constexpr float kLeastFrames = 0.5F;  // an unmeasured pixel with a lower frame count is discarded
 

@@ -24,6 +24,9 @@ struct ColumnSums {
 void observe_row(const float* seen, const float* average, const float* change, int width, PixelNoise noise,
                  const ColumnSums& sums) noexcept;
 
+/// Share of a pixel's frame count that an unmeasured frame leaves.
+inline constexpr float kUnseenKeep = 0.7F;
+
 /// A row's running average.
 struct AverageRow {
   float* depth_m;  ///< 0: unknown

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/surface/temporal/hidden_cells.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -100,15 +102,33 @@ void MotionField::correct_shared(const std::vector<CellInnovation>& seen, const 
   shared_.correct(shared_seen_, dt_s);
 }
 
-void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s) {
-  frame_s_ = dt_s;
+void MotionField::take_means(const std::vector<CellInnovation>& seen) {
   std::transform(seen.begin(), seen.end(), means_.begin(), [](const CellInnovation& cell) {
     return CellMean{cell.mean_m, cell.count};
   });
-  const std::vector<float> innovation = smooth_coefficients(lattice_, means_);
-  if (shared_wanted_) straight_.correct(seen, displacement_, dt_s);
+}
+
+std::vector<CellInnovation> MotionField::filled(const std::vector<CellInnovation>& seen,
+                                                std::span<const std::uint8_t> hidden) const {
+  std::vector<double> shared_m(seen.size());
+  for (std::size_t at = 0; at < seen.size(); ++at) shared_m[at] = shared_.share(at) * shared_.innovation_m();
+  std::vector<CellInnovation> all = seen;
+  fill_hidden(lattice_, hidden, shared_m, all);
+  return all;
+}
+
+void MotionField::correct(const std::vector<CellInnovation>& seen, double dt_s, std::span<const std::uint8_t> hidden) {
+  frame_s_ = dt_s;
+  take_means(seen);
+  std::vector<float> innovation = smooth_coefficients(lattice_, means_);
   correct_shared(seen, innovation, dt_s);
-  update_gains(seen);
+  const std::vector<CellInnovation> moved = hidden.empty() ? seen : filled(seen, hidden);
+  if (!hidden.empty()) {
+    take_means(moved);
+    innovation = smooth_coefficients(lattice_, means_);
+  }
+  if (shared_wanted_) straight_.correct(moved, displacement_, dt_s);
+  update_gains(moved);
   update_observed();
   if (shared_wanted_) judge_predictions(seen, dt_s);
   double moving = 1e-18;

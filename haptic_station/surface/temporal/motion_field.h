@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "haptic_station/surface/snapshot/surface_settings.h"
@@ -27,7 +29,8 @@ class MotionField {
   /// Predicts the motion from the last frame to the next one, `dt_s` later. Call once for each frame, before correct().
   void predict(double dt_s);
   /// Updates the filters with the cells' innovations in a frame: measured depth minus the depth that change() predicts.
-  void correct(const std::vector<CellInnovation>& seen, double dt_s);
+  /// `hidden`: 1 for each cell that an object hides; these cells follow the others (fill_hidden()). Empty: none.
+  void correct(const std::vector<CellInnovation>& seen, double dt_s, std::span<const std::uint8_t> hidden = {});
 
   /// The change of depth since the last frame as predict() expects it, as spline coefficients [m].
   [[nodiscard]] const std::vector<float>& change() const noexcept { return change_; }
@@ -45,7 +48,9 @@ class MotionField {
   void correct_shared(const std::vector<CellInnovation>& seen, const std::vector<float>& innovation, double dt_s);
   void correct_cell(std::size_t at, double innovation_m, double dt_s) noexcept;
   void update_observed();
-  void correct_straight(const std::vector<CellInnovation>& seen, double dt_s);
+  void take_means(const std::vector<CellInnovation>& seen);
+  [[nodiscard]] std::vector<CellInnovation> filled(const std::vector<CellInnovation>& seen,
+                                                   std::span<const std::uint8_t> hidden) const;
   void judge_predictions(const std::vector<CellInnovation>& seen, double dt_s);
   [[nodiscard]] double believed() const noexcept { return breathing_wanted_ ? breathing_.confidence() : 0.0; }
   void update_terms();

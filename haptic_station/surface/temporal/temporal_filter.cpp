@@ -32,7 +32,7 @@ TemporalFilter::TemporalFilter(int width, int height, const SurfaceSettings& set
                      0.0F);
 }
 
-const DepthField& TemporalFilter::add(const DepthField& seen, double dt_s) {
+const DepthField& TemporalFilter::add(const DepthField& seen, double dt_s, std::span<const std::uint8_t> hidden) {
   if (first_) {
     first_ = false;
     average_.z_m = seen.z_m;
@@ -42,9 +42,35 @@ const DepthField& TemporalFilter::add(const DepthField& seen, double dt_s) {
   }
   motion_.predict(dt_s);
   observe(seen);
-  motion_.correct(seen_, dt_s);
+  find_hidden_cells(hidden);
+  motion_.correct(seen_, dt_s, hidden_cells_);
+  keep_hidden(hidden);
   update(seen);
   return average_;
+}
+
+void TemporalFilter::find_hidden_cells(std::span<const std::uint8_t> hidden) {
+  hidden_cells_.clear();
+  if (hidden.empty()) return;
+  const BlockLattice blocks = blocks_of(average_.width, average_.height);
+  constexpr int kAcross = kCell / kPatch_px;
+  constexpr double kSeen_px = 0.25 * kCell * kCell;  // with so many pixels, a cell's own innovation counts
+  std::vector<int> count(seen_.size(), 0);
+  for (int row = 0; row < blocks.rows; ++row)
+    for (int column = 0; column < blocks.columns; ++column)
+      count[motion_.lattice().at(column / kAcross, row / kAcross)] += hidden[blocks.at(column, row)] != 0 ? 1 : 0;
+  hidden_cells_.resize(seen_.size());
+  for (std::size_t at = 0; at < seen_.size(); ++at)
+    hidden_cells_[at] = 2 * count[at] >= kAcross * kAcross && seen_[at].count < kSeen_px ? 1 : 0;
+}
+
+/// update() takes a part of the frame count from a pixel that is not measured. The pixels of hidden blocks get it back.
+void TemporalFilter::keep_hidden(std::span<const std::uint8_t> hidden) {
+  if (hidden.empty()) return;
+  const BlockLattice blocks = blocks_of(average_.width, average_.height);
+  for (int v = 0; v < average_.height; ++v)
+    for (int u = 0; u < average_.width; ++u)
+      if (hidden[blocks.at(u / kPatch_px, v / kPatch_px)] != 0) average_.weight[average_.index(u, v)] /= kUnseenKeep;
 }
 
 /// Mean innovation of each cell.

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "haptic_station/surface/depth/block_depths.h"
 #include "haptic_station/surface/depth/depth_field.h"
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/surface/temporal/motion_field.h"
@@ -16,8 +21,10 @@ class TemporalFilter {
   TemporalFilter(int width, int height, const SurfaceSettings& settings);
 
   /// Returns the averaged depth at the time of the frame `seen`, `dt_s` after the last one; valid until the next call.
-  /// The first frame is returned unchanged.
-  [[nodiscard]] const DepthField& add(const DepthField& seen, double dt_s);
+  /// The first frame is returned unchanged. `hidden`: 1 for each block of 4 × 4 pixels over which an object lies, row
+  /// by row; empty: there is none. `seen` must not measure their pixels. Their averages move with the body, and do not
+  /// age.
+  [[nodiscard]] const DepthField& add(const DepthField& seen, double dt_s, std::span<const std::uint8_t> hidden = {});
   [[nodiscard]] const MotionField& motion() const noexcept { return motion_; }
 
  private:
@@ -25,8 +32,10 @@ class TemporalFilter {
   void update(const DepthField& seen);
   void end_of_cells(int cell_row);
   void end_of_patches(int patch_row);
+  void find_hidden_cells(std::span<const std::uint8_t> hidden);
+  void keep_hidden(std::span<const std::uint8_t> hidden);
 
-  static constexpr int kPatch_px = 4;
+  static constexpr int kPatch_px = BlockLattice::kBlock_px;
 
   DepthField average_;
   MotionField motion_;
@@ -35,7 +44,8 @@ class TemporalFilter {
   std::vector<float> expected_at_;  ///< scratch, the same row [m]: change of depth with the whole innovation
   std::vector<float> sums_;  ///< scratch: sums over the rows of a cell or of a patch, for each column (filter_rows.h)
   std::vector<CellInnovation> seen_;
-  std::vector<float> patch_mean_;  ///< running mean of the residuals of each patch
+  std::vector<std::uint8_t> hidden_cells_;  ///< 1: an object hides most of the cell; empty: none
+  std::vector<float> patch_mean_;           ///< running mean of the residuals of each patch
   float memory_frames_;
   float noise_scale_ = 1.0F;  ///< ratio of the measured noise to the noise model
   double noise_sum_ = 0.0;

@@ -20,6 +20,8 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> model_rows();
 /// Contact after gaps, shifts, black frames and foreign hands.
 [[nodiscard]] std::vector<HardCase> return_rows();
+/// Objects over the patient's skin: another person's hand, a towel; and skin that looks like one.
+[[nodiscard]] std::vector<HardCase> object_rows();
 /// The displayed surface's approach to the newest one.
 [[nodiscard]] std::vector<HardCase> follow_rows();
 /// Patients whose motion the surface's prediction does not model.

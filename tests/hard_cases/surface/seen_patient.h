@@ -18,7 +18,8 @@ struct SeenPatient {
   std::function<double(int, int, double)> over_m = [](int, int, double) { return std::nan(""); };
   std::function<bool(double)> frame_arrives = [](double) { return true; };
   std::function<double(double)> device_x_m = [](double) { return 0.0; };
-  double depth_m = 0.02;      ///< of the device below the skin at rest
+  std::function<double(double)> raised_m = [](double) { return 0.0; };  ///< of the device over its usual path
+  double depth_m = 0.02;                                                ///< of the device below the skin at rest
   double well_again_s = 2.0;  ///< from then on the camera sees the true skin, which no longer moves
   double noise_m = 0.001;
   double frame_s = 1.0 / 30.0;
@@ -33,6 +34,8 @@ struct Returned {
   double off_after_3_s = 1e9;  ///< largest relative error of the displayed depth, 3 to 3.5 s after well_again_s
   double worst_off = 0.0;      ///< largest relative error of the displayed depth from 1.5 s on
   double anchor_off_m = 1e9;   ///< distance of the contact's anchor, moved as displayed, from the true skin at the end
+  double most_beyond_N = 0.0;  ///< most force above that of the true skin, from 1.5 s until `well_again_s`
+  double last_N = 0.0;         ///< force at `well_again_s`
   double worst_step_N = 0.0;   ///< while the device is at rest or slides at the path's own speed
 };
 
@@ -89,13 +92,13 @@ inline Returned press_on(const SeenPatient& patient) {
       ++next_frame;
       Snapshot built = patient.frame_arrives(t)
                            ? builder.add(image_of(patient, t, random), small_camera(), at_s(t),
-                                         Reach{{Vector3d(patient.device_x_m(t), 0.0, 0.8)}, kReach_m})
+                                         Reach{{Vector3d(patient.device_x_m(t), 0.0, 0.8 - patient.raised_m(t))}, kReach_m})
                            : nullptr;
       if (built) touch.adopt(*built, at_s(t));
       if (built) current = std::move(built);
     }
     const double down = std::clamp((t - 0.2) / kDown_s, 0.0, 1.0);
-    const Vector3d device(patient.device_x_m(t), 0.0, 0.79 + down * (0.01 + patient.depth_m));
+    const Vector3d device(patient.device_x_m(t), 0.0, 0.79 + down * (0.01 + patient.depth_m) - patient.raised_m(t));
     const TouchSample felt = touch.step({device}, at_s(t), kTick_s);
     anchor.step(felt);
     const Vector3d spring_N = kStiffness_N_per_m * (felt.proxy.m - device);
@@ -109,6 +112,11 @@ inline Returned press_on(const SeenPatient& patient) {
     const bool pushes = felt.in_body && force_N.norm() > 0.2;
     if (t > kJudgedFrom_s && t < 2.0) got.touched_before = got.touched_before || (pushes && off < 0.1);
     if (t > kJudgedFrom_s) got.never_lost = got.never_lost && felt.in_body;
+    const double law_N = std::min(kPeak_N, kStiffness_N_per_m * std::max(0.0, deep_m));
+    if (t > kJudgedFrom_s && t < patient.well_again_s) {
+      got.most_beyond_N = std::max(got.most_beyond_N, force_N.norm() - law_N);
+      got.last_N = force_N.norm();
+    }
     if (t > kJudgedFrom_s) got.worst_off = std::max(got.worst_off, off);
     if (t >= patient.well_again_s) felt_since_s = pushes ? std::min(felt_since_s, t) : 1e9;
     if (t >= patient.well_again_s + 3.0) got.off_after_3_s = std::max(got.off_after_3_s, off);

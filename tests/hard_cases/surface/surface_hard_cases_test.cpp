@@ -9,7 +9,7 @@ namespace {
 std::vector<HardCase> all_rows() {
   std::vector<HardCase> all;
   for (const auto& rows : {point_rows(), image_rows(), shape_rows(), slope_rows(), time_rows(), prediction_rows(),
-                           return_rows(), follow_rows(), model_rows(), sensor_rows()})
+                           return_rows(), follow_rows(), model_rows(), object_rows(), sensor_rows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

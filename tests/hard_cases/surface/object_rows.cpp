@@ -1,0 +1,121 @@
+#include "proto/words/smooth_step.h"
+#include "tests/hard_cases/surface/driven.h"
+#include "tests/hard_cases/surface/seen_patient.h"
+
+namespace telepalp::surface {
+namespace {
+
+constexpr double kMostStep_N = 0.05;  // a tick, at 500 N/m
+constexpr double kBeyond_N = 0.3;     // an object adds no more than this to the skin's force
+constexpr double kMeans_N = 0.6;      // the same, where the image's noise of 1 mm a pixel adds to it
+
+/// An object of 60 × 60 pixels (90 mm) at the depth `z_m`, with an arm 40 pixels wide to the image's edge, comes from
+/// the right at 0.3 m/s, reaches the device at 2 s, stays for `stays_s` and leaves as it came.
+SeenPatient visited(double z_m, double stays_s) {
+  SeenPatient patient;
+  patient.over_m = [=](int u, int v, double t) {
+    const double way_px = 200.0 * std::max({0.0, 2.0 - t, t - 2.0 - stays_s});  // 0.3 m/s
+    const double ahead_px = u - (50.0 + way_px);                                // behind the hand's front
+    const bool hand = ahead_px > 0.0 && ahead_px < 60.0 && std::abs(v - 60) < 30;
+    const bool arm = ahead_px >= 60.0 && std::abs(v - 60) < 20;
+    return hand || arm ? z_m : std::nan("");
+  };
+  patient.depth_m = 0.004;                     // 2 N: more force would be seen
+  patient.well_again_s = 2.0 + stays_s + 0.6;  // it has left the image
+  return patient;
+}
+
+AssertionResult adds_no_force(const SeenPatient& patient) {
+  const Returned got = press_on(patient);
+  return all_of({{got.touched_before, "was in contact"},
+                 below_N("beyond the skin's force", got.most_beyond_N, kBeyond_N),
+                 below("felt again", got.felt_after_s, 1.0, 1.0, "s"),
+                 below("off the law after 3 s", got.off_after_3_s, 0.05, 100.0, "%"),
+                 below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
+AssertionResult hand_20_mm_over() { return adds_no_force(visited(0.78, 5.0)); }
+AssertionResult hand_60_mm_over() { return adds_no_force(visited(0.74, 5.0)); }
+AssertionResult hand_90_mm_over() { return adds_no_force(visited(0.71, 5.0)); }
+AssertionResult hand_60_mm_over_a_deep_finger() {
+  SeenPatient patient = visited(0.74, 5.0);
+  patient.depth_m = 0.04;
+  return adds_no_force(patient);
+}
+
+/// The skin rises by 10 mm while the object lies over it.
+AssertionResult body_rises_under_the_hand() {
+  SeenPatient patient = visited(0.74, 0.9);
+  patient.lift_m = [](double t) { return 0.01 * smooth_step((t - 2.1) / 0.4); };
+  const Returned got = press_on(patient);
+  return all_of({{got.touched_before && got.never_lost, "felt all the time"},
+                 below_N("beyond the skin's force", got.most_beyond_N, kMeans_N),
+                 below("off the law after 3 s", got.off_after_3_s, 0.05, 100.0, "%"),
+                 below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
+/// What was remembered is no longer felt under an object that stays.
+AssertionResult remembered_skin_fades() {
+  const auto force_after_N = [](double seconds) {
+    SeenPatient patient = visited(0.74, seconds);
+    patient.well_again_s = 2.0 + seconds;  // the hand is still there
+    return press_on(patient).last_N;
+  };
+  return all_of(
+      {above("after 0.9 s", force_after_N(0.9), 1.8, 1.0, "N"), below_N("after 4 s", force_after_N(4.0), kBeyond_N)});
+}
+
+/// The upper half of the body sits up by 15 degrees in 2 s, into the hand.
+AssertionResult patient_sits_up() {
+  SeenPatient patient;
+  patient.depth_m = 0.004;
+  patient.over_m = [](int u, int v, double t) {
+    const double up = 0.26 * smooth_step((t - 2.0) / 2.0);
+    const double from_hips_m = 0.0015 * (u - 20.0);
+    (void)v;
+    return t < 2.0 || u < 20 ? std::nan("") : 0.8 - up * from_hips_m;
+  };
+  patient.well_again_s = 2.0 + 0.8;  // the skin is 15 mm higher at the device
+  const Returned got = press_on(patient);
+  return all_of({{got.touched_before && got.never_lost, "felt all the time"},
+                 above("felt at its new place, 8 mm higher", got.last_N, 5.0, 1.0, "N")});
+}
+
+/// A towel is laid on the skin. The doctor lifts the hand 60 mm over it, and presses it.
+AssertionResult towel_is_pressed_anew() {
+  SeenPatient patient;
+  patient.over_m = [](int u, int v, double t) {
+    return t > 2.0 && std::abs(u - 80) < 40 && std::abs(v - 60) < 40 ? 0.77 : std::nan("");
+  };
+  patient.depth_m = 0.0;
+  patient.raised_m = [](double t) { return 0.10 * smooth_step((t - 3.0) / 0.5) - 0.08 * smooth_step((t - 4.0) / 1.0); };
+  patient.well_again_s = 6.0;  // the device rests 10 mm below the towel's surface
+  const Returned got = press_on(patient);
+  return all_of(
+      {above("the towel is felt", got.last_N, 4.5, 1.0, "N"), below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
+}  // namespace
+}  // namespace telepalp::surface
+
+namespace telepalp::hard_cases {
+
+std::vector<HardCase> object_rows() {
+  using namespace surface;
+  const char* const harmless = "no more force than the skin's, felt within 1 s after it";
+  return {
+      {"another's hand 20 mm over the skin", "it looks like risen skin", harmless, hand_20_mm_over},
+      {"another's hand 60 mm over the skin", "it hides the pressed place", harmless, hand_60_mm_over},
+      {"another's hand 90 mm over the skin", "it hides the pressed place", harmless, hand_90_mm_over},
+      {"another's hand over a deep finger", "the finger is 100 mm below it", harmless, hand_60_mm_over_a_deep_finger},
+      {"body rises under another's hand", "the place is not seen", "the remembered skin rises, too",
+       body_rises_under_the_hand},
+      {"another's hand stays", "the skin is not seen for long", "felt for 1 s, no force after 3 s",
+       remembered_skin_fades},
+      {"patient sits up into the hand", "skin comes nearer by 100 mm on half of the image", "is felt", patient_sits_up},
+      {"towel on the skin is pressed", "it looks like another's hand", "felt, once the hand was clear of it",
+       towel_is_pressed_anew},
+  };
+}
+
+}  // namespace telepalp::hard_cases
