@@ -211,6 +211,7 @@ void SurfaceStage::begin_anew_if_clock_went_back(SessionTime captured, SessionTi
 void SurfaceStage::judge(msg::SurfaceReport& report, SessionTime captured, double cost_s) {
   report.set_setting(choice_.now().name);
   report.set_build_ms(1e3 * cost_s);
+  report.set_object_over_place(builder_.object_over_place());
   constexpr double kLongest_s = 0.1;  // of a frame period: a gap in the stream does not allow slower snapshots
   const double frame_s = std::min(kLongest_s, to_seconds(captured - last_captured_));
   last_captured_ = captured;

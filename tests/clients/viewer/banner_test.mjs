@@ -53,6 +53,13 @@ test('lost graphics are said, though numbers go on', () => {
   assert.equal(banner({graphicsLost: true, phase: 9}).title, 'Station faulted');
 });
 
+test('an object over the touched place is said before that nothing is felt there', () => {
+  const covered = banner({objectOverPlace: true, surfaceStale: true});
+  assert.equal(covered.title, 'Something lies over the place');
+  assert.match(covered.text, /remembered/);
+  assert.equal(banner({objectOverPlace: true, station_ms: 2000}).title, 'Station silent', 'an old word is no warning');
+});
+
 test('warm motors are announced seconds before they lower the force', () => {
   assert.match(banner({yields_s: 2.34}).text, /^In 2\.3 s /);
   assert.equal(banner({yields_s: 2.34}).title, 'The device is warm');

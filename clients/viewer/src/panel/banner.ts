@@ -54,6 +54,12 @@ export function bannerFor(health: Health): Banner | undefined {
       title: 'Stale picture',
       text: whereTo(health.account === undefined ? health.picture_ms : total_ms(health.account), health.account),
     };
+  if (health.objectOverPlace && isRecent(health.station_ms))
+    return {
+      level: 'warn',
+      title: 'Something lies over the place',
+      text: 'You feel the skin as it was remembered, for 1 s; then its force fades. To feel what lies there: lift 3 cm clear of it, and press again.',
+    };
   if (health.surfaceStale)
     return {
       level: 'warn',
