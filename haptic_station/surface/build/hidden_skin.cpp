@@ -99,15 +99,18 @@ bool HiddenSkin::is_object(const NearerRegion& region) const {
   const int known = region.edges + region.smooth;
   const bool was = 2 * region.hidden > static_cast<int>(region.blocks.size());
   if (region.blocks.size() < kLeastBlocks) return was;
-  if (known < kLeastRim) return was;
+  if (known < kLeastRim) return was || region.hidden > 0 || jumped(region);  // doubt: less force
   const double edges = static_cast<double>(region.edges) / known;
   if (was || region.hidden > 0) return edges >= kStillEdges;
   if (edges < kEdgeShare) return false;
-  if (fits_) return true;
-  int jumped = 0;
-  for (const std::uint32_t at : region.blocks)
-    jumped += before_m_[at] > 0.0F && before_m_[at] - depth_m_[at] > kJump_m ? 1 : 0;
-  return 2 * jumped > static_cast<int>(region.blocks.size());
+  return fits_ || jumped(region);
+}
+
+bool HiddenSkin::jumped(const NearerRegion& region) const {
+  const auto count = std::count_if(region.blocks.begin(), region.blocks.end(), [&](std::uint32_t at) {
+    return before_m_[at] > 0.0F && before_m_[at] - depth_m_[at] > kJump_m;
+  });
+  return 2 * count > static_cast<std::ptrdiff_t>(region.blocks.size());
 }
 
 void HiddenSkin::judge() {

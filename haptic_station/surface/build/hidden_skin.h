@@ -50,6 +50,7 @@ class HiddenSkin {
   void carry();
   void judge();
   [[nodiscard]] bool is_object(const NearerRegion& region) const;
+  [[nodiscard]] bool jumped(const NearerRegion& region) const;
   void remember(double dt_s);
   void spread();
   void fade(double dt_s);
