@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "haptic_station/solids/walls.h"
 #include "haptic_station/solids/solid_tree.h"
+#include "haptic_station/solids/walls.h"
 
 namespace telepalp::solids {
 

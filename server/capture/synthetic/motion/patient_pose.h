@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "server/capture/synthetic/motion/breathing.h"
-#include "server/capture/synthetic/shape/colleague_hand.h"
+#include "server/capture/synthetic/motion/colleague_pose.h"
 
 namespace telepalp::capture {
 
