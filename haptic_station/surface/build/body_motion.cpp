@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostBlocks = 1200;            // more would make the fit no better
 constexpr std::array kScales_m{0.04, 0.015, 0.008};  // Tukey's, fit after fit: first a wide one, because a body tilts
-constexpr double kTiltDoubt = 5.0;    // prior against a tilt, in blocks at half an image's distance: a few blocks in a
+constexpr double kTiltDoubt = 60.0;   // prior against a tilt, in blocks at half an image's distance: a few blocks in a
                                       // corner say nothing of the rest
 constexpr double kFollows_m = 0.015;  // a block that is farther off does not belong to the body
 

@@ -108,7 +108,8 @@ bool HiddenSkin::is_object(const NearerRegion& region) const {
 
 bool HiddenSkin::jumped(const NearerRegion& region) const {
   const auto count = std::count_if(region.blocks.begin(), region.blocks.end(), [&](std::uint32_t at) {
-    return before_m_[at] > 0.0F && before_m_[at] - depth_m_[at] > kJump_m;
+    const float from_m = before_m_[at] > 0.0F ? before_m_[at] : remembered_m_[at];  // not measured: from the memory
+    return from_m - depth_m_[at] > kJump_m;
   });
   return 2 * count > static_cast<std::ptrdiff_t>(region.blocks.size());
 }
