@@ -5,7 +5,7 @@
 
 #include "codec/depth_stream.h"
 #include "messages/camera.pb.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 
 int main() {
   using namespace telepalp;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "proto/wire/connection.h"
+#include "proto/wire/connection/connection.h"
 #include "proto/wire/message.h"
 #include "proto/words/time.h"
 

@@ -9,7 +9,7 @@
 #include "clients/view/live_figures.h"
 #include "clients/view/newest_instant.h"
 #include "proto/keys/key_file.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "support/images/image_file.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"

@@ -20,7 +20,7 @@
 #include "haptic_station/station/rigs/static_patient.h"
 #include "haptic_station/station/signals/station_signals.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "support/program/patience.h"
 
 namespace telepalp::station {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "proto/wire/connection.h"
+#include "proto/wire/connection/connection.h"
 #include "server/access/access.h"
 #include "server/hub/hub.h"
 #include "server/hub/peer_datagrams.h"

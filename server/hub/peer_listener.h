@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "proto/wire/connection.h"
+#include "proto/wire/connection/connection.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "server/access/access.h"

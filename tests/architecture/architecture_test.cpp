@@ -169,7 +169,7 @@ std::string code_of(const std::string& file) {
 
 /// Where a message that does not say whether it is a key frame comes in: from an old file, and from an old peer.
 const std::set<std::string> kEdgesOfOldMessages{"proto/wire/mcap/format/stored_message.cpp",
-                                                "proto/wire/incoming_channels.cpp"};
+                                                "proto/wire/connection/incoming_channels.cpp"};
 
 /// The places in `code` that decide whether a message is a key frame, instead of asking wire::Message::key_frame: by a
 /// comparison with the name of a topic in the same statement, or by parsing what the codec wrote.

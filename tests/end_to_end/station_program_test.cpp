@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "messages/station.pb.h"
-#include "proto/wire/client_link.h"
-#include "proto/wire/connection.h"
+#include "proto/wire/client/client_link.h"
+#include "proto/wire/connection/connection.h"
 #include "support/images/image_file.h"
 #include "tests/support/child_process.h"
 #include "tests/support/terminal.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "messages/station.pb.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "server/hub/peer_listener.h"
 
 namespace telepalp::server {

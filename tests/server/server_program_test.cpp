@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "messages/camera.pb.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "tests/support/child_process.h"
 #include "where.h"
 

@@ -15,7 +15,7 @@
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
 #include "messages/station.pb.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "server/origin/camera_origin.h"
 #include "tests/server/still_source.h"
 

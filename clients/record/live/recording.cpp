@@ -14,7 +14,7 @@
 #include "clients/record/live/disk_room.h"
 #include "clients/record/live/disk_thread.h"
 #include "clients/record/live/recording_plan.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
 #include "proto/words/counted.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "haptic_station/station/faults/control_socket.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 
 namespace telepalp::station {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "haptic_station/station/commands/hand_over.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 
 namespace telepalp::station {
 

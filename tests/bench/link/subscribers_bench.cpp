@@ -8,7 +8,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "server/hub/peer_listener.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/link/drained_sockets.h"

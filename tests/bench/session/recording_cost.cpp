@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "messages/station.pb.h"
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 #include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
 #include "tests/support/child_process.h"

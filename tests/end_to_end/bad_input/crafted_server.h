@@ -12,7 +12,7 @@
 
 #include "messages/station.pb.h"
 #include "proto/link/seal/sealed_channel.h"
-#include "proto/wire/connection.h"
+#include "proto/wire/connection/connection.h"
 #include "proto/wire/datagrams/datagram_offer.h"
 #include "proto/wire/session_clock.h"
 

@@ -1,9 +1,9 @@
-#include "proto/wire/connection.h"
+#include "proto/wire/connection/connection.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "proto/wire/bad_peer.h"
+#include "proto/wire/connection/bad_peer.h"
 #include "proto/words/error_line.h"
 
 namespace telepalp::wire {

@@ -12,12 +12,12 @@
 #include <string_view>
 #include <vector>
 
-#include "proto/wire/client_outbox.h"
-#include "proto/wire/client_timers.h"
-#include "proto/wire/connection.h"
+#include "proto/wire/client/client_outbox.h"
+#include "proto/wire/client/client_timers.h"
+#include "proto/wire/client/dialer.h"
+#include "proto/wire/client/link_clock.h"
+#include "proto/wire/connection/connection.h"
 #include "proto/wire/datagrams/path_watch.h"
-#include "proto/wire/dialer.h"
-#include "proto/wire/link_clock.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 

@@ -1,4 +1,4 @@
-#include "proto/wire/dialer.h"
+#include "proto/wire/client/dialer.h"
 
 #include <utility>
 

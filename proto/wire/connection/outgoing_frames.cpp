@@ -1,4 +1,4 @@
-#include "proto/wire/outgoing_frames.h"
+#include "proto/wire/connection/outgoing_frames.h"
 
 #include <algorithm>
 #include <chrono>

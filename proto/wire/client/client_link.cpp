@@ -1,4 +1,4 @@
-#include "proto/wire/client_link.h"
+#include "proto/wire/client/client_link.h"
 
 #include <boost/asio/post.hpp>
 #include <random>

@@ -14,11 +14,11 @@
 #include "messages/control.pb.h"
 #include "proto/wire/byte_stream.h"
 #include "proto/wire/clock_sync.h"
+#include "proto/wire/connection/incoming_channels.h"
+#include "proto/wire/connection/outgoing_frames.h"
+#include "proto/wire/connection/read_pace.h"
 #include "proto/wire/frame.h"
-#include "proto/wire/incoming_channels.h"
 #include "proto/wire/message.h"
-#include "proto/wire/outgoing_frames.h"
-#include "proto/wire/read_pace.h"
 
 namespace telepalp::wire {
 

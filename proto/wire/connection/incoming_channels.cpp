@@ -1,11 +1,11 @@
-#include "proto/wire/incoming_channels.h"
+#include "proto/wire/connection/incoming_channels.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "codec/unmarked/unmarked_depth.h"
-#include "proto/wire/bad_peer.h"
+#include "proto/wire/connection/bad_peer.h"
 
 namespace telepalp::wire {
 namespace {
