@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/capture/synthetic/sensor/holes.h"
+#include "server/capture/synthetic/shape/colleague_hand.h"
 #include "support/sensor/pixel_noise.h"
 
 namespace telepalp::capture {
