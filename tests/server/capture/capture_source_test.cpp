@@ -67,7 +67,7 @@ TEST(SyntheticSource, HalfTheExposureGivesHalfTheLightAndTheGainGivesItBack) {
   ASSERT_TRUE((*source)->set_exposure({.automatic = false, .exposure = limits->most, .gain = limits->most_gain}));
   EXPECT_GT(brightness(), 250.0) << "clipped";
   ASSERT_TRUE((*source)->set_exposure({.automatic = true}));
-  EXPECT_DOUBLE_EQ(brightness(), as_painted);
+  EXPECT_NEAR(brightness(), as_painted, 0.6);
 }
 
 TEST(RecordedSource, HasNoExposureToSetAndSaysSo) {

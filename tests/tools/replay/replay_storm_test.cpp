@@ -56,7 +56,7 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
   };
   const auto pushing = [](float force_N) { return TickRecord{.force_N = {0.0F, force_N, 0.0F}}; };
   fails_with({pushing(std::numeric_limits<float>::quiet_NaN())}, "not finite");
-  fails_with({pushing(0.0F), pushing(1.1F)}, "slew");
+  fails_with({pushing(0.0F), pushing(1.1F)}, "faster than the limiter allows");
   std::vector<TickRecord> rising;
   for (int i = 0; i <= 22; ++i) rising.push_back(pushing(0.5F * static_cast<float>(i)));
   fails_with(rising, "above the scene's limits.peak_N");
