@@ -90,10 +90,11 @@ inline Returned press_on(const SeenPatient& patient) {
     const double t = tick * kTick_s;
     if (t >= next_frame * patient.frame_s) {
       ++next_frame;
-      Snapshot built = patient.frame_arrives(t)
-                           ? builder.add(image_of(patient, t, random), small_camera(), at_s(t),
-                                         Reach{{Vector3d(patient.device_x_m(t), 0.0, 0.8 - patient.raised_m(t))}, kReach_m})
-                           : nullptr;
+      Snapshot built =
+          patient.frame_arrives(t)
+              ? builder.add(image_of(patient, t, random), small_camera(), at_s(t),
+                            Reach{{Vector3d(patient.device_x_m(t), 0.0, 0.8 - patient.raised_m(t))}, kReach_m})
+              : nullptr;
       if (built) touch.adopt(*built, at_s(t));
       if (built) current = std::move(built);
     }
