@@ -17,7 +17,7 @@ import {EXPOSURE} from './panel/technician/exposure_card';
 import {readSource, type SourceCommand, type SourceState} from './panel/technician/source_card';
 import {readRecording, type RecordingCommand, type RecordingState} from './panel/technician/recording_state';
 import {type ComparisonCommand, type ComparisonState, readComparison} from './playback/comparison_state';
-import {joined, type NetworkCommand, type NetworkState, readNetwork} from './playback/network_state';
+import {commanded, joined, type NetworkCommand, type NetworkState, readNetwork} from './playback/network_state';
 import {OverviewBand} from './playback/overview_band';
 import {PLAYBACK} from './playback/playback_state';
 import {openingShare, readSessions} from './playback/recorded_sessions';
@@ -82,7 +82,9 @@ const resources = new ServerResources();
 const playback = resources.at('/playback', PLAYBACK);
 const parts = {
   notes: resources.at<'/playback/notes', Note[], NoteCommand>('/playback/notes', {read: readNotes}),
-  network: resources.at<'/playback/network', NetworkState, NetworkCommand>('/playback/network', {read: readNetwork, join: joined}),
+  network: resources.at<'/playback/network', NetworkState, NetworkCommand>('/playback/network', {
+    read: readNetwork, join: joined, after: commanded,
+  }),
   comparison: resources.at<'/playback/comparison', ComparisonState, ComparisonCommand>(
       '/playback/comparison', {read: readComparison, join: (_, next) => next}),
 };
