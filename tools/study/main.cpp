@@ -1,0 +1,107 @@
+// telepalp-study: simulated operators try a design's mechanisms on layered tissue, as paper S4's subjects did.
+
+#include <cstdio>
+
+#include "support/program/ending.h"
+#include "support/program/files/whole_file.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+#include "support/program/parallel.h"
+#include "support/program/terminal.h"
+#include "tools/study/page/files.h"
+
+namespace {
+
+using namespace telepalp;
+using namespace telepalp::study;
+
+const program::Usage kUsage{
+    .program = "telepalp-study",
+    .purpose =
+        "simulated operators puncture a sac with each mechanism of a design; the study tells how far the needle "
+        "overshoots, with the sense of force, with sight, and with both",
+    .positional = "",
+    .options =
+        {
+            {"design", "NAME|FILE",
+             "amniocentesis: the 36 mechanisms of paper S4; or a text file with one mechanism a line: name=a l1=80 ...",
+             "amniocentesis"},
+            {"operators", "N", "number of simulated operators, each with an own body and tissue", "12"},
+            {"penetrations", "N", "of each mechanism by each operator in each condition", "5"},
+            {"seed", "N", "the same seed gives the same bytes", "1"},
+            {"threads", "N", "side by side; 0: one for each processor", "0"},
+            {"out", "DIR",
+             "folder of report.html, study.json, trials.csv and runs/; the same command resumes a study that was "
+             "stopped"},
+            {"json", "", "print study.json instead of the table"},
+        },
+    .example = "telepalp-study --operators 2 --penetrations 2 --out study",
+};
+
+Result<StudySettings> read(const program::Arguments& arguments) {
+  StudySettings settings;
+  const std::string design = arguments.text("design");
+  Result<Design> read = design == "amniocentesis" ? amniocentesis_design() : read_design(design);
+  if (!read) return read.error();
+  settings.design = std::move(*read);
+  const Result<std::int64_t> operators = arguments.whole("operators", 1, 200);
+  if (!operators) return operators.error();
+  const Result<std::int64_t> penetrations = arguments.whole("penetrations", 1, 50);
+  if (!penetrations) return penetrations.error();
+  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
+  if (!seed) return seed.error();
+  const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
+  if (!threads) return threads.error();
+  settings.operators = static_cast<int>(*operators);
+  settings.penetrations = static_cast<int>(*penetrations);
+  settings.seed = static_cast<std::uint64_t>(*seed);
+  settings.threads = *threads == 0 ? program::processors() : static_cast<int>(*threads);
+  settings.out = arguments.text("out");
+  if (settings.out.empty())
+    return Error{.what = "no folder is named", .where = "--out", .fix = "give a folder, such as --out study"};
+  return settings;
+}
+
+Result<void> write(const StudySettings& settings, const char* file, const std::string& text) {
+  return program::write_whole_file(settings.out / file, text, program::Readers::Anyone);
+}
+
+Result<StudyResult> run(const StudySettings& settings) {
+  const int all = blocks_of(settings);
+  if (const int kept = kept_blocks(settings); kept > 0)
+    program::log("telepalp-study", std::to_string(kept) + " of " + std::to_string(all) +
+                                       " parts were finished before, and are not run again");
+  program::say_when_stopped("\ntelepalp-study: stopped: finished parts are kept in " +
+                            (settings.out / "runs").string() + "; the same command resumes");
+  const Result<Check> check = check_operators(settings);
+  if (!check) return check.error();
+  const bool bar = program::takes_progress(stderr);
+  const Result<std::vector<Trial>> trials = run_study(settings, [&](int done) {
+    if (bar)
+      std::fprintf(stderr, "\r\033[K%d of %d parts", done, all);
+    else if (done % std::max(1, all / 8) == 0)
+      program::log("telepalp-study", std::to_string(done) + " of " + std::to_string(all) + " parts");
+  });
+  if (bar) std::fputs("\r\033[K", stderr);
+  if (!trials) return trials.error();
+  if (const Result<void> written = write(settings, "trials.csv", trials_csv(settings, *trials)); !written)
+    return written.error();
+  const Result<StudyResult> result = result_of(settings, *trials, *check);
+  if (!result) return result.error();
+  for (const auto& [file, text] : {std::pair<const char*, std::string>{"study.json", result_json(settings, *result)},
+                                   {"report.html", result_html(settings, *result)}})
+    if (const Result<void> written = write(settings, file, text); !written) return written.error();
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return program::run_program(kUsage, argc, argv, [](const program::Arguments& arguments) {
+    const Result<StudySettings> settings = read(arguments);
+    if (!settings) return program::fail(settings.error(), program::kAskedWrongly);
+    const Result<StudyResult> result = run(*settings);
+    if (!result) return program::fail(result.error());
+    return program::print(arguments.has("json") ? result_json(*settings, *result) : result_text(*settings, *result));
+  });
+}

@@ -1,0 +1,236 @@
+#include <algorithm>
+
+#include "clients/report/figures/html.h"
+#include "proto/words/error_line.h"
+#include "support/plot/chart.h"
+#include "support/plot/heat_map.h"
+#include "support/plot/palette.h"
+#include "support/plot/svg.h"
+#include "tools/study/page/files.h"
+#include "tools/study/page/words.h"
+#include "tools/study/run/block_file.h"
+
+namespace telepalp::study {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr std::string_view kColors[] = {plot::kBlue, plot::kGreen, plot::kVermilion, plot::kGrey};
+
+plot::Series intervals(const ConditionResult& condition, std::string_view color) {
+  plot::Series lines{.name = "", .x = {}, .y = {}, .color = std::string(color), .style = plot::Style::Path};
+  for (std::size_t i = 0; i < condition.cells.size(); ++i) {
+    const double x = static_cast<double>(i + 1);
+    for (const double y : {condition.cells[i].low, condition.cells[i].high, std::numeric_limits<double>::quiet_NaN()}) {
+      lines.x.push_back(x);
+      lines.y.push_back(y);
+    }
+  }
+  return lines;
+}
+
+plot::Series means(const ConditionResult& condition, std::string_view color) {
+  plot::Series dots{.name = std::string(name(condition.condition)),
+                    .x = {},
+                    .y = {},
+                    .color = std::string(color),
+                    .style = plot::Style::Dots};
+  for (std::size_t i = 0; i < condition.cells.size(); ++i) {
+    dots.x.push_back(static_cast<double>(i + 1));
+    dots.y.push_back(condition.cells[i].mean);
+  }
+  return dots;
+}
+
+std::string overshoot_chart(const StudySettings& settings, const StudyResult& result) {
+  plot::Chart chart{.title = "Overshoot of each mechanism, with 95 % intervals",
+                    .x = {.label = "number of the mechanism in the table"},
+                    .y = {.label = "overshoot [mm]", .include = plot::Range{0.0, 0.0}},
+                    .height_px = 340.0};
+  for (const std::size_t c : {1, 2}) {
+    chart.series.push_back(intervals(result.conditions[c], kColors[c]));
+    chart.series.push_back(means(result.conditions[c], kColors[c]));
+  }
+  if (settings.design.of_the_paper) {
+    plot::Series paper{.name = "S4, Table 2",
+                       .x = {},
+                       .y = paper_overshoots_mm(),
+                       .color = std::string(plot::kBlack),
+                       .style = plot::Style::Dots};
+    for (int i = 1; i <= 36; ++i) paper.x.push_back(i);
+    chart.series.push_back(std::move(paper));
+  }
+  return plot::to_svg(chart);
+}
+
+/// Table 2's layout: rows are linkage and phi, columns h and l_h.
+plot::HeatMap heat_map(const std::string& title, const std::vector<double>& values) {
+  plot::HeatMap map{.title = title,
+                    .x_label = "h, l_h [mm]",
+                    .y_label = "linkage, phi",
+                    .columns = {"0, 140", "0, 180", "80, 140", "80, 180"},
+                    .rows = {},
+                    .values = values,
+                    .width_px = 470.0};
+  for (int linkage = 1; linkage <= 3; ++linkage)
+    for (const char* phi : {"0", "π/2", "5π/6"}) map.rows.push_back(std::to_string(linkage) + ", " + phi);
+  return map;
+}
+
+std::string heat_maps(const StudyResult& result) {
+  std::vector<double> here;
+  for (const Interval& cell : result.conditions[2].cells) here.push_back(cell.mean);
+  for (double& value : here) value = 0.1 * static_cast<double>(static_cast<int>(10.0 * value + 0.5));
+  return "<div class=\"pair\">" + plot::to_svg(heat_map("Here, with both senses: overshoot [mm]", here)) +
+         plot::to_svg(heat_map("S4, Table 2: overshoot [mm]", paper_overshoots_mm())) + "</div>";
+}
+
+std::string mechanism_table(const StudySettings& settings, const StudyResult& result) {
+  std::vector<std::string> head{"mechanism", "force", "vision", "both", "no reflexes", "force falls by [N]"};
+  if (settings.design.of_the_paper) head.emplace_back("S4 (SD)");
+  Rows rows;
+  for (std::size_t i = 0; i < settings.design.configurations.size(); ++i) {
+    std::vector<std::string> row{std::to_string(i + 1) + ": " + settings.design.configurations[i].name};
+    for (const ConditionResult& condition : result.conditions) row.push_back(in_words(condition.cells[i]));
+    row.push_back(fixed(result.hand_drop_N[i], 2));
+    if (settings.design.of_the_paper)
+      row.push_back(fixed(paper_table()[i].overshoot_mm) + " (" + fixed(paper_table()[i].deviation_mm) + ")");
+    rows.push_back(std::move(row));
+  }
+  return "<div class=\"scroll\">" + report::table(head, rows) + "</div>";
+}
+
+std::string condition_table(const StudyResult& result) {
+  Rows rows;
+  for (const ConditionResult& one : result.conditions)
+    rows.push_back({std::string(name(one.condition)), in_words(one.all), fixed(100.0 * one.noticed_share, 0) + " %",
+                    std::to_string(one.not_through), std::to_string(one.not_stopped)});
+  return report::table(
+      {"condition", "overshoot, all mechanisms [mm]", "puncture noticed", "sac not punctured", "tip not stopped"},
+      rows);
+}
+
+std::string correlation_table(const StudyResult& result) {
+  Rows rows;
+  for (std::size_t i = 0; i < kStudied.size(); ++i) {
+    const Correlation& one = *result.correlations[i];
+    rows.push_back({std::string(name(kStudied[i])), fixed(one.of_means, 2), fixed(one.of_each_operator.front(), 2),
+                    fixed(one.of_each_operator[one.of_each_operator.size() / 2], 2),
+                    fixed(one.of_each_operator.back(), 2)});
+  }
+  rows.push_back({"the hand's lever alone", fixed(result.lever_alone, 2), "", "", ""});
+  rows.push_back(
+      {"a perfect model, if S4's SD is over 20 penetrations", fixed(result.ceiling_penetrations, 2), "", "", ""});
+  rows.push_back({"a perfect model, if S4's SD is over 4 subjects", fixed(result.ceiling_subjects, 2), "", "", ""});
+  return report::table({"", "of the means", "of one operator: least", "median", "most"}, rows);
+}
+
+std::string pattern_table(const StudyResult& result) {
+  Rows rows;
+  for (const Pattern& one : result.patterns)
+    rows.push_back({one.what, one.in_paper, one.here,
+                    std::string(verdict(one)) + " (" + fixed(100.0 * one.certainty, 0) + " % of the resamples)"});
+  return report::table({"pattern", "S4", "here", ""}, rows, report::Cells::Words);
+}
+
+std::string effect_table(const StudyResult& result) {
+  Rows rows;
+  for (const Effect& one : result.effects) {
+    std::string levels;
+    for (const double mean : one.means) levels += (levels.empty() ? "" : " / ") + fixed(mean);
+    rows.push_back({one.name(), levels, fixed(one.spread, 2), one.p < 0.0015 ? "≤ 0.001" : fixed(one.p, 3)});
+  }
+  return report::table({"effect", "means of the levels [mm]", "size, RMS [mm]", "p"}, rows);
+}
+
+std::string check_table(const Check& check) {
+  const Rows rows{{"neither", fixed(1e3 * check.neither_m), "", ""},
+                  {"force", fixed(1e3 * check.force_m), change(check.force_m, check.neither_m), "at least -52 %"},
+                  {"live sight of the layers", fixed(1e3 * check.sees_layers_m),
+                   change(check.sees_layers_m, check.neither_m), "at least -87 %"},
+                  {"force, and sight of the needle alone", fixed(1e3 * check.both_m),
+                   change(check.both_m, check.neither_m), "not measured there"}};
+  return report::table({"condition", "overshoot after the puncture [mm]", "against neither", "Gerovich 2004"}, rows);
+}
+
+template <class Owner>
+std::string range_table(std::span<const Drawn<Owner>> ranges) {
+  Rows rows;
+  for (const Drawn<Owner>& one : ranges)
+    rows.push_back({std::string(one.name),
+                    number_text(one.least) + " to " + number_text(one.most) + " " + std::string(one.unit),
+                    std::string(one.source)});
+  return report::table({"parameter", "range", "source"}, rows, report::Cells::Words);
+}
+
+constexpr std::string_view kRules =
+    "<dl class=\"meanings\"><dt>contact point</dt><dd>place of the needle's tip when it first touches the sac</dd>"
+    "<dt>direction</dt><dd>along the needle, as it is at that instant</dd>"
+    "<dt>stop</dt><dd>after the sac is punctured, the tip moves by less than 0.2 mm in 0.1 s. S4 takes several "
+    "successive equal "
+    "coordinates of its device, which a hand with tremor does not give</dd>"
+    "<dt>overshoot</dt><dd>distance from the contact point to the tip at the stop, in that direction. It includes how "
+    "far the sac "
+    "is pushed in before it gives way</dd>"
+    "<dt>interval</dt><dd>95 %, by a bootstrap over the operators. Each operator works on a separate sample of the "
+    "numbers that S4 does not "
+    "give, so the interval covers these numbers, too</dd>"
+    "<dt>p</dt><dd>permutation test within the operators, 1000 shuffles, not corrected for the number of tests. "
+    "For "
+    "interactions, the residuals of the main effects are shuffled, an approximation</dd></dl>";
+
+std::string paper_sections(const StudyResult& result) {
+  return report::section("Beside S4's Table 2", "Darker is worse. The numbers are means.", heat_maps(result)) +
+         report::section("Rank correlation with Table 2",
+                         "No range of the plant was fitted to Table 2; docs/study.md tells how the "
+                         "operators were made. An operator without reflexes and the lever alone show how "
+                         "much of the agreement comes from the "
+                         "mechanism, without any sense.",
+                         correlation_table(result)) +
+         report::section("S4's patterns",
+                         "What S4 reads from its table, and in how many of 1000 resamples of the operators it appears "
+                         "here, with both senses. S4 gives no intervals.",
+                         pattern_table(result)) +
+         report::section("Main effects and interactions", "Condition both. Permutation tests; see Rules.",
+                         effect_table(result));
+}
+
+}  // namespace
+
+std::string result_html(const StudySettings& settings, const StudyResult& result) {
+  std::string said;
+  for (const std::string& sentence : findings(settings, result)) said += "<p>" + plot::escaped(sentence) + "</p>";
+  const std::string title = "Study of " + settings.design.name;
+  std::string page =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + plot::escaped(title) +
+      "</title><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><style>" +
+      std::string(report::kStyle) + "</style></head><body><h1>" + plot::escaped(title) + "</h1><p class=\"from\">" +
+      plot::escaped(identity_of(settings) + "; " + std::to_string(settings.operators) + " simulated operators") +
+      "</p>";
+  page += "<div class=\"verdict none\"><div class=\"headline\">Overshoot with force and sight: " +
+          in_words(result.conditions[2].all) + " mm; with sight alone: " + in_words(result.conditions[1].all) +
+          " mm</div>" + said + "<p>All operators are simulated. No person took part." +
+          (result.left_out > 0
+               ? " " + std::to_string(result.left_out) +
+                     " of them never punctured the sac with some mechanism, and are left out of all overshoots."
+               : "") +
+          "</p></div>";
+  page +=
+      report::section("Overshoot", "Dots are means over the operators, lines their 95 % intervals.",
+                      overshoot_chart(settings, result) + condition_table(result) + mechanism_table(settings, result));
+  if (settings.design.of_the_paper) page += paper_sections(result);
+  page += report::section(
+      "Check of the operators",
+      "Before the study, with a straight needle, against people: Gerovich 2004, 14 subjects, skin, fat and muscle. "
+      "After the first check (force -56 %, live sight -70 %) the operator's speed was made to depend on how "
+      "certain the depth is. docs/study.md tells what was changed later.",
+      check_table(result.check));
+  page += report::section("Rules", "What the words of this page mean.", std::string(kRules));
+  page += report::section("The operators", "Each value is drawn evenly from its range, once for each operator.",
+                          range_table(operator_ranges()));
+  page += report::section("What S4 does not give", "Drawn as above. Each operator works on a separate sample.",
+                          range_table(plant_ranges()));
+  return page + "</body></html>\n";
+}
+
+}  // namespace telepalp::study

@@ -1,0 +1,104 @@
+#include "tools/study/run/block_file.h"
+
+#include <charconv>
+#include <sstream>
+
+#include "codec/bytes/crc32c.h"
+#include "proto/words/error_line.h"
+#include "support/program/version.h"
+
+namespace telepalp::study {
+namespace {
+
+constexpr std::string_view kColumns =
+    "operator,condition,place,configuration,penetration,through,stopped,noticed,overshoot_m,deepest_m,"
+    "depth_at_puncture_m,hand_drop_N,most_hand_N,seconds";
+constexpr std::size_t kNumbers = 14;
+
+std::string row_of(const Trial& trial) {
+  const Outcome& out = trial.outcome;
+  std::string row = std::to_string(trial.person + 1) + "," + std::string(name(trial.condition)) + "," +
+                    std::to_string(trial.place) + "," + std::to_string(trial.configuration) + "," +
+                    std::to_string(trial.penetration);
+  for (const bool flag : {out.through, out.stopped, out.noticed}) row += flag ? ",1" : ",0";
+  for (const double value :
+       {out.overshoot_m, out.deepest_m, out.depth_at_puncture_m, out.hand_drop_N, out.most_hand_N, out.seconds})
+    row += "," + number_text(value);
+  return row + "\n";
+}
+
+std::optional<Trial> read_row(const std::string& line) {
+  std::istringstream cells(line);
+  std::string cell;
+  std::array<double, kNumbers> numbers{};
+  Trial trial;
+  for (std::size_t i = 0; i < kNumbers; ++i) {
+    if (!std::getline(cells, cell, ',')) return std::nullopt;
+    if (i == 1) {
+      for (const Condition condition : kStudied)
+        if (name(condition) == cell) trial.condition = condition;
+      continue;
+    }
+    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), numbers[i]);
+    if (read.ec != std::errc{} || read.ptr != cell.data() + cell.size()) return std::nullopt;
+  }
+  trial.person = static_cast<std::size_t>(numbers[0]) - 1;
+  trial.place = static_cast<std::size_t>(numbers[2]);
+  trial.configuration = static_cast<std::size_t>(numbers[3]);
+  trial.penetration = static_cast<int>(numbers[4]);
+  trial.outcome = {.through = numbers[5] != 0.0,
+                   .stopped = numbers[6] != 0.0,
+                   .overshoot_m = numbers[8],
+                   .deepest_m = numbers[9],
+                   .depth_at_puncture_m = numbers[10],
+                   .hand_drop_N = numbers[11],
+                   .most_hand_N = numbers[12],
+                   .seconds = numbers[13],
+                   .noticed = numbers[7] != 0.0};
+  return trial;
+}
+
+template <class Owner>
+std::string text_of(std::span<const Drawn<Owner>> ranges) {
+  std::string text;
+  for (const Drawn<Owner>& range : ranges)
+    text += std::string(range.name) + number_text(range.least) + number_text(range.most);
+  return text;
+}
+
+}  // namespace
+
+std::string block_text(const std::string& identity, const std::vector<Trial>& trials) {
+  std::string text = "# " + identity + "\n" + std::string(kColumns) + "\n";
+  for (const Trial& trial : trials) text += row_of(trial);
+  return text + "# end\n";
+}
+
+std::optional<std::vector<Trial>> read_block(const std::string& identity, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  if (!std::getline(lines, line) || line != "# " + identity || !std::getline(lines, line)) return std::nullopt;
+  std::vector<Trial> trials;
+  while (std::getline(lines, line)) {
+    if (line == "# end") return trials;
+    const std::optional<Trial> trial = read_row(line);
+    if (!trial) return std::nullopt;
+    trials.push_back(*trial);
+  }
+  return std::nullopt;
+}
+
+std::string identity_of(const StudySettings& settings) {
+  std::string all = text_of(operator_ranges()) + text_of(plant_ranges());
+  for (const Configuration& one : settings.design.configurations) {
+    all += one.name + (one.l4_given ? "4" : "-") + (one.needle_given ? "n" : "-");
+    for (const double value : {one.bar.l1_m, one.bar.l2_m, one.bar.l3_m, one.bar.l4_m, one.bar.needle_rad,
+                               one.bar.needle_m, one.bar.handle_rad, one.bar.handle_at_m, one.bar.handle_m})
+      all += " " + number_text(value);
+  }
+  return "telepalp-study " + std::string(program::version()) + " " + std::string(program::commit()) + ", seed " +
+         std::to_string(settings.seed) + ", " + std::to_string(settings.penetrations) +
+         " penetrations, mechanisms and ranges " + std::to_string(codec::crc32c(std::as_bytes(std::span(all))));
+}
+
+}  // namespace telepalp::study

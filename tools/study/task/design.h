@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "haptic_station/mechanism/four_bar.h"
+#include "proto/words/result.h"
+
+namespace telepalp::study {
+
+/// One mechanism of a study.
+struct Configuration {
+  std::string name;
+  mechanism::FourBar bar;  ///< the plant gives l4_m unless `l4_given`, and needle_m unless `needle_given`
+  bool l4_given = false;
+  bool needle_given = false;
+};
+
+struct Design {
+  std::string name;
+  std::vector<Configuration> configurations;
+  bool of_the_paper = false;  ///< its configurations have the order of S4's Table 2
+};
+
+/// S4's Table 1: 3 linkages, 3 angles phi, 2 places h and 2 lengths l_h of the handle.
+[[nodiscard]] Design amniocentesis_design();
+
+/// A list in a text file: one mechanism a line, as `name=value` pairs in mm and rad. Lines that begin with # are
+/// comments. A parameter that a line leaves out is that of S4's first linkage. Error: `file:line:column`, with what is
+/// wrong.
+[[nodiscard]] Result<Design> parse_design(const std::string& text, const std::string& file);
+[[nodiscard]] Result<Design> read_design(const std::filesystem::path& file);
+
+}  // namespace telepalp::study
