@@ -1,0 +1,202 @@
+#include <cmath>
+#include <cstdio>
+
+#include "clients/mixed/compose/mixed_view.h"
+#include "clients/mixed/files/image_sequence.h"
+#include "clients/mixed/files/marker_board.h"
+#include "clients/mixed/files/rendered_sequence.h"
+#include "support/images/image_file.h"
+#include "support/program/files/whole_file.h"
+#include "support/program/options.h"
+
+using namespace telepalp;
+using namespace telepalp::mixed;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<void> write(const fs::path& file, const std::string& bytes) {
+  return program::write_whole_file(file, bytes, program::Readers::Group);
+}
+
+Result<Background> read_background(const ImageSequence& sequence) {
+  std::vector<SourceImage> sources;
+  for (const PosedImage& image : sequence.background) {
+    Result<ColorImage> color = read_frame(image.file, sequence.lens);
+    if (!color) return color.error();
+    sources.push_back({{sequence.lens, image.world_from_eye}, std::move(*color)});
+  }
+  return Background::prepare(std::move(sources), sequence.proxy);
+}
+
+/// How the frames are composed, as the command line chooses.
+struct ComposeChoice {
+  MixedSettings settings;
+  MaskMargin margin;
+};
+
+Result<ComposeChoice> chosen(const program::Arguments& arguments, const DevicePlace& device) {
+  const Result<std::int64_t> cameras = arguments.whole("cameras", 1, 4);
+  if (!cameras) return cameras.error();
+  ComposeChoice choice;
+  choice.settings.completion.cameras_a_vertex = static_cast<int>(*cameras);
+  choice.settings.shifted = !arguments.has("naive");
+  const std::string margin = arguments.text("margin");
+  if (margin != "calibrated" && margin != "paper")
+    return Error{.what = "'" + margin + "' is not a margin", .where = "--margin", .fix = "give calibrated or paper"};
+  const Point<HapticBase> centre{{0.0, 0.12, 0.14}};
+  choice.margin = margin == "paper" ? paper_margin() : calibrated_margin(device.deviation_m, device.turn_rad, centre);
+  return choice;
+}
+
+void tell(const LiveImage& live, const MixedImage& mixed, const CamouflageState& state) {
+  static constexpr const char* kPhases[] = {"visible", "hiding", "hidden", "revealing"};
+  std::printf("%s: device %s (%.2f), emptied %.1f %%, hand moved %.1f px", live.image.file.filename().c_str(),
+              kPhases[static_cast<int>(state.phase)], state.opacity,
+              100.0 * static_cast<double>(mixed.emptied.count()) / static_cast<double>(mixed.emptied.on.size()),
+              mixed.shift_px.norm());
+  if (mixed.unknown_px > 0) std::printf(", %zu px without background", mixed.unknown_px);
+  if (mixed.ring_levels && *mixed.ring_levels > kChangedRing_levels)
+    std::printf(", the background has changed: %.0f levels around the device", *mixed.ring_levels);
+  std::printf("\n");
+}
+
+Result<void> compose_frames(const ImageSequence& sequence, const Background& background, const ComposeChoice& choice,
+                            const fs::path& out) {
+  CamouflageState state;
+  // The first image counts as if its state of trust had lasted for 1 s already.
+  double before_s = sequence.frames.front().time_s - 1.0;
+  for (const LiveImage& live : sequence.frames) {
+    const Result<ColorImage> image = read_frame(live.image.file, sequence.lens);
+    if (!image) return image.error();
+    for (double t = before_s; t < live.time_s; t += 0.02) state = advance(state, live.trust, 0.02);
+    before_s = live.time_s;
+    const StandingDevice device{omni(), live.joints_rad, sequence.device.world_from_haptic};
+    const MixedImage mixed = mix(*image, {sequence.lens, live.image.world_from_eye}, background, device, choice.margin,
+                                 live.tool_minus_device, choice.settings);
+    const std::string png = images::encode_png(faded(*image, mixed.color, state.opacity));
+    if (const auto done = write(out / live.image.file.filename(), png); !done) return done;
+    tell(live, mixed, state);
+  }
+  return {};
+}
+
+Result<void> compose(const program::Arguments& arguments) {
+  const Result<ImageSequence> sequence = read_sequence(arguments.text("images"));
+  if (!sequence) return sequence.error();
+  if (sequence->frames.empty())
+    return Error{.what = "the table names no image",
+                 .where = arguments.text("images") + "/frames.csv",
+                 .fix = "add one row for each image with the device"};
+  const Result<ComposeChoice> choice = chosen(arguments, sequence->device);
+  if (!choice) return choice.error();
+  const Result<Background> background = read_background(*sequence);
+  if (!background) return background.error();
+  const fs::path out = arguments.text("out");
+  if (const auto made = program::make_folder(out, program::Readers::Group); !made) return made;
+  return compose_frames(*sequence, *background, *choice, out);
+}
+
+Result<void> calibrate(const program::Arguments& arguments) {
+  const Result<std::vector<Click>> clicks = read_clicks(arguments.text("clicks"));
+  if (!clicks) return clicks.error();
+  const Result<DeviceFit> fit = fit_device(omni(), *clicks);
+  if (!fit) return fit.error();
+  std::printf("%s\n", in_words(*fit, *clicks).c_str());
+  const double turn_rad = std::sqrt(fit->covariance.topLeftCorner<3, 3>().trace() / 3.0);
+  return write(arguments.text("out"),
+               device_table({fit->world_from_haptic, deviation_at_m(*fit, fit->centre), turn_rad}));
+}
+
+Result<void> board(const program::Arguments& arguments) {
+  const Result<double> marker_mm = arguments.number("marker-mm", 5.0, 200.0);
+  if (!marker_mm) return marker_mm.error();
+  const fs::path svg = arguments.text("out");
+  if (const auto done = write(svg, board_svg(*marker_mm)); !done) return done;
+  fs::path table = svg;
+  return write(table.replace_extension(".csv"), board_table(*marker_mm));
+}
+
+Result<void> render_example(const program::Arguments& arguments) {
+  const Result<std::int64_t> background = arguments.whole("background", 2, 1000);
+  if (!background) return background.error();
+  const Result<std::int64_t> frames = arguments.whole("frames", 1, 1000);
+  if (!frames) return frames.error();
+  const Result<double> gap_mm = arguments.number("gap-mm", 0.0, 100.0);
+  if (!gap_mm) return gap_mm.error();
+  return write_rendered_sequence(arguments.text("out"), static_cast<int>(*background), static_cast<int>(*frames),
+                                 *gap_mm * 1e-3);
+}
+
+template <Result<void> (*Do)(const program::Arguments&)>
+int run(const program::Arguments& arguments) {
+  const Result<void> done = Do(arguments);
+  return done ? program::kDone : program::fail(done.error());
+}
+
+int run_compose(int argc, const char* const* argv) {
+  return program::run_program(
+      {.program = "telepalp-mixed compose",
+       .purpose = "removes the haptic device from a sequence of images, and draws the hand at the tool",
+       .positional = {},
+       .options = {{"images", "DIR", "folder of the sequence; see docs/mixed.md", "desk"},
+                   {"out", "DIR", "folder for the composed images; created if missing", "mixed"},
+                   {"cameras", "N", "source images a vertex of the background, 1 to 4", "1"},
+                   {"margin", "KIND", "how the device's mask is enlarged: calibrated or paper (5 %)", "calibrated"},
+                   {"naive", "", "leave the hand where it is"}},
+       .example = "telepalp-mixed compose --images desk --out mixed"},
+      argc, argv, run<compose>);
+}
+
+int run_calibrate(int argc, const char* const* argv) {
+  return program::run_program({.program = "telepalp-mixed calibrate",
+                               .purpose = "computes where the device stands from clicks on shown rings",
+                               .positional = {},
+                               .options = {{"clicks", "FILE", "the clicks, one a row", "desk/clicks.csv"},
+                                           {"out", "FILE", "the device's place, for compose", "desk/device.csv"}},
+                               .example = "telepalp-mixed calibrate --clicks desk/clicks.csv --out desk/device.csv"},
+                              argc, argv, run<calibrate>);
+}
+
+int run_board(int argc, const char* const* argv) {
+  return program::run_program(
+      {.program = "telepalp-mixed board",
+       .purpose = "writes a board of ArUco markers to print, and the places of its corners",
+       .positional = {},
+       .options = {{"out", "FILE.svg", "the board; FILE.csv beside it holds the corners", "board.svg"},
+                   {"marker-mm", "MM", "side of a marker; 30 fits A4", "30"}},
+       .example = "telepalp-mixed board --out board.svg"},
+      argc, argv, run<board>);
+}
+
+int run_render(int argc, const char* const* argv) {
+  return program::run_program({.program = "telepalp-mixed render",
+                               .purpose = "writes a rendered sequence to try compose and calibrate with",
+                               .positional = {},
+                               .options = {{"out", "DIR", "folder of the sequence", "desk"},
+                                           {"background", "N", "images of the background", "121"},
+                                           {"frames", "N", "images with the device and a hand", "24"},
+                                           {"gap-mm", "MM", "how far the device sinks below the tool", "25"}},
+                               .example = "telepalp-mixed render --out desk --background 40 --frames 12"},
+                              argc, argv, run<render_example>);
+}
+
+program::Usage usage() {
+  return {.program = "telepalp-mixed",
+          .purpose = "shows the doctor's desk without the haptic device, and the hand at the virtual tool",
+          .positional = {},
+          .options = {},
+          .example = "telepalp-mixed render --out desk --background 40 --frames 12",
+          .commands = {{"render", "", "writes a rendered sequence to try the others with", run_render},
+                       {"compose", "", "removes the device from a sequence of images", run_compose},
+                       {"calibrate", "", "computes where the device stands", run_calibrate},
+                       {"board", "", "writes a board of markers to print", run_board}},
+          .needs_command = true};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return program::run_program(usage(), argc, argv, [](const program::Arguments&) { return program::kAskedWrongly; });
+}

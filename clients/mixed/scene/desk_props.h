@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "clients/mixed/background/background.h"
+#include "clients/mixed/scene/desk_scene.h"
+
+namespace telepalp::mixed {
+
+/// An Omni on the desk, which faces the doctor.
+[[nodiscard]] StandingDevice desk_device(const std::vector<double>& joints_rad);
+
+/// A hand around the handle of `device`, moved by `shift_m`. The arm comes from the doctor's right.
+[[nodiscard]] HoldingHand holding_hand(const StandingDevice& device, const Eigen::Vector3d& shift_m,
+                                       const std::array<std::uint8_t, 3>& color = {205, 150, 120});
+
+/// Planes of desk, walls and floor, as a person would measure them: without the things on the desk.
+[[nodiscard]] Proxy desk_planes();
+
+}  // namespace telepalp::mixed
