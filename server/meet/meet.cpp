@@ -1,0 +1,252 @@
+#include "server/meet/meet.h"
+
+#include <malloc.h>
+#include <openssl/rand.h>
+#include <openssl/x509.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/write.hpp>
+#include <utility>
+#include <vector>
+
+#include "proto/wire/sockets/tcp_socket.h"
+#include "proto/words/demand.h"
+#include "server/meet/site/site_session.h"
+#include "server/meet/splice.h"
+#include "server/meet/words/meet_frames.h"
+
+namespace telepalp::meet {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr std::chrono::seconds kTimeToShow{5};                         // until a connection must have shown what it is
+constexpr std::chrono::seconds kTimeToAnswer{5};                       // until a site must have answered a call
+constexpr unsigned char kInternalError = 80, kUnrecognizedName = 112;  // alerts of RFC 8446 §6
+
+std::string new_token() {
+  std::array<unsigned char, kTokenBytes> bytes{};
+  demand(RAND_bytes(bytes.data(), bytes.size()) == 1, "the system gives random bytes");
+  return {bytes.begin(), bytes.end()};
+}
+
+/// The settings of a TLS server, but each peer must show a server's certificate, because a site is a server.
+Result<wire::TlsSettings> tls_for_sites(const keys::KeyFile& key, keys::IsRevoked is_revoked) {
+  Result<wire::TlsSettings> tls = wire::tls_settings(keys::server_context(key, std::move(is_revoked)));
+  if (!tls) return tls;
+  SSL_CTX* const context = (*tls)->native_handle();
+  SSL_CTX_set_mode(context, SSL_MODE_RELEASE_BUFFERS);  // most sites are silent most of the time
+  SSL_CTX_set_purpose(context, X509_PURPOSE_SSL_SERVER);
+  SSL_CTX_set_verify(context, SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, SSL_CTX_get_verify_callback(context));
+  return tls;
+}
+
+bool is_own_name(const std::vector<std::string>& hosts, const std::string& name) {
+  return name.empty() || std::ranges::find(hosts, name) != hosts.end();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Meet>> Meet::listen(asio::io_context& io, Options options) {
+  Result<wire::TlsSettings> tls = tls_for_sites(options.key, options.is_revoked);
+  if (!tls) return tls.error();
+  const std::string where = options.address + ":" + std::to_string(options.port);
+  std::unique_ptr<Meet> meet(new Meet(io, std::move(options), std::move(tls).value()));
+  error_code failed;
+  const asio::ip::address address = asio::ip::make_address(meet->options_.address, failed);
+  if (!failed) failed = wire::open_acceptor(meet->acceptor_, {address, meet->options_.port});
+  if (failed)
+    return Error{.what = "cannot listen: " + failed.message(),
+                 .where = where,
+                 .fix =
+                     "stop the program that listens there, give another --port or --bind; a port below 1024 needs "
+                     "the right to it (setcap cap_net_bind_service=ep, or the service unit)"};
+  meet->port_ = meet->acceptor_.local_endpoint().port();
+  meet->accept();
+  meet->look_after_all();
+  return meet;
+}
+
+Meet::Meet(asio::io_context& io, Options options, wire::TlsSettings tls)
+    : options_(std::move(options)), tls_(std::move(tls)), acceptor_(io), again_(io), second_(io) {}
+
+Meet::~Meet() { close(); }
+
+void Meet::close() {
+  error_code ignored;
+  acceptor_.close(ignored);
+  again_.cancel();
+  second_.cancel();
+  for (const std::shared_ptr<Arrival>& arrival : std::exchange(arrivals_, {})) arrival->close();
+  waiting_.clear();
+  for (const std::weak_ptr<SiteSession>& session : std::exchange(sessions_, {}))
+    if (const std::shared_ptr<SiteSession> site = session.lock()) site->close("the meeting point ends");
+}
+
+void Meet::accept() {
+  acceptor_.async_accept([this](const error_code& failed, tcp::socket socket) {
+    if (failed == asio::error::operation_aborted) return;
+    if (!failed) {
+      admit(std::move(socket));
+      return accept();
+    }
+    again_.expires_after(std::chrono::milliseconds(100));  // probably no file descriptor is free
+    again_.async_wait([this](const error_code& cancelled) {
+      if (!cancelled) accept();
+    });
+  });
+}
+
+void Meet::admit(tcp::socket socket) {
+  error_code gone;
+  const access::Unproven who{.from = socket.remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()};
+  // shared_ptr: its pending read owns it, too
+  const auto arrival = std::make_shared<Arrival>(std::move(socket), who);
+  arrivals_.push_back(arrival);
+  arrival->start([this, weak = std::weak_ptr(arrival)](const Arrived& what, tcp::socket known, std::string bytes) {
+    arrivals_.remove(weak.lock());
+    arrived(what, std::move(known), std::move(bytes));
+  });
+  make_room();
+}
+
+/// Closes a connection of the network that holds the most, so that one address cannot keep the others out.
+void Meet::make_room() {
+  if (arrivals_.size() <= options_.limits.arrivals) return;
+  std::vector<access::Unproven> all;
+  for (const std::shared_ptr<Arrival>& arrival : arrivals_) all.push_back(arrival->who());
+  const std::optional<std::size_t> chosen = access::one_to_close(all, std::chrono::steady_clock::now());
+  const auto closed = std::next(arrivals_.begin(), static_cast<std::ptrdiff_t>(chosen.value_or(0)));
+  (*closed)->close();
+  arrivals_.erase(closed);
+  ++counts_.refused;
+}
+
+void Meet::arrived(const Arrived& what, tcp::socket socket, std::string bytes) {
+  if (const auto* answer = std::get_if<AnswerToCall>(&what)) return answered(answer->token, std::move(socket));
+  const auto& hello = std::get<ClientHello>(what);
+  if (is_own_name(options_.key.hosts, hello.server_name)) return site_comes(std::move(socket), std::move(bytes));
+  caller_comes(hello, std::move(socket), std::move(bytes));
+}
+
+void Meet::site_comes(tcp::socket socket, std::string hello) {
+  const auto site = std::make_shared<SiteSession>(
+      std::move(socket), std::move(hello), tls_,
+      SiteSession::Handlers{.on_join = [this](const std::shared_ptr<SiteSession>& joined) { return join(joined); },
+                            .on_decline =
+                                [this](const std::string& token) {
+                                  const auto found = waiting_.find(token);
+                                  if (found == waiting_.end()) return;
+                                  refuse(std::move(found->second.caller), kInternalError);
+                                  waiting_.erase(found);
+                                },
+                            .on_end = [this](SiteSession& ended, const std::string& why) { leave(ended, why); }});
+  sessions_.push_back(site);
+  site->start();
+}
+
+/// Lets `site` in. Returns why it is refused; empty: it is in. A site that comes again with the certificate that it
+/// has shown replaces its older connection: the meeting point may not have noticed that the older one is dead.
+std::string Meet::join(const std::shared_ptr<SiteSession>& site) {
+  for (const std::string& name : site->names()) {
+    const auto taken = serials_.find(name);
+    if (taken != serials_.end() && taken->second != site->serial())
+      return "another key holds the name " + name + " here (serial " + taken->second +
+             "). fix: stop the server that uses it, or make a key with another --host";
+  }
+  if (const auto before = sites_.find(site->serial()); before != sites_.end())
+    before->second.session->close("it came again");
+  if (sites_.size() >= options_.limits.sites) return "the meeting point is full: it takes no further site";
+  sites_[site->serial()].session = site;
+  for (const std::string& name : site->names()) serials_[name] = site->serial();
+  options_.log("the site " + site->names().front() + " joined from " + site->peer());
+  return {};
+}
+
+void Meet::leave(SiteSession& site, const std::string& why) {
+  std::erase_if(sessions_,
+                [&](const std::weak_ptr<SiteSession>& one) { return one.expired() || one.lock().get() == &site; });
+  const auto found = sites_.find(site.serial());
+  if (found == sites_.end() || found->second.session.get() != &site) return;
+  options_.log("the site " + site.names().front() + " left: " + why);
+  std::erase_if(serials_, [&](const auto& name) { return name.second == site.serial(); });
+  sites_.erase(found);
+}
+
+void Meet::caller_comes(const ClientHello& hello, tcp::socket socket, std::string bytes) {
+  const auto serial = serials_.find(hello.server_name);
+  if (serial == serials_.end()) return refuse(std::move(socket), kUnrecognizedName);
+  const Site& site = sites_.at(serial->second);
+  const auto waiting = static_cast<std::size_t>(
+      std::ranges::count_if(waiting_, [&](const auto& one) { return one.second.site == serial->second; }));
+  if (waiting >= options_.limits.waiting_per_site || *site.streams >= options_.limits.streams_per_site)
+    return refuse(std::move(socket), kInternalError);
+  msg::MeetCall call;
+  call.set_token(new_token());
+  call.set_browser(hello.speaks_http);
+  call.set_from(wire::peer_address(socket));
+  waiting_.emplace(call.token(), Waiting{.caller = std::move(socket),
+                                         .first = std::move(bytes),
+                                         .site = serial->second,
+                                         .since = std::chrono::steady_clock::now()});
+  const std::shared_ptr<SiteSession> session = site.session;  // call() may close it, which removes `site`
+  session->call(call);
+}
+
+void Meet::answered(const std::string& token, tcp::socket socket) {
+  const auto found = waiting_.find(token);
+  if (found == waiting_.end()) return;  // the caller has gone, or the token is a stranger's guess
+  Waiting call = std::move(found->second);
+  waiting_.erase(found);
+  ++counts_.calls;
+  const auto site = sites_.find(call.site);
+  const std::shared_ptr<std::size_t> of_site =
+      site == sites_.end() ? std::make_shared<std::size_t>(0) : site->second.streams;
+  ++*of_site;
+  ++*streams_;
+  splice(std::move(call.caller), std::move(call.first), std::move(socket), [of_site, all = streams_] {
+    --*of_site;
+    --*all;
+  });
+}
+
+/// Answers a ClientHello by a fatal alert, so that the caller's program can say what happened.
+void Meet::refuse(tcp::socket socket, unsigned char alert) {
+  ++counts_.refused;
+  const std::array<unsigned char, 7> record{21, 3, 3, 0, 2, 2, alert};
+  error_code failed;
+  socket.non_blocking(true, failed);
+  if (!failed) socket.write_some(asio::buffer(record), failed);
+  if (!failed) wire::close_gently(std::move(socket));
+}
+
+/// Gives the memory that TLS handshakes have used back to the system, because the C library would keep it.
+void Meet::give_memory_back() {
+  if (std::exchange(trimmed_at_, sites_.size()) != sites_.size()) malloc_trim(0);
+}
+
+void Meet::look_after_all() {
+  give_memory_back();
+  const auto now = std::chrono::steady_clock::now();
+  while (!arrivals_.empty() && now - arrivals_.front()->who().since > kTimeToShow) {
+    arrivals_.front()->close();
+    arrivals_.pop_front();
+  }
+  for (auto one = waiting_.begin(); one != waiting_.end();) {
+    const auto next = std::next(one);
+    if (now - one->second.since > kTimeToAnswer) {
+      refuse(std::move(one->second.caller), kInternalError);
+      waiting_.erase(one);
+    }
+    one = next;
+  }
+  second_.expires_after(std::chrono::seconds(1));
+  second_.async_wait([this](const error_code& cancelled) {
+    if (!cancelled) look_after_all();
+  });
+}
+
+}  // namespace telepalp::meet

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "proto/keys/key_file.h"
+#include "proto/keys/tls_context.h"
+#include "proto/wire/tls_stream.h"
+#include "proto/words/result.h"
+#include "server/meet/caller/arrival.h"
+
+namespace telepalp::meet {
+
+class SiteSession;
+
+/// The meeting point: patients' sites join it under the names of their certificates, and callers who name a site in
+/// their TLS greeting are joined with it. Between caller and site it passes bytes on: their TLS runs from end to end,
+/// so it reads nothing of it and can refuse, but not impersonate. It stores nothing, so that a restart loses nothing.
+/// Owner: `io`'s one thread.
+class Meet {
+ public:
+  struct Limits {
+    std::size_t arrivals = 256;  ///< connections that have not shown what they are
+    std::size_t sites = 2000;
+    std::size_t waiting_per_site = 32;  ///< calls that the site has not answered
+    std::size_t streams_per_site = 64;
+  };
+  struct Options {
+    std::string address = "0.0.0.0";
+    std::uint16_t port = 0;  ///< 0: any free port
+    keys::KeyFile key;       ///< a server's key; sites whose keys its authority made may join
+    keys::IsRevoked is_revoked = [](const keys::Identity&) { return false; };
+    std::function<void(const std::string&)> log = [](const std::string&) {};
+    Limits limits{};
+  };
+  struct Counts {
+    std::uint64_t calls = 0;    ///< callers that were joined with a site
+    std::uint64_t refused = 0;  ///< callers without a site, and connections closed to make room
+  };
+
+  /// Error: the port cannot be opened, or the key cannot be used.
+  [[nodiscard]] static Result<std::unique_ptr<Meet>> listen(boost::asio::io_context& io, Options options);
+  ~Meet();
+  Meet(const Meet&) = delete;
+  Meet& operator=(const Meet&) = delete;
+
+  /// Stops listening and ends every connection but those of callers who are joined with a site.
+  void close();
+
+  [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
+  [[nodiscard]] std::size_t sites() const noexcept { return sites_.size(); }
+  [[nodiscard]] std::size_t streams() const noexcept { return *streams_; }
+  [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
+
+ private:
+  /// A caller whose site has not answered yet.
+  struct Waiting {
+    boost::asio::ip::tcp::socket caller;
+    std::string first;  ///< what was read from the caller
+    std::string site;   ///< serial number of the site's certificate
+    std::chrono::steady_clock::time_point since;
+  };
+  struct Site {
+    std::shared_ptr<SiteSession> session;
+    std::shared_ptr<std::size_t> streams = std::make_shared<std::size_t>(0);
+  };
+
+  Meet(boost::asio::io_context& io, Options options, wire::TlsSettings tls);
+  void accept();
+  void admit(boost::asio::ip::tcp::socket socket);
+  void make_room();
+  void arrived(const Arrived& what, boost::asio::ip::tcp::socket socket, std::string bytes);
+  void site_comes(boost::asio::ip::tcp::socket socket, std::string hello);
+  [[nodiscard]] std::string join(const std::shared_ptr<SiteSession>& site);
+  void leave(SiteSession& site, const std::string& why);
+  void caller_comes(const ClientHello& hello, boost::asio::ip::tcp::socket socket, std::string bytes);
+  void answered(const std::string& token, boost::asio::ip::tcp::socket socket);
+  void refuse(boost::asio::ip::tcp::socket socket, unsigned char alert);
+  void give_memory_back();
+  void look_after_all();
+
+  Options options_;
+  wire::TlsSettings tls_;
+  boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer again_;
+  boost::asio::steady_timer second_;
+  std::uint16_t port_ = 0;
+  std::list<std::shared_ptr<Arrival>> arrivals_;    // oldest first
+  std::list<std::weak_ptr<SiteSession>> sessions_;  // of sites that have joined, or are about to
+  std::map<std::string, Site> sites_;               // by the serial of the site's certificate
+  std::map<std::string, std::string> serials_;      // by the name of a site
+  std::map<std::string, Waiting> waiting_;          // by token
+  std::shared_ptr<std::size_t> streams_ = std::make_shared<std::size_t>(0);  // shared: a stream may outlive this object
+  Counts counts_;
+  std::size_t trimmed_at_ = 0;  // the number of sites when memory was last given back
+};
+
+}  // namespace telepalp::meet

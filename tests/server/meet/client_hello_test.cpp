@@ -1,0 +1,101 @@
+#include "server/meet/caller/client_hello.h"
+
+#include <gtest/gtest.h>
+#include <openssl/ssl.h>
+
+#include <memory>
+#include <string>
+
+namespace telepalp::meet {
+namespace {
+
+using State = HelloRead::State;
+
+HelloRead read(const std::string& bytes) { return read_client_hello(std::as_bytes(std::span(bytes))); }
+
+/// The greeting that OpenSSL's client sends. `alpn`: protocols, each after its length.
+std::string greeting(std::string name, const std::string& alpn = {}, int padding = 0) {
+  const std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)> context(SSL_CTX_new(TLS_client_method()), SSL_CTX_free);
+  const std::unique_ptr<SSL, decltype(&SSL_free)> session(SSL_new(context.get()), SSL_free);
+  BIO* const out = BIO_new(BIO_s_mem());
+  SSL_set_bio(session.get(), BIO_new(BIO_s_mem()), out);
+  if (!name.empty()) SSL_ctrl(session.get(), SSL_CTRL_SET_TLSEXT_HOSTNAME, TLSEXT_NAMETYPE_host_name, name.data());
+  std::string offered = alpn;
+  for (int i = 0; i < padding; ++i) offered += '\x04' + std::string("junk");
+  SSL_set_alpn_protos(session.get(), reinterpret_cast<const unsigned char*>(offered.data()),
+                      static_cast<unsigned>(offered.size()));
+  SSL_connect(session.get());
+  char* bytes = nullptr;
+  const long length = BIO_ctrl(out, BIO_CTRL_INFO, 0, static_cast<void*>(&bytes));
+  return {bytes, static_cast<std::size_t>(length)};
+}
+
+/// The same message in records of `size` bytes.
+std::string in_records_of(std::size_t size, const std::string& greeting) {
+  const std::string message = greeting.substr(5);
+  std::string records;
+  for (std::size_t at = 0; at < message.size(); at += size) {
+    const std::string part = message.substr(at, size);
+    records += greeting.substr(0, 3);
+    records += static_cast<char>(part.size() >> 8U);
+    records += static_cast<char>(part.size() & 0xffU);
+    records += part;
+  }
+  return records;
+}
+
+TEST(ClientHello, TellsTheNameAndWhetherTheCallerIsABrowser) {
+  const HelloRead program = read(greeting("Ward3.Example"));
+  ASSERT_EQ(program.state, State::Whole);
+  EXPECT_EQ(program.hello.server_name, "ward3.example");
+  EXPECT_FALSE(program.hello.speaks_http);
+  EXPECT_TRUE(read(greeting("ward3", "\x02h2\x08http/1.1")).hello.speaks_http);
+  EXPECT_EQ(read(greeting("")).hello.server_name, "");
+  EXPECT_EQ(read(greeting("")).state, State::Whole);
+}
+
+TEST(ClientHello, IsIncompleteUntilItsLastByteAndReadsItInAnyRecords) {
+  const std::string whole = greeting("ward3", "\x08http/1.1");
+  for (std::size_t bytes = 0; bytes < whole.size(); ++bytes)
+    ASSERT_EQ(read(whole.substr(0, bytes)).state, State::Incomplete) << bytes;
+  for (const std::size_t size : {1, 3, 100}) {
+    const HelloRead cut = read(in_records_of(size, whole));
+    ASSERT_EQ(cut.state, State::Whole) << size;
+    EXPECT_EQ(cut.hello.server_name, "ward3");
+    EXPECT_TRUE(cut.hello.speaks_http);
+  }
+}
+
+TEST(ClientHello, IsNotTlsForOtherBytesAndLengthsThatLie) {
+  EXPECT_EQ(read("GET / HTTP/1.1\r\n").state, State::NotTls);
+  EXPECT_EQ(read("TPMEET1\n").state, State::NotTls);
+  EXPECT_EQ(read(std::string("\x16\x03\x01\x00\x00", 5)).state, State::NotTls) << "an empty record";
+  EXPECT_EQ(read(std::string("\x16\x03\x01\xff\xff", 5)).state, State::NotTls) << "a record that is too long";
+  EXPECT_EQ(read(std::string("\x16\x03\x01\x00\x04\x02\x00\x00\x00", 9)).state, State::NotTls) << "a ServerHello";
+  EXPECT_EQ(read(std::string("\x16\x03\x01\x00\x04\x01\xff\xff\xff", 9)).state, State::NotTls) << "16 MB are announced";
+  std::string damaged = greeting("ward3");
+  damaged[5 + 4 + 34] = '\xff';  // the length of the session's number
+  EXPECT_EQ(read(damaged).state, State::NotTls);
+}
+
+TEST(ClientHello, OfAnyDamageReadsNoByteBeyondTheEnd) {
+  const std::string whole = greeting("ward3", "\x08http/1.1");
+  for (std::size_t at = 0; at < whole.size(); ++at)
+    for (const char value : {'\x00', '\x01', '\x7f', '\xff'}) {
+      std::string damaged = whole;
+      damaged[at] = value;
+      const std::unique_ptr<std::byte[]> exact(new std::byte[damaged.size()]);  // a sanitizer sees one byte too many
+      std::copy_n(reinterpret_cast<const std::byte*>(damaged.data()), damaged.size(), exact.get());
+      const HelloRead found = read_client_hello({exact.get(), damaged.size()});
+      EXPECT_LE(found.hello.server_name.size(), 255U);
+    }
+}
+
+TEST(ClientHello, OfManyProtocolsIsStillFound) {
+  const HelloRead many = read(greeting("ward3", "\x08http/1.1", 1000));
+  ASSERT_EQ(many.state, State::Whole);
+  EXPECT_TRUE(many.hello.speaks_http);
+}
+
+}  // namespace
+}  // namespace telepalp::meet
