@@ -10,8 +10,12 @@
 
 #include "server/capture/capture_source.h"
 #include "server/gateway/gateway.h"
+#include "server/gateway/health/metrics.h"
+#include "server/gateway/monitoring/health_port.h"
+#include "server/meet/site/meet_dialer.h"
 #include "server/origin/camera_origin.h"
 #include "server/origin/opening_pool.h"
+#include "server/origin/people_resource.h"
 #include "server/origin/session_shelf.h"
 #include "server/origin/source_choice.h"
 #include "server/pipeline/depth_options.h"
@@ -37,7 +41,7 @@ void log_line(const std::string& text) { program::log(kProgram, text); }
 
 program::Usage usage() {
   return {.program = kProgram,
-          .purpose = "captures a patient and sends the images to stations, recorders and browsers",
+          .purpose = "streams a patient to stations, recorders and browsers",
           .positional = {},
           .options = {{"source", "SOURCE",
                        "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, or "
@@ -52,6 +56,9 @@ program::Usage usage() {
                       {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
                       {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
                       {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
+                      {"meet", "HOST[:PORT]", "meeting point that callers dial; default: none"},
+                      {"health-port", "PORT", "port of /health and /metrics, plain HTTP; default: none"},
+                      {"health-bind", "ADDRESS", "address of --health-port; default: 127.0.0.1"},
                       {.name = "allow-origin",
                        .argument = "ORIGIN",
                        .help = "other site whose pages may open the data stream, such as https://app.foxglove.dev; "
@@ -61,12 +68,12 @@ program::Usage usage() {
                       {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
                       {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
-                      {"ready-file", "FILE", "write the ports into this file once clients can connect; default: none"},
+                      {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
                       {"depth-mode", "MODE",
                        "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
                       {"depth-bound", "LEAST,PER_M2",
                        "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
-                      {"key-every", "N", "modes temporal and bounded: every Nth frame is a key frame", "12"},
+                      {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
                       {"name", "NAME", "server name that clients show", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
@@ -81,6 +88,8 @@ struct Asked {
   server::Server::Options server;
   pipeline::EncodeOptions encode;
   std::optional<gateway::GatewayOptions> gateway;               // nullopt: browsers are not served
+  std::optional<gateway::HealthPort::Options> health;           // nullopt: no port for monitoring
+  std::optional<meet::MeetDialer::Options> meet;                // nullopt: no meeting point
   std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing
   std::filesystem::path compare_folder;                         // empty: the played session is compared with no other
 };
@@ -127,6 +136,18 @@ Result<std::optional<gateway::GatewayOptions>> gateway_options(const program::Ar
   return std::optional{std::move(options)};
 }
 
+Result<std::optional<gateway::HealthPort::Options>> health_options(const program::Arguments& arguments) {
+  if (!arguments.has("health-port")) {
+    if (arguments.has("health-bind")) return no_effect_without("health-port", "health-bind");
+    return std::optional<gateway::HealthPort::Options>{};
+  }
+  const Result<std::int64_t> port = arguments.whole("health-port", 0, 65535);
+  if (!port) return port.error();
+  gateway::HealthPort::Options options{.port = static_cast<std::uint16_t>(*port)};
+  if (arguments.has("health-bind")) options.address = arguments.text("health-bind");
+  return std::optional(std::move(options));
+}
+
 Result<std::optional<access::Access::Options>> key_options(const program::Arguments& arguments) {
   if (arguments.has("key"))
     return std::optional(access::Access::Options{.key = arguments.text("key"),
@@ -136,6 +157,15 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
   for (const char* option : {"revoked", "audit"})
     if (arguments.has(option)) return no_effect_without("key", option);
   return std::optional<access::Access::Options>{};
+}
+
+Result<std::optional<meet::MeetDialer::Options>> meet_options(const program::Arguments& arguments) {
+  if (!arguments.has("meet")) return std::optional<meet::MeetDialer::Options>{};
+  if (!arguments.has("key")) return no_effect_without("key", "meet");
+  const Result<program::Address> at = program::parse_address(arguments.text("meet"), "--meet", program::kMeetPort);
+  if (!at) return at.error();
+  return std::optional(
+      meet::MeetDialer::Options{.host = at->host, .port = at->port, .key = {}, .on_caller = {}, .log = log_line});
 }
 
 Result<std::optional<recording::SessionRecorder::Options>> recorder_options(const program::Arguments& arguments) {
@@ -186,6 +216,10 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!address) return address.error();
   const Result<std::optional<gateway::GatewayOptions>> gateway = gateway_options(arguments, address->to_string());
   if (!gateway) return gateway.error();
+  const Result<std::optional<gateway::HealthPort::Options>> health = health_options(arguments);
+  if (!health) return health.error();
+  const Result<std::optional<meet::MeetDialer::Options>> meet = meet_options(arguments);
+  if (!meet) return meet.error();
   const Result<std::optional<access::Access::Options>> keys = key_options(arguments);
   if (!keys) return keys.error();
   const Result<std::optional<recording::SessionRecorder::Options>> recorder = recorder_options(arguments);
@@ -204,14 +238,10 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .log = log_line},
                .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
                .gateway = *gateway,
+               .health = *health,
+               .meet = *meet,
                .recorder = *recorder,
                .compare_folder = *compare_folder};
-}
-
-std::string ports_text(std::uint16_t port, const gateway::Gateway* gateway) {
-  std::string text = "port=" + std::to_string(port) + "\n";
-  if (gateway != nullptr) text += "http_port=" + std::to_string(gateway->port()) + "\n";
-  return text;
 }
 
 /// The origin that --source names.
@@ -249,7 +279,16 @@ struct Parts {
   std::unique_ptr<origin::Origin> origin;                // handed to the server at the start
   std::unique_ptr<recording::SessionRecorder> recorder;  // null: visitors may not record
   std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
+  std::unique_ptr<gateway::HealthPort> health;           // null: no port for monitoring
+  std::unique_ptr<meet::MeetDialer> meet;                // null: no meeting point
 };
+
+std::string ports_text(const Parts& parts) {
+  std::string text = "port=" + std::to_string(parts.server->port()) + "\n";
+  if (parts.gateway) text += "http_port=" + std::to_string(parts.gateway->port()) + "\n";
+  if (parts.health) text += "health_port=" + std::to_string(parts.health->port()) + "\n";
+  return text;
+}
 
 /// Opens a source that a technician has chosen: a camera or the synthetic patient, or a recording of the folder.
 void open_later(Parts& parts, const Asked& asked, const std::string& name, origin::Progress progress,
@@ -308,6 +347,8 @@ void offer(gateway::GatewayOptions& options, Parts& parts) {
   recording::SessionRecorder* const recorder = parts.recorder.get();
   options.offer = parts.origin->offer();
   options.resources[origin::kSource.topic.name] = parts.sources->resource();
+  if (options.access->has_keys())
+    options.resources[origin::kPeople.topic.name] = origin::people_resource(*options.access);
   options.open_session = [&shelf](const origin::ReadingSpec& asked, origin::Progress progress,
                                   const origin::OpenedOrigin& done) {
     shelf.read_alone(asked, std::move(progress), done);
@@ -335,12 +376,18 @@ Result<void> open_server(Parts& parts, Asked& asked) {
                                     .compared = asked.compare_folder,
                                     .say = log_line,
                                     .on_brought = [access = asked.server.access](const std::string& text) {
-                                      access->note(access::AuditEvent::BroughtSession, text + " program=browser");
+                                      access->note_own(access::AuditEvent::BroughtSession, text + " program=browser");
                                     }});
   Result<std::unique_ptr<origin::Origin>> opened = open(asked, *parts.shelf, parts.io, parts.server->clock());
   if (!opened) return opened.error();
   parts.origin = std::move(opened).value();
   return {};
+}
+
+/// Why the health check fails; empty: healthy.
+std::string problem(const Parts& parts, const access::Access& access) {
+  const std::string of_server = parts.server->problem();
+  return of_server.empty() ? access.alarm() : of_server;
 }
 
 Result<void> open_recorder(Parts& parts, Asked& asked) {
@@ -356,7 +403,7 @@ Result<void> open_gateway(Parts& parts, Asked& asked) {
   if (!asked.gateway) return {};
   server::Server& server = *parts.server;
   asked.gateway->access = asked.server.access;
-  asked.gateway->problem = [&server] { return server.problem(); };
+  asked.gateway->problem = [&parts, access = asked.server.access] { return problem(parts, *access); };
   asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
   open_sources(parts, asked);
   offer(*asked.gateway, parts);
@@ -364,6 +411,39 @@ Result<void> open_gateway(Parts& parts, Asked& asked) {
       parts.io, server.hub(), [&server] { return server.clock().now(); }, *asked.gateway);
   if (!listens) return listens.error();
   parts.gateway = std::move(listens).value();
+  return {};
+}
+
+Result<void> open_health(Parts& parts, Asked& asked) {
+  if (!asked.health) return {};
+  asked.health->problem = [&parts, access = asked.server.access] { return problem(parts, *access); };
+  asked.health->metrics = [&parts, access = asked.server.access] {
+    return gateway::metrics_text(parts.server->hub(), access->counts(), parts.server->datagram_counts(),
+                                 parts.gateway ? parts.gateway->connections() : 0,
+                                 access->touch().holder(std::chrono::steady_clock::now()).has_value());
+  };
+  auto listens = gateway::HealthPort::open(parts.io, *asked.health);
+  if (!listens) return listens.error();
+  parts.health = std::move(listens).value();
+  return {};
+}
+
+/// Lets callers come in through the meeting point.
+Result<void> open_meet(Parts& parts, Asked& asked) {
+  if (!asked.meet) return {};
+  Result<keys::KeyFile> key = keys::load_key(asked.keys->key, std::chrono::system_clock::now());
+  if (!key) return key.error();
+  asked.meet->key = std::make_shared<const keys::KeyFile>(std::move(key).value());
+  asked.meet->takes = [&parts](const meet::MeetDialer::Caller& caller) { return !caller.is_browser || parts.gateway; };
+  asked.meet->on_caller = [&parts](boost::asio::ip::tcp::socket socket, const meet::MeetDialer::Caller& caller) {
+    if (!caller.is_browser)
+      parts.server->admit(std::move(socket));
+    else if (parts.gateway)
+      parts.gateway->admit(std::move(socket));
+  };
+  auto dialer = meet::MeetDialer::start(parts.io, *asked.meet);
+  if (!dialer) return dialer.error();
+  parts.meet = std::move(dialer).value();
   return {};
 }
 
@@ -392,6 +472,8 @@ class Ending {
                         "telepalp-server: the camera or another part did not stop within 5 s; the program ends without "
                         "closing the camera");
     time_is_up_.cancel();
+    parts_.meet.reset();
+    parts_.health.reset();
     parts_.gateway.reset();
     parts_.recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s
     parts_.server->stop(reason);
@@ -408,24 +490,28 @@ void begin(Parts& parts, const Asked& asked, std::function<void()> on_end) {
   parts.server->start(std::move(parts.origin), std::move(on_end));
   program::log(kProgram, "listening on " + program::to_text({asked.server.bind, parts.server->port()}) +
                              (asked.keys ? ", TLS with keys" : ""));
-  asked.server.access->note(access::AuditEvent::Started, "port=" + std::to_string(parts.server->port()));
+  asked.server.access->note_own(access::AuditEvent::Started, "port=" + std::to_string(parts.server->port()));
   if (parts.gateway) program::log(kProgram, "viewer at " + parts.gateway->url());
 }
 
 int run(Asked asked) {
   Parts parts;
-  for (const auto open_part : {open_server, open_recorder, open_gateway})
+  for (const auto open_part : {open_server, open_recorder, open_gateway, open_health, open_meet})
     if (const Result<void> opened = open_part(parts, asked); !opened) return program::fail(opened.error());
   Ending ending(parts);
   if (asked.seconds.count() > 0.0) ending.end_after(asked.seconds);
   begin(parts, asked, [&ending] { ending.stop("the source has ended"); });
-  const Result<void> written =
-      program::write_ready_file(asked.ready_file, ports_text(parts.server->port(), parts.gateway.get()));
+  std::optional<Error> revoked;
+  asked.server.access->on_revoked([&](const Error& why) {
+    revoked = why;
+    ending.stop(why.what);
+  });
+  const Result<void> written = program::write_ready_file(asked.ready_file, ports_text(parts));
   if (!written) return program::fail(written.error());
   parts.io.run();
-  asked.server.access->note(access::AuditEvent::Stopped, {});
+  asked.server.access->note_own(access::AuditEvent::Stopped, {});
   program::log(kProgram, parts.server->summary());
-  return program::kDone;
+  return revoked ? program::fail(*revoked) : program::kDone;
 }
 
 int run_asked(const program::Arguments& arguments) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -15,6 +16,9 @@ namespace telepalp::server {
 namespace {
 
 using namespace std::chrono_literals;
+
+constexpr auto kContentEvery = 200ms;
+constexpr double kSmooth = 0.3;  ///< of a new rate; the rest is the rate before
 
 msg::Clock clock_message(SessionTime now) {
   const auto utc = std::chrono::system_clock::now().time_since_epoch();
@@ -43,7 +47,8 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
   return server;
 }
 
-Server::Server(boost::asio::io_context& io, Options options) : io_(io), options_(std::move(options)), second_(io) {
+Server::Server(boost::asio::io_context& io, Options options)
+    : io_(io), options_(std::move(options)), second_(io), content_timer_(io) {
   hub_.on_key_frame_request([this](std::string_view) {
     if (origin_) origin_->show_again();
   });
@@ -54,9 +59,10 @@ void Server::start(std::unique_ptr<origin::Origin> origin, std::function<void()>
   on_end_ = std::move(on_end);
   run_origin(std::move(origin));
   publish_every_second();
+  choose_content_often();
 }
 
-/// What an origin that was replaced still has in the io_context is dropped.
+/// Drops the messages that a replaced origin has already posted to the io_context.
 void Server::run_origin(std::unique_ptr<origin::Origin> origin) {
   shown_since_ = std::chrono::steady_clock::now();
   origin_ = std::move(origin);
@@ -71,6 +77,7 @@ void Server::run_origin(std::unique_ptr<origin::Origin> origin) {
                       },
                   .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
   if (origin_->chooses_prediction()) origin_->let_predict(predicts_);
+  origin_->shrink(content_.level());
 }
 
 void Server::replace(std::unique_ptr<origin::Origin> origin) {
@@ -84,6 +91,7 @@ void Server::stop(const std::string& reason) {
   stopped_ = true;
   if (origin_) origin_->stop();
   second_.cancel();
+  content_timer_.cancel();
   publish_clock_and_stats();
   listener_->close(reason);
 }
@@ -92,6 +100,8 @@ void Server::publish(wire::Message message) {
   if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
   if (message.topic.name == wire::kCameraDepth.name) last_depth_ = std::chrono::steady_clock::now();
+  if (message.topic.name == wire::kCameraDepth.name || message.topic.name == wire::kCameraColor.name)
+    image_B_ += static_cast<double>(message.payload->size());
   hub_.publish(std::move(message));
 }
 
@@ -123,6 +133,7 @@ void Server::show_newcomers_the_picture() {
 void Server::publish_clock_and_stats() {
   const SessionTime now = clock_.now();
   hub_.publish(wire::make_message(wire::kClock, now, clock_message(now)));
+  listener_->note_shares();
   msg::ServerStats stats = hub::server_stats(hub_, datagram_counts(), now);
   stats.set_software(options_.software);
   hub_.publish(wire::make_message(wire::kServerStats, now, stats));
@@ -137,6 +148,35 @@ void Server::choose_prediction() {
             "loses almost no packet, or repairs each loss in time"
           : "all depth images are now key frames, which take more bytes: the network path of a subscriber is not "
             "measured yet, or loses packets and repairs them too late");
+}
+
+void Server::choose_content_often() {
+  choose_content();
+  content_timer_.expires_after(kContentEvery);
+  content_timer_.async_wait([this](const boost::system::error_code& stopped) {
+    if (!stopped && !stopped_) choose_content_often();
+  });
+}
+
+/// All subscribers get the same encoding, so images shrink for the line that has the least room.
+void Server::choose_content() {
+  const SessionTime now = clock_.now();
+  const double span_s = std::max(1e-3, to_seconds(now - std::exchange(image_B_since_, now)));
+  image_rate_B_per_s_ += kSmooth * (std::exchange(image_B_, 0.0) / span_s - image_rate_B_per_s_);
+  const std::optional<double> share = listener_->least_share_B_per_s();
+  const std::size_t before = content_.level();
+  content_.step({.share_B_per_s = share, .demand_B_per_s = image_rate_B_per_s_, .dropped = listener_->most_dropped()},
+                now);
+  if (content_.level() == before) return;
+  origin_->shrink(content_.level());
+  if (before == 0 && !share)
+    log("the line of a subscriber has no room for all images: they are made smaller, so that more arrive");
+  else if (before == 0)
+    log("something else uses the line of a subscriber, and leaves " +
+        std::to_string(std::lround(share.value_or(0.0) * 8e-3)) +
+        " kbit/s: images are made smaller, so that as many arrive");
+  else if (content_.level() == 0)
+    log("images are again as large as before: the line of each subscriber has room for them");
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "proto/link/datagram_link.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "server/hub/hub.h"
@@ -40,6 +41,9 @@ class Server {
   /// start().
   void replace(std::unique_ptr<origin::Origin> origin);
 
+  /// Takes in a peer whose connection comes through the meeting point.
+  void admit(boost::asio::ip::tcp::socket socket) { listener_->admit(std::move(socket)); }
+
   /// Stops the origin, sends queued messages and a Goodbye with `reason`. io.run() then returns within 1 s.
   void stop(const std::string& reason);
 
@@ -64,6 +68,8 @@ class Server {
   void publish_clock_and_stats();
   void give_memory_back();
   void choose_prediction();
+  void choose_content_often();
+  void choose_content();
   void log_state_changes(const wire::Message& status);
   void log(const std::string& text) const;
 
@@ -73,6 +79,11 @@ class Server {
   hub::Hub hub_;
   std::unique_ptr<hub::PeerListener> listener_;
   boost::asio::steady_timer second_;
+  boost::asio::steady_timer content_timer_;
+  link::ContentLevel content_;
+  double image_B_ = 0.0;             // published since image_B_since_
+  double image_rate_B_per_s_ = 0.0;  // smoothed
+  SessionTime image_B_since_{};
   bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
   std::chrono::steady_clock::time_point last_depth_{};
   std::string last_state_;              // last logged state

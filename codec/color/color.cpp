@@ -58,9 +58,10 @@ Result<ColorImage> decode_color(std::span<const std::byte> jpeg) {
     return damaged("it declares " + std::to_string(color.width) + " x " + std::to_string(color.height) +
                    " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");
   color.rgb.resize(3 * static_cast<std::size_t>(color.width) * static_cast<std::size_t>(color.height));
-  // libjpeg only warns of a truncated picture and fills the rest with grey: a warning is an error here.
+  // libjpeg only warns of a truncated picture and fills the rest with grey: a warning is an error here. A progressive
+  // picture of thousands of scans takes minutes to decode: TurboJPEG refuses more than 500.
   if (tjDecompress2(turbo.get(), bytes, jpeg.size(), color.rgb.data(), color.width, 0, color.height, TJPF_RGB,
-                    TJFLAG_STOPONWARNING) != 0)
+                    TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0)
     return damaged(std::string("it is damaged: ") + tjGetErrorStr2(turbo.get()));
   return color;
 }

@@ -1,6 +1,7 @@
 #include "proto/keys/authority.h"
 
 #include <openssl/pem.h>
+#include <openssl/x509v3.h>
 
 #include <algorithm>
 #include <utility>
@@ -142,7 +143,7 @@ Result<std::string> Authority::server_key(const Issue& asked, const std::vector<
   const Result<std::string> names = alt_names(hosts);
   if (!names) return names.error();
   return issue({.name = asked.name,
-                .alt_names = *names,
+                .alt_names = *names + ",URI:" + std::string(kListUri),
                 .usage = "serverAuth",
                 .serial = random_serial(),
                 .from = asked.now - kBackdated,
@@ -174,7 +175,18 @@ Result<std::string> Authority::token(const Issue& asked) const {
          ". Anyone who has the next line may do this.\n" + std::string(kTokenLine) + *token + "\n" + certificate();
 }
 
-Result<std::string> Authority::revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now) const {
+namespace {
+
+bool set_number(X509_CRL& list, std::uint64_t number) {
+  const std::unique_ptr<ASN1_INTEGER, Freed<ASN1_INTEGER_free>> value(ASN1_INTEGER_new());
+  return value && ASN1_INTEGER_set_uint64(value.get(), number) == 1 &&
+         X509_CRL_add1_ext_i2d(&list, NID_crl_number, value.get(), 0, 0) == 1;
+}
+
+}  // namespace
+
+Result<std::string> Authority::revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now,
+                                               std::uint64_t number) const {
   const RevocationListPtr list(X509_CRL_new());
   const std::unique_ptr<ASN1_TIME, Freed<ASN1_STRING_free>> when(
       ASN1_TIME_set(nullptr, std::chrono::system_clock::to_time_t(now)));
@@ -182,6 +194,7 @@ Result<std::string> Authority::revocation_list(const std::map<std::string, WallT
               X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(parts_->certificate.get())) == 1 &&
               X509_CRL_set1_lastUpdate(list.get(), when.get()) == 1 &&
               X509_CRL_set1_nextUpdate(list.get(), X509_get0_notAfter(parts_->certificate.get())) == 1;
+  made = made && set_number(*list, number);
   for (const auto& [serial, at] : revoked) made = made && add_revoked(*list, serial, at);
   made = made && X509_CRL_sort(list.get()) == 1 && X509_CRL_sign(list.get(), parts_->key.get(), EVP_sha256()) != 0;
   const BytesPtr bytes(BIO_new(BIO_s_mem()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -40,8 +41,10 @@ class Authority {
   [[nodiscard]] Result<std::string> client_key(const Issue& issue) const;
   [[nodiscard]] Result<std::string> token(const Issue& issue) const;
 
-  /// The signed list, in PEM, of `revoked`: the time of revocation by serial number. Revocations::read() reads it.
-  [[nodiscard]] Result<std::string> revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now) const;
+  /// The signed list, in PEM, of `revoked`: the time of revocation by serial number. `number`: higher than that of each
+  /// earlier list. Revocations::read() reads it.
+  [[nodiscard]] Result<std::string> revocation_list(const std::map<std::string, WallTime>& revoked, WallTime now,
+                                                    std::uint64_t number = 1) const;
 
  private:
   struct Parts;

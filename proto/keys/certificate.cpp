@@ -122,6 +122,15 @@ std::vector<std::string> host_names(X509& certificate) {
   return hosts;
 }
 
+bool promises_list(X509& certificate) {
+  const NamesPtr names = alt_names_of(certificate);
+  for (int i = 0; names && i < sk_GENERAL_NAME_num(names.get()); ++i) {
+    const GENERAL_NAME& one = *sk_GENERAL_NAME_value(names.get(), i);
+    if (one.type == GEN_URI && text_of(*one.d.uniformResourceIdentifier) == kListUri) return true;
+  }
+  return false;
+}
+
 bool is_authority(X509& certificate) { return X509_check_ca(&certificate) == 1; }
 
 }  // namespace telepalp::keys

@@ -29,8 +29,13 @@ struct CertificateRequest {
 [[nodiscard]] std::string common_name(X509& certificate);
 [[nodiscard]] std::vector<std::string> host_names(X509& certificate);  ///< DNS names and addresses
 [[nodiscard]] bool is_authority(X509& certificate);
+[[nodiscard]] bool promises_list(X509& certificate);  ///< kListUri is among its alternative names
 
 /// The URI in subjectAltName that carries a role: kRoleUri + "doctor".
 inline constexpr std::string_view kRoleUri = "telepalp:role:";
+
+/// The URI in subjectAltName of a server that shows each client the list of revoked keys. A client refuses such a
+/// server when it shows none: whoever took the server's key cannot leave the list out. (As "must staple", RFC 7633.)
+inline constexpr std::string_view kListUri = "telepalp:shows-revocations";
 
 }  // namespace telepalp::keys

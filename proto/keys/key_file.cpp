@@ -2,6 +2,7 @@
 
 #include <openssl/err.h>
 #include <openssl/x509v3.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -97,7 +98,10 @@ Result<KeyFile> read_key(std::string_view text, const std::string& file) {
   return read_certificate_file(*certificates.front(), *key, *certificates.back(), file);
 }
 
+void forbid_dumps() noexcept { ::prctl(PR_SET_DUMPABLE, 0); }
+
 Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
+  forbid_dumps();
   struct stat status {};
   const bool missing = ::stat(file.c_str(), &status) != 0;
   std::ifstream stream(file, std::ios::binary);
@@ -113,6 +117,7 @@ Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now) {
   // Only for a key: the fix is a chmod, and it would harm another file that was named by mistake.
   if (const Result<void> hidden = check_private(status, file.string()); !hidden) return hidden.error();
   if (const Result<void> valid = check_not_expired(*key, now, file.string()); !valid) return valid.error();
+  key->path = file;
   return key;
 }
 
@@ -125,6 +130,19 @@ Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::pa
                  .where = file.string(),
                  .fix = "ask the technician for a key of your own: telepalp-keys client --name NAME --role ROLE"};
   return std::make_shared<const KeyFile>(std::move(key).value());
+}
+
+bool replace_file(const std::filesystem::path& file, std::string_view text) {
+  const std::filesystem::path part = file.string() + ".part";
+  std::error_code failed;
+  {
+    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+    std::filesystem::permissions(part, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write,
+                                 failed);
+    if (!(stream << text << std::flush) || failed) return false;
+  }
+  std::filesystem::rename(part, file, failed);
+  return !failed;
 }
 
 Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file) {

@@ -31,19 +31,27 @@ struct KeyFile {
   std::string token;               ///< empty for a certificate
   Identity identity;               ///< whom the certificate or token names; for a server's key, the role is meaningless
   std::vector<std::string> hosts;  ///< host names of a server's key; empty for others
+  std::filesystem::path path{};    ///< where load_key() read it; empty: it was not read from a file
 };
 
 /// Reads the text of a key file. `file`: its name, for errors. Error: it is no key file, or its parts do not belong
 /// together. Does not check the expiry.
 [[nodiscard]] Result<KeyFile> read_key(std::string_view text, const std::string& file);
 
-/// Reads a key file from the disk. Error: it cannot be read, is no key file, has expired at `now`, or users other than
-/// its owner have access to it. The group of a file that root owns may read it.
+/// From now on no core dump of this process is written, and no other process of this user reads its memory (ptrace).
+/// Both would contain the key.
+void forbid_dumps() noexcept;
+
+/// Reads a key file from the disk, after forbid_dumps(). Error: it cannot be read, is no key file, has expired at
+/// `now`, or users other than its owner have access to it. The group of a file that root owns may read it.
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now);
 
 /// The key that a client's `--key FILE` names; null for an empty name. Error: as for load_key(), or the file is a
 /// server's key.
 [[nodiscard]] Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::path& file, WallTime now);
+
+/// Replaces `file` as a whole, readable by its owner alone, without waiting for the disk. False: it cannot be written.
+bool replace_file(const std::filesystem::path& file, std::string_view text);
 
 /// Error: `key` has expired at `now`. `file`: its name, for the error.
 [[nodiscard]] Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::string& file);

@@ -2,10 +2,21 @@
 
 #include <openssl/err.h>
 #include <openssl/pem.h>
+#include <openssl/x509v3.h>
 
 #include "proto/keys/openssl.h"
 
 namespace telepalp::keys {
+namespace {
+
+std::uint64_t number_of(const X509_CRL& list) {
+  const std::unique_ptr<ASN1_INTEGER, Freed<ASN1_INTEGER_free>> number(
+      static_cast<ASN1_INTEGER*>(X509_CRL_get_ext_d2i(&list, NID_crl_number, nullptr, nullptr)));
+  std::uint64_t value = 0;
+  return number && ASN1_INTEGER_get_uint64(&value, number.get()) == 1 ? value : 0;
+}
+
+}  // namespace
 
 Result<Revocations> Revocations::read(std::string_view pem, std::string_view authority, const std::string& file) {
   const std::vector<CertificatePtr> signers = certificates_in(authority);
@@ -24,6 +35,7 @@ Result<Revocations> Revocations::read(std::string_view pem, std::string_view aut
     revocations.revoked_.emplace(serial_of(*X509_REVOKED_get0_serialNumber(&one)),
                                  time_of(*X509_REVOKED_get0_revocationDate(&one)));
   }
+  revocations.number_ = number_of(*list);
   return revocations;
 }
 

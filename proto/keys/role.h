@@ -36,7 +36,7 @@ inline constexpr std::array kOperations{Operation::Watch,   Operation::Touch, Op
 /// The role with this name; nullopt: there is no role of this name, or a key cannot state it (`local`).
 [[nodiscard]] std::optional<Role> role_named(std::string_view name) noexcept;
 
-/// The names of the operations that `role` allows: "watch, record, metrics, play" for Technician.
+/// The names of the operations that `role` allows: "watch, record, metrics, play, set up" for Technician.
 [[nodiscard]] std::string permissions(Role role);
 
 }  // namespace telepalp::keys

@@ -27,8 +27,15 @@ int check_certificate(int fine, X509_STORE_CTX* store) {
   if (fine == 0 || X509_STORE_CTX_get_error_depth(store) != 0) return fine;
   const auto* session = static_cast<SSL*>(X509_STORE_CTX_get_ex_data(store, SSL_get_ex_data_X509_STORE_CTX_idx()));
   const auto* is_revoked = static_cast<IsRevoked*>(SSL_CTX_get_ex_data(SSL_get_SSL_CTX(session), revocation_slot()));
-  const X509& certificate = *X509_STORE_CTX_get_current_cert(store);
-  if (is_revoked == nullptr || !(*is_revoked)(serial_of(*X509_get0_serialNumber(&certificate)))) return 1;
+  X509& certificate = *X509_STORE_CTX_get_current_cert(store);
+  const Result<Identity> person = identity_of(certificate);
+  Identity who;
+  if (person)
+    who = *person;
+  else
+    who.name = common_name(certificate);
+  who.serial = serial_of(*X509_get0_serialNumber(&certificate));
+  if (is_revoked == nullptr || !(*is_revoked)(who)) return 1;
   X509_STORE_CTX_set_error(store, X509_V_ERR_CERT_REVOKED);
   return 0;
 }
@@ -134,6 +141,11 @@ int refuse_host(int, X509_STORE_CTX* checked) {
   return 0;
 }
 
+/// OpenSSL's macro SSL_set_tlsext_host_name, without its cast.
+bool name_in_greeting(SSL& session, std::string name) {
+  return SSL_ctrl(&session, SSL_CTRL_SET_TLSEXT_HOSTNAME, TLSEXT_NAMETYPE_host_name, name.data()) == 1;
+}
+
 }  // namespace
 
 void expect_host(SSL& session, const std::string& host) {
@@ -142,7 +154,9 @@ void expect_host(SSL& session, const std::string& host) {
   if (X509_VERIFY_PARAM_set1_ip_asc(checks, host.c_str()) == 1) return;
   ERR_clear_error();
   // Security: OpenSSL checks no name at all when none is set, which an empty name does, too.
-  if (!host.empty() && X509_VERIFY_PARAM_set1_host(checks, host.c_str(), host.size()) == 1) return;
+  if (!host.empty() && X509_VERIFY_PARAM_set1_host(checks, host.c_str(), host.size()) == 1 &&
+      name_in_greeting(session, host))
+    return;
   ERR_clear_error();
   SSL_set_verify(&session, SSL_VERIFY_PEER, refuse_host);
 }
@@ -153,6 +167,19 @@ std::optional<Identity> identity_of_peer(SSL& session) {
   Result<Identity> identity = identity_of(*certificate);
   if (!identity) return std::nullopt;
   return std::move(identity).value();
+}
+
+HostCertificate host_certificate_of_peer(SSL& session) {
+  X509* const certificate = SSL_get0_peer_certificate(&session);
+  if (certificate == nullptr || SSL_get_verify_result(&session) != X509_V_OK) return {};
+  return {.hosts = host_names(*certificate), .serial = serial_of(*X509_get0_serialNumber(certificate))};
+}
+
+std::optional<ServerCertificate> certificate_of_server(SSL& session) {
+  X509* const certificate = SSL_get0_peer_certificate(&session);
+  if (certificate == nullptr || SSL_get_verify_result(&session) != X509_V_OK) return std::nullopt;
+  return ServerCertificate{.serial = serial_of(*X509_get0_serialNumber(certificate)),
+                           .promises_list = promises_list(*certificate)};
 }
 
 std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label) {

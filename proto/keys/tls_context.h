@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "proto/keys/identity.h"
 #include "proto/keys/key_file.h"
@@ -20,7 +21,8 @@ struct FreeTlsContext {
   void operator()(SSL_CTX* context) const noexcept { SSL_CTX_free(context); }
 };
 using TlsContextPtr = std::unique_ptr<SSL_CTX, FreeTlsContext>;
-using IsRevoked = std::function<bool(const std::string& serial)>;
+/// True if the certificate of `who` is revoked, and so refused.
+using IsRevoked = std::function<bool(const Identity& who)>;
 
 /// TLS 1.3 for a server with `key`. A client's certificate is checked if the client sends one, also by `is_revoked`, at
 /// each handshake. Session resumption is off, so that each session checks the certificate again.
@@ -32,12 +34,29 @@ using IsRevoked = std::function<bool(const std::string& serial)>;
 /// TLS 1.3 for a client: trusts only the authority of the client's key, and shows the key's certificate if it has one.
 [[nodiscard]] Result<TlsContextPtr> client_context(const KeyFile& key);
 
-/// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address. A `host` that
-/// cannot be checked, such as an empty one, refuses every server.
+/// Lets the client's `session` accept only a server whose certificate names `host`, a name or an address, and sends
+/// `host` in the ClientHello (RFC 6066 §3). A `host` that cannot be checked, such as an empty one, refuses every
+/// server.
 void expect_host(SSL& session, const std::string& host);
 
 /// The person whom the peer's verified certificate names; nullopt: the peer sent none, or one without a role.
 [[nodiscard]] std::optional<Identity> identity_of_peer(SSL& session);
+
+/// What a server's certificate says: its hosts and its serial number.
+struct HostCertificate {
+  std::vector<std::string> hosts;
+  std::string serial;
+};
+/// The verified certificate that the peer has shown; empty: it has shown none.
+[[nodiscard]] HostCertificate host_certificate_of_peer(SSL& session);
+
+/// What a client must know of a server's verified certificate.
+struct ServerCertificate {
+  std::string serial;
+  bool promises_list = false;  ///< the server shows each client the list of revoked keys
+};
+/// nullopt: the peer sent no certificate, or it was not verified.
+[[nodiscard]] std::optional<ServerCertificate> certificate_of_server(SSL& session);
 
 /// 32 bytes that only both ends of a session know (RFC 8446, 7.5), per `label`; nullopt before the handshake ends.
 [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(SSL& session, std::string_view label);

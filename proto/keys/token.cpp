@@ -15,7 +15,10 @@ namespace {
 
 using DigestPtr = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX_free>>;
 
-constexpr std::string_view kPrefix = "tp1.";
+constexpr std::string_view kPrefix = "tp2.";
+constexpr std::string_view kBearerPrefix = "tp1.";
+constexpr std::string_view kProved = "telepalp token proof 2\n";  // the exporter's bytes follow it
+constexpr std::size_t kKeyBytes = 32;                             // of an Ed25519 key, public or secret
 constexpr std::string_view kSigned =
     "telepalp token 1\n";  // the authority also signs certificates, which begin otherwise
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
@@ -57,14 +60,21 @@ bool is_signed(const std::string& payload, const std::string& signature, EVP_PKE
                           reinterpret_cast<const unsigned char*>(message.data()), message.size()) == 1;
 }
 
-std::string payload_of(const Identity& bearer) {
+std::string payload_of(const Identity& bearer, const std::string& public_key) {
   return bearer.name + " " + std::string(name(bearer.role)) + " " +
-         std::to_string(std::chrono::system_clock::to_time_t(bearer.expires)) + " " + bearer.serial;
+         std::to_string(std::chrono::system_clock::to_time_t(bearer.expires)) + " " + bearer.serial + " " +
+         to_base64(public_key);
 }
 
-std::optional<Identity> bearer_in(const std::string& payload) {
+struct Bearer {
+  Identity who;
+  std::string public_key;  // in Base64; empty in a bearer token
+};
+
+std::optional<Bearer> bearer_in(const std::string& payload) {
   std::istringstream words(payload);
-  Identity bearer;
+  Bearer read;
+  Identity& bearer = read.who;
   std::string role;
   std::time_t expires = 0;
   if (!(words >> bearer.name >> role >> expires >> bearer.serial)) return std::nullopt;
@@ -72,8 +82,73 @@ std::optional<Identity> bearer_in(const std::string& payload) {
   if (!known) return std::nullopt;
   bearer.role = *known;
   bearer.expires = std::chrono::system_clock::from_time_t(expires);
-  return bearer;
+  words >> read.public_key;
+  return read;
 }
+
+const unsigned char* bytes_of(std::string_view text) { return reinterpret_cast<const unsigned char*>(text.data()); }
+
+std::string public_key_of(EVP_PKEY& secret) {
+  std::string key(kKeyBytes, '\0');
+  std::size_t size = key.size();
+  if (EVP_PKEY_get_raw_public_key(&secret, reinterpret_cast<unsigned char*>(key.data()), &size) != 1) return {};
+  return key;
+}
+
+/// The secret that `text` writes in Base64; null: `text` is no secret.
+PrivateKeyPtr secret_in(std::string_view text) {
+  const std::optional<std::string> raw = from_base64(text);
+  if (!raw || raw->size() != kKeyBytes) return nullptr;
+  return PrivateKeyPtr(EVP_PKEY_new_raw_private_key(EVP_PKEY_ED25519, nullptr, bytes_of(*raw), raw->size()));
+}
+
+std::string proof_message(std::span<const std::byte> exporter) {
+  return std::string(kProved) + std::string(reinterpret_cast<const char*>(exporter.data()), exporter.size());
+}
+
+bool is_proved(const std::string& public_key, const TokenProof& proof) {
+  const std::optional<std::string> raw = from_base64(public_key);
+  if (!raw || raw->size() != kKeyBytes || proof.exporter.empty()) return false;
+  const PrivateKeyPtr key(EVP_PKEY_new_raw_public_key(EVP_PKEY_ED25519, nullptr, bytes_of(*raw), raw->size()));
+  const DigestPtr digest(EVP_MD_CTX_new());
+  const std::string message = proof_message(proof.exporter);
+  return key && EVP_DigestVerifyInit(digest.get(), nullptr, nullptr, nullptr, key.get()) == 1 &&
+         EVP_DigestVerify(digest.get(), bytes_of(proof.signature), proof.signature.size(), bytes_of(message),
+                          message.size()) == 1;
+}
+
+/// The parts of a token's text; `secret` is empty if it has been left out.
+struct Parts {
+  std::string_view payload, signature, secret;
+  bool is_bearer = false;
+};
+
+std::optional<Parts> parts_of(std::string_view token) {
+  Parts parts;
+  parts.is_bearer = token.starts_with(kBearerPrefix);
+  if (token.size() > kMaxTokenBytes || (!parts.is_bearer && !token.starts_with(kPrefix))) return std::nullopt;
+  token.remove_prefix(kPrefix.size());
+  const std::size_t dot = token.find('.');
+  if (dot == std::string_view::npos) return std::nullopt;
+  parts.payload = token.substr(0, dot);
+  parts.signature = token.substr(dot + 1);
+  const std::size_t second = parts.signature.find('.');
+  if (second == std::string_view::npos) return parts;
+  if (parts.is_bearer) return std::nullopt;
+  parts.secret = parts.signature.substr(second + 1);
+  parts.signature = parts.signature.substr(0, second);
+  return parts;
+}
+
+/// Whether the token of `bearer` came with its secret, or with a proof of it.
+bool is_possessed(const Parts& parts, const Bearer& bearer, const TokenProof& proof) {
+  if (parts.is_bearer) return bearer.public_key.empty();
+  if (parts.secret.empty()) return is_proved(bearer.public_key, proof);
+  const PrivateKeyPtr secret = secret_in(parts.secret);
+  return secret && to_base64(public_key_of(*secret)) == bearer.public_key;
+}
+
+PrivateKeyPtr new_secret() { return PrivateKeyPtr(EVP_PKEY_Q_keygen(nullptr, nullptr, "ED25519")); }
 
 Error refused(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "token", .fix = std::move(fix)};
@@ -82,7 +157,13 @@ Error refused(std::string what, std::string fix) {
 }  // namespace
 
 Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) {
-  const std::string payload = payload_of(bearer);
+  const PrivateKeyPtr secret = new_secret();
+  std::string raw(kKeyBytes, '\0');
+  std::size_t raw_size = raw.size();
+  if (!secret ||
+      EVP_PKEY_get_raw_private_key(secret.get(), reinterpret_cast<unsigned char*>(raw.data()), &raw_size) != 1)
+    return openssl_error("token");
+  const std::string payload = payload_of(bearer, public_key_of(*secret));
   const std::string message = std::string(kSigned) + payload;
   const auto* bytes = reinterpret_cast<const unsigned char*>(message.data());
   const DigestPtr digest(EVP_MD_CTX_new());
@@ -93,34 +174,47 @@ Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) 
           1)
     return openssl_error("token");
   signature.resize(size);
-  return std::string(kPrefix) + to_base64(payload) + "." + to_base64(signature);
+  return std::string(kPrefix) + to_base64(payload) + "." + to_base64(signature) + "." + to_base64(raw);
 }
 
-Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now) {
+ProvedToken prove_token(std::string_view token, std::span<const std::byte> exporter) {
+  const std::optional<Parts> parts = parts_of(token);
+  const PrivateKeyPtr secret = parts ? secret_in(parts->secret) : nullptr;
+  const DigestPtr digest(EVP_MD_CTX_new());
+  const std::string message = proof_message(exporter);
+  std::string signature(64, '\0');
+  std::size_t size = signature.size();
+  if (!secret || EVP_DigestSignInit(digest.get(), nullptr, nullptr, nullptr, secret.get()) != 1 ||
+      EVP_DigestSign(digest.get(), reinterpret_cast<unsigned char*>(signature.data()), &size, bytes_of(message),
+                     message.size()) != 1)
+    return {.token = std::string(token), .proof = {}};
+  return {.token = std::string(token.substr(0, token.rfind('.'))), .proof = signature};
+}
+
+Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now, const TokenProof& proof) {
   const Error no_token = refused("this is not a token of the server's authority",
                                  "paste all that follows `token:` in a file that telepalp-keys token wrote, or ask the "
                                  "technician for a new token");
-  if (token.size() > kMaxTokenBytes || !token.starts_with(kPrefix)) return no_token;
-  const std::string_view rest = token.substr(kPrefix.size());
-  const std::size_t dot = rest.find('.');
-  if (dot == std::string_view::npos) return no_token;
-  const std::optional<std::string> payload = from_base64(rest.substr(0, dot));
-  const std::optional<std::string> signature = from_base64(rest.substr(dot + 1));
+  const std::optional<Parts> parts = parts_of(token);
+  if (!parts) return no_token;
+  const std::optional<std::string> payload = from_base64(parts->payload);
+  const std::optional<std::string> signature = from_base64(parts->signature);
   if (!payload || !signature || !is_signed(*payload, *signature, authority_key)) return no_token;
-  const std::optional<Identity> bearer = bearer_in(*payload);
-  if (!bearer) return no_token;
-  if (bearer->expires <= now)
-    return refused("the token of " + describe(*bearer) + " has expired",
+  const std::optional<Bearer> bearer = bearer_in(*payload);
+  if (!bearer || !is_possessed(*parts, *bearer, proof)) return no_token;
+  if (bearer->who.expires <= now)
+    return refused("the token of " + describe(bearer->who) + " has expired",
                    "ask the technician for a new one: telepalp-keys token");
-  return *bearer;
+  return bearer->who;
 }
 
-Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now) {
+Result<Identity> read_token(std::string_view token, std::string_view authority_pem, WallTime now,
+                            const TokenProof& proof) {
   const std::vector<CertificatePtr> authority = certificates_in(authority_pem);
   if (authority.empty())
     return refused("the authority's certificate in the server's key cannot be read",
                    "make the server's key again: telepalp-keys server");
-  return read_token(token, *X509_get0_pubkey(authority.front().get()), now);
+  return read_token(token, *X509_get0_pubkey(authority.front().get()), now, proof);
 }
 
 }  // namespace telepalp::keys

@@ -10,8 +10,6 @@ using namespace std::chrono_literals;
 
 /// Least time between two reports: about ten reports in a round trip across a continent.
 constexpr Nanoseconds kReportEvery = 5ms;
-/// Time after which a sender without room checks again: without feedback, only time makes room.
-constexpr Nanoseconds kLookForRoom = 5ms;
 
 Direction sends(End end) noexcept { return end == End::Client ? Direction::ClientToServer : Direction::ServerToClient; }
 Direction hears(End end) noexcept { return end == End::Client ? Direction::ServerToClient : Direction::ClientToServer; }
@@ -55,12 +53,15 @@ std::optional<std::vector<std::byte>> DatagramLink::feedback_due(SessionTime now
 }
 
 std::optional<SessionTime> DatagramLink::due(SessionTime now) const noexcept {
-  if (sender_.holds_fragments()) return now + kLookForRoom;
+  if (challenged_) return now;
+  if (sender_.holds_fragments()) return now + path_.next_look();
   if (unreported_ || receiver_.assembling_B() > 0) return std::max(now, reported_at_ + kReportEvery);
   return std::nullopt;
 }
 
 bool DatagramLink::next(SessionTime now, Datagram& into) {
+  if (const auto nonce = std::exchange(challenged_, std::nullopt))
+    return seal(write_path_probe(PayloadKind::PathResponse, *nonce), {}, now, into);
   if (const auto feedback = feedback_due(now)) return seal(*feedback, {}, now, into);
   if (const auto fragment = sender_.next(now, path_)) return seal(fragment->header, fragment->shard, now, into);
   return false;
@@ -70,6 +71,10 @@ std::optional<Datagram> DatagramLink::next(SessionTime now) {
   std::optional<Datagram> datagram(std::in_place);
   if (!next(now, *datagram)) datagram.reset();
   return datagram;
+}
+
+bool DatagramLink::challenge(std::uint64_t nonce, SessionTime now, Datagram& into) {
+  return seal(write_path_probe(PayloadKind::PathChallenge, nonce), {}, now, into);
 }
 
 void DatagramLink::count(const Opened& opened, std::size_t bytes, SessionTime now) {
@@ -91,6 +96,10 @@ std::optional<bool> DatagramLink::received(std::span<const std::byte> datagram, 
     path_.on_feedback(*feedback, now);
     sender_.on_missing(feedback->missing, now, path_);
     peer_wants_ |= feedback->key_frames_wanted;
+  } else if (const auto nonce = read_path_probe(PayloadKind::PathChallenge, opened->payload)) {
+    challenged_ = nonce;
+  } else if (const auto repeated = read_path_probe(PayloadKind::PathResponse, opened->payload)) {
+    response_ = repeated;
   }
   return opened->newest;
 }

@@ -7,6 +7,7 @@
 
 #include "proto/link/frames/frame_receiver.h"
 #include "proto/link/frames/frame_sender.h"
+#include "proto/link/path/content_level.h"
 #include "proto/link/path/loss_meter.h"
 #include "proto/link/path/path_estimate.h"
 #include "proto/link/seal/sealed_channel.h"
@@ -53,6 +54,12 @@ class DatagramLink {
   /// The same, into memory of the caller, to which the seal writes. False: nothing to send.
   [[nodiscard]] bool next(SessionTime now, Datagram& into);
 
+  /// Writes a challenge with `nonce` into `into`, for an address at which the peer has not proved yet that it receives.
+  /// False: the sender is silent, because it has used all its keys.
+  [[nodiscard]] bool challenge(std::uint64_t nonce, SessionTime now, Datagram& into);
+  /// The nonce of the peer's newest response to a challenge; nullopt: none since the last call.
+  [[nodiscard]] std::optional<std::uint64_t> take_response() noexcept { return std::exchange(response_, std::nullopt); }
+
   /// Processes a received datagram. nullopt: it is forged, damaged or repeated; the caller must not answer. True: it is
   /// the peer's newest so far, so its source address may become the peer's address. False: it is older.
   std::optional<bool> received(std::span<const std::byte> datagram, SessionTime now);
@@ -88,6 +95,8 @@ class DatagramLink {
   bool unreported_ = false;
   Nanoseconds newest_age_{0};
   std::uint16_t peer_wants_ = 0;
+  std::optional<std::uint64_t> challenged_;  // nonce of the peer's challenge, not answered yet
+  std::optional<std::uint64_t> response_;
 };
 
 }  // namespace telepalp::link

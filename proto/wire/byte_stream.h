@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "proto/keys/identity.h"
+#include "proto/keys/tls_context.h"
 #include "proto/words/result.h"
 
 namespace telepalp::wire {
@@ -39,6 +40,8 @@ class ByteStream {
   [[nodiscard]] virtual bool is_sealed() const { return false; }
   /// The person whom the peer's certificate names; nullopt: TLS has not verified a certificate.
   [[nodiscard]] virtual std::optional<keys::Identity> identity() { return std::nullopt; }
+  /// At a client: the server's certificate, which TLS has verified; nullopt: there is none.
+  [[nodiscard]] virtual std::optional<keys::ServerCertificate> server_certificate() { return std::nullopt; }
   /// The TLS exporter's secret for `label` (RFC 8446 §7.5), equal at both ends; nullopt while is_sealed() is false.
   [[nodiscard]] virtual std::optional<std::array<std::byte, 32>> keying_material(std::string_view label);
   /// Explains the failed operation if each further attempt to connect would fail the same way; nullopt: another attempt
@@ -46,7 +49,7 @@ class ByteStream {
   [[nodiscard]] virtual std::optional<Error> refusal(const boost::system::error_code& failed);
 };
 
-/// A stream over plain TCP. Nagle's algorithm is off, and the kernel holds about 128 KiB of unsent bytes at most: a
+/// A stream over plain TCP. Nagle's algorithm is off, and the kernel holds about 32 KiB of unsent bytes at most: a
 /// message that waits in the kernel cannot be replaced by a newer one.
 [[nodiscard]] std::unique_ptr<ByteStream> plain_tcp(boost::asio::ip::tcp::socket socket);
 

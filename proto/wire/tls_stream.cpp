@@ -67,6 +67,9 @@ class TlsTcp : public ByteStream {
   std::optional<keys::Identity> identity() override {
     return is_sealed() ? keys::identity_of_peer(session()) : std::nullopt;
   }
+  std::optional<keys::ServerCertificate> server_certificate() override {
+    return is_sealed() ? keys::certificate_of_server(session()) : std::nullopt;
+  }
   std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) override {
     return is_sealed() ? keys::keying_material(session(), label) : std::nullopt;
   }

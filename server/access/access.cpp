@@ -1,21 +1,38 @@
 #include "server/access/access.h"
 
+#include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
+#include "proto/keys/audit_chain.h"
 #include "proto/keys/token.h"
 #include "proto/words/counted.h"
+#include "server/access/audit_text.h"
+#include "server/access/stamp.h"
 
 namespace telepalp::access {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxListBytes = std::uintmax_t{16} << 20;
+const std::string kBrowserOf = "browser-of-token-";
+const std::string kListNumber = "revocation-list";
+const std::string kTouch = "touch";
+
+std::uint64_t number_in(const std::optional<std::string>& text) {
+  std::uint64_t number = 0;
+  if (text) std::from_chars(text->data(), text->data() + text->size(), number);
+  return number;
+}
 
 Error refused(std::string what, std::string fix) {
   return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
+}
+
+Error is_sent_out(const keys::Identity& who) {
+  return refused("the technician has sent " + describe(who) + " out", "ask the technician to let you in");
 }
 
 keys::Identity local() {
@@ -34,14 +51,25 @@ Result<std::shared_ptr<Access>> Access::with_key(Options options) {
   if (const Result<void> opened = access->open_key(options); !opened) return opened.error();
   const fs::path folder = options.key.parent_path();
   const fs::path beside = folder / "revoked.crl";
-  access->revoked_file_ = options.revoked.empty() && fs::exists(beside) ? beside : options.revoked;
-  if (access->revoked_file_.empty()) access->revoked_file_ = beside;  // it may come while the server runs
-  if (!options.revoked.empty() || fs::exists(beside))
-    if (const Result<void> read = access->read_revocations(); !read) return read.error();
-  auto audit = AuditLog::open(options.audit.empty() ? folder / "audit.log" : options.audit, access->say_);
-  if (!audit) return audit.error();
-  access->audit_ = std::move(audit).value();
+  const fs::path log = options.audit.empty() ? folder / "audit.log" : options.audit;
+  Result<KeptFacts> kept = KeptFacts::open(log.parent_path() / "telepalp.state");
+  if (!kept) return kept.error();
+  access->kept_ = std::move(kept).value();
+  access->revoked_ = RevokedFile(options.revoked.empty() ? beside : options.revoked, access->key_->authority);
+  if (const Result<void> read = access->read_revocations(); !read) return read.error();
+  if (access->is_revoked()) return access->own_key_is_revoked();
+  if (const Result<void> audit = access->open_audit(log); !audit) return audit.error();
+  access->touch_.restore(access->kept_->get(kTouch).value_or(""), std::chrono::steady_clock::now());
   return access;
+}
+
+Result<void> Access::open_audit(const fs::path& log) {
+  anchors_.emplace(log, *key_, say_);
+  auto audit = AuditLog::open(log, say_, AuditLog::kMostBytes, anchors_->at_start());
+  if (!audit) return audit.error();
+  audit_ = std::move(audit).value();
+  if (const std::string why = alarm(); !why.empty()) note_own(AuditEvent::Damaged, "why=" + audit_text(why));
+  return {};
 }
 
 Result<void> Access::open_key(const Options& options) {
@@ -52,9 +80,11 @@ Result<void> Access::open_key(const Options& options) {
                  .where = options.key.string(),
                  .fix = "make a server's key: telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER"};
   // weak: the settings are a member of this object
-  const auto is_revoked = [self = weak_from_this()](const std::string& serial) {
+  const auto is_revoked = [self = weak_from_this()](const keys::Identity& who) {
     const std::shared_ptr<Access> access = self.lock();
-    return !access || access->revocations_.contains(serial);
+    if (access && !access->revoked_.list().contains(who.serial)) return false;
+    if (access) access->note(AuditEvent::Refused, who, "why=\"its key is revoked\"");
+    return true;
   };
   Result<wire::TlsSettings> tls = wire::tls_settings(keys::server_context(*key, is_revoked));
   if (!tls) return tls.error();
@@ -71,34 +101,78 @@ const std::vector<std::string>& Access::hosts() const {
   return key_ ? key_->hosts : kNone;
 }
 
-Result<keys::Identity> Access::who(bool is_sealed, const std::optional<keys::Identity>& certificate,
-                                   std::string_view token, const std::string& address) {
+Result<keys::Identity> Access::who(const Shown& shown) {
   if (!has_keys()) return local();
-  if (!is_sealed)
+  if (is_revoked()) return own_key_is_revoked();
+  if (!shown.is_sealed)
     return refused("this server accepts only TLS connections with a key",
                    "give --key FILE; the technician of the server makes it: telepalp-keys client");
-  if (certificate) return *certificate;
-  if (token.empty())
+  if (shown.certificate) {
+    if (people_.is_sent_out(shown.certificate->serial, std::chrono::steady_clock::now()))
+      return is_sent_out(*shown.certificate);
+    return *shown.certificate;
+  }
+  if (shown.token.empty())
     return refused("the client sent no key",
                    "give --key FILE; the technician of the server makes it: telepalp-keys client");
-  return bearer(token, address);
+  return read(shown.token, shown.address, shown.proof);
 }
 
-Result<keys::Identity> Access::bearer(std::string_view token, const std::string& address) {
+Result<keys::Identity> Access::read(std::string_view token, const std::string& address, const keys::TokenProof& proof) {
   const auto now = std::chrono::steady_clock::now();
   if (!key_)
     return refused("this server has no keys, so it checks no token", "open this server's web page without a token");
-  if (!back_off_.may_try(address, now))
-    return refused("too many wrong tokens came from " + address, "wait a minute, then try again");
-  Result<keys::Identity> identity = keys::read_token(token, key_->authority, std::chrono::system_clock::now());
-  if (identity && revocations_.contains(identity->serial))
+  if (is_revoked()) return own_key_is_revoked();
+  const std::string tried = keys::sha256_hex(token);
+  if (!back_off_.may_try(address, tried, now))
+    return refused("this token was wrong too often, or too many wrong tokens came from " + address,
+                   "wait a minute, then try again");
+  Result<keys::Identity> identity = keys::read_token(token, key_->authority, std::chrono::system_clock::now(), proof);
+  if (identity && revoked_.list().contains(identity->serial)) {
+    note(AuditEvent::Refused, *identity, "why=\"its token is revoked\" from=" + address);
     identity = refused("the token of " + describe(*identity) + " is revoked",
                        "ask the technician for a new one: telepalp-keys token");
+  }
+  if (identity && people_.is_sent_out(identity->serial, now)) return is_sent_out(*identity);
   if (identity)
-    back_off_.succeeded(address);
+    back_off_.succeeded(address, tried, now);
   else
-    back_off_.failed(address, now);
+    back_off_.failed(address, tried, now);
   return identity;
+}
+
+Result<keys::Identity> Access::bearer(std::string_view token, const std::string& address) {
+  Result<keys::Identity> who = read(token, address, {});
+  if (!who || !kept_->get(kBrowserOf + who->serial)) return who;
+  note(AuditEvent::Refused, *who, "why=\"a browser has signed in with this token\" from=" + address);
+  return refused("a browser has signed in with the token of " + describe(*who) + ", so no program may use it",
+                 "ask the technician for a token of its own for this program: telepalp-keys token");
+}
+
+Result<keys::Identity> Access::sign_in(std::string_view token, const std::string& address, std::string_view cookie) {
+  Result<keys::Identity> who = read(token, address, {});
+  if (!who) return who;
+  const std::optional<std::string> browser = kept_->get(kBrowserOf + who->serial);
+  if (!browser || (!cookie.empty() && *browser == keys::sha256_hex(cookie))) return who;
+  note(AuditEvent::Refused, *who, "why=\"another browser has signed in with this token\" from=" + address);
+  return refused(
+      "another browser has signed in with the token of " + describe(*who) + ", or this browser's cookies were deleted",
+      "ask the technician for a new token: telepalp-keys token; and to revoke this one if you never used it");
+}
+
+void Access::bind_to_browser(const keys::Identity& who, std::string_view cookie) {
+  if (!kept_ || kept_->set(kBrowserOf + who.serial, keys::sha256_hex(cookie))) return;
+  say_(
+      "ALARM: the file telepalp.state beside the audit log cannot be written: after a restart another browser could "
+      "use "
+      "the token of " +
+      describe(who) + ". fix: free space on its disk, or check the disk");
+}
+
+Error Access::own_key_is_revoked() const {
+  return {.what = "the key of this server is revoked",
+          .where = key_->identity.serial,
+          .fix = "make a new key: telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER"};
 }
 
 Result<void> Access::may(const keys::Identity& who, keys::Operation operation) const {
@@ -109,46 +183,99 @@ Result<void> Access::may(const keys::Identity& who, keys::Operation operation) c
 }
 
 bool Access::still_holds(const keys::Identity& who) const {
-  return !has_keys() || (who.expires > std::chrono::system_clock::now() && !revocations_.contains(who.serial));
+  return !has_keys() || (who.expires > std::chrono::system_clock::now() && !revoked_.list().contains(who.serial) &&
+                         !is_revoked() && !people_.is_sent_out(who.serial, std::chrono::steady_clock::now()));
 }
 
 Result<void> Access::read_revocations() {
-  std::error_code failed;
-  const auto changed = fs::last_write_time(revoked_file_, failed);
-  const std::uintmax_t size = failed ? 0 : fs::file_size(revoked_file_, failed);
-  std::ifstream stream(revoked_file_, std::ios::binary);
-  if (failed || !stream || size > kMaxListBytes)
-    return Error{.what = "the revocation list cannot be read",
-                 .where = revoked_file_.string(),
-                 .fix = "copy revoked.crl again from the folder in which telepalp-keys keeps the authority"};
-  revoked_read_ = changed;
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  Result<keys::Revocations> read = keys::Revocations::read(text, key_->authority, revoked_file_.string());
-  if (!read) return read.error();
-  revocations_ = std::move(read).value();
+  if (const Result<void> read = revoked_.read(number_in(kept_->get(kListNumber))); !read) return read;
+  kept_->set(kListNumber, std::to_string(revoked_.list().number()));
   return {};
 }
 
 void Access::look_at_revocations() {
-  std::error_code failed;
-  if (!has_keys()) return;
-  const auto changed = fs::last_write_time(revoked_file_, failed);
-  if (failed || changed == revoked_read_) return;
+  look_at_anchor(false);
+  if (!has_keys() || !revoked_.has_changed()) return;
   const Result<void> read = read_revocations();
   if (read) {
     unread_said_.clear();
+    if (is_revoked() && own_key_revoked_) std::exchange(own_key_revoked_, nullptr)(own_key_is_revoked());
     return say_("the revocation list was read: it revokes " +
-                counted(revocations_.all().size(), "key or token", "keys and tokens"));
+                counted(revoked_.list().all().size(), "key or token", "keys and tokens"));
   }
   Error unread = read.error();
   unread.what += "; the previous list stays valid";
   if (std::string text = to_string(unread); text != unread_said_) say_(unread_said_ = std::move(text));
 }
 
-void Access::note(AuditEvent event, const std::string& text) {
+void Access::note(AuditEvent event, const std::optional<keys::Identity>& who, const std::string& text) {
   counts_.refused += event == AuditEvent::Refused ? 1 : 0;
   counts_.joined += event == AuditEvent::Joined ? 1 : 0;
-  if (audit_) audit_->note(event, text, std::chrono::system_clock::now());
+  if (!audit_) return;
+  const std::string serial = who ? who->serial : "";
+  audit_->note(event, serial,
+               "who=" + (who ? describe(*who) : "stranger") + (text.empty() ? "" : " " + text) +
+                   (serial.empty() ? "" : " key=" + serial),
+               std::chrono::system_clock::now());
+}
+
+void Access::note_own(AuditEvent event, const std::string& text) {
+  if (!audit_) return;
+  audit_->note(event, std::nullopt, text, std::chrono::system_clock::now());
+  look_at_anchor(event == AuditEvent::Started || event == AuditEvent::Stopped);
+}
+
+void Access::look_at_anchor(bool always) {
+  if (audit_) anchors_->look(audit_->position(), std::chrono::system_clock::now(), always);
+}
+
+std::uint64_t Access::enter(const keys::Identity& who, const std::string& program, const std::string& from,
+                            const std::string& more) {
+  note(AuditEvent::Joined, who, "program=" + audit_text(program) + " from=" + from + (more.empty() ? "" : " ") + more);
+  return people_.enter(
+      {.who = who, .program = program, .from = from, .since = stamp(std::chrono::system_clock::now())});
+}
+
+void Access::leave(std::uint64_t number, const std::string& more) {
+  const std::optional<Present> left = people_.leave(number);
+  if (!left) return;
+  note(AuditEvent::Left, left->who,
+       "program=" + audit_text(left->program) + " from=" + left->from + (more.empty() ? "" : " ") + more);
+}
+
+Result<void> Access::send_out(const std::string& serial, const std::string& by) {
+  for (const auto& [number, stream] : people_.present()) {
+    if (stream.who.serial != serial) continue;
+    if (describe(stream.who) == by) return refused("you cannot send yourself out", "close this page instead");
+    note(AuditEvent::SentOut, stream.who, "by=" + audit_text(by));
+    people_.send_out(keys::Identity(stream.who), std::chrono::steady_clock::now());
+    return {};
+  }
+  return refused("nobody with this key sees the patient now", "load the page again: this person has left already");
+}
+
+void Access::let_in(const std::string& serial, const std::string& by) {
+  for (const keys::Identity& who : people_.sent_out(std::chrono::steady_clock::now()))
+    if (who.serial == serial) note(AuditEvent::LetIn, who, "by=" + audit_text(by));
+  people_.let_in(serial);
+}
+
+Result<void> Access::take_touch_away(const std::string& by) {
+  const std::optional<std::string> from = touch_.take_away(std::chrono::steady_clock::now());
+  if (!from) return refused("nobody holds the touch", "nothing is to do: no station gives a force");
+  note_own(AuditEvent::TookAwayTouch, "from=" + audit_text(*from) + " by=" + audit_text(by));
+  keep_touch();
+  return {};
+}
+
+void Access::keep_touch() {
+  if (kept_) kept_->set(kTouch, touch_.kept());
+}
+
+Result<void> Access::may_join(const keys::Identity& who) {
+  if (!audit_ || audit_->may_join(who.serial, std::chrono::system_clock::now())) return {};
+  return refused("the key of " + describe(who) + " connects too often",
+                 "wait a minute; then look which program connects again and again with this key");
 }
 
 Access::Counts Access::counts() const {

@@ -45,7 +45,8 @@ class CaptureSource {
   /// nullopt: this source has no exposure to set.
   [[nodiscard]] virtual std::optional<ExposureLimits> exposure_limits() const { return std::nullopt; }
   [[nodiscard]] virtual Exposure exposure() const { return {}; }
-  /// Error: the source has none, or its driver refuses it. A camera that is plugged in again gets it again.
+  /// Error: the source has none, or its driver refuses it. It is restored when the camera is plugged in
+  /// again.
   [[nodiscard]] virtual Result<void> set_exposure(const Exposure&) {
     return Error{.what = "this source has no exposure to set",
                  .where = "exposure",

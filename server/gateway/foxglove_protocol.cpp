@@ -76,14 +76,12 @@ std::optional<std::string_view> choose_subprotocol(std::string_view offered) {
   return std::nullopt;
 }
 
-std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept {
-  std::size_t at = std::size_t{channel} - 1;  // wraps for channel 0, which then is behind each table's end
-  if (at < wire::kTopics.size()) return wire::kTopics[at];
-  at -= wire::kTopics.size();
-  if (at < views::kViewTopics.size()) return views::kViewTopics[at];
-  at -= views::kViewTopics.size();
-  if (at < origin::kStateTopics.size()) return origin::kStateTopics[at].topic;
-  return std::nullopt;
+std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) {
+  std::optional<wire::Topic> found;
+  for_each_channel([&](std::uint32_t id, const wire::Topic& topic, const google::protobuf::Descriptor&) {
+    if (id == channel) found = topic;
+  });
+  return found;
 }
 
 std::string server_info(std::string_view name, std::string_view session_id, std::uint64_t viewer, std::string_view role,

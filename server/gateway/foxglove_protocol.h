@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
 
 /// The topic of a channel. Channel ids count the entries of wire::kTopics, then of kViewTopics (view_topics.h), then of
 /// kStateTopics (resources.h), from 1.
-[[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel) noexcept;
+[[nodiscard]] std::optional<wire::Topic> topic_of_channel(std::uint32_t channel);
 
 /// Text messages from the server. `session_id` differs for each start of the server, `viewer` for each client. `role`
 /// is the name of the client's role; telepalp's viewer shows the view for this role, and leaves out what the role may
@@ -35,7 +35,7 @@ inline constexpr std::array<std::string_view, 2> kSubprotocols{"foxglove.sdk.v1"
                                       std::string_view role, const std::optional<msg::PlaybackState>& played = {},
                                       std::string_view may = {});
 using Chosen = std::function<bool(const wire::Topic&)>;
-/// The chosen ones of all topics.
+/// Texts that offer, or withdraw, the channels of the topics for which `chosen` returns true.
 [[nodiscard]] std::string advertise(const Chosen& chosen);
 [[nodiscard]] std::string unadvertise(const Chosen& chosen);
 enum class Level : std::uint32_t { Info = 0, Warning = 1, Error = 2 };

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "proto/wire/sockets/tcp_socket.h"
 #include "server/gateway/full_house.h"
 #include "server/gateway/http_connection.h"
 #include "support/program/address.h"
@@ -25,12 +27,20 @@ Result<tcp::acceptor> listen(asio::io_context& io, const GatewayOptions& options
   if (failed) return cannot_listen(options, failed);
   const tcp::endpoint endpoint{address, options.port};
   tcp::acceptor acceptor(io);
-  acceptor.open(endpoint.protocol(), failed);
-  if (!failed) acceptor.set_option(tcp::acceptor::reuse_address(true), failed);
-  if (!failed) acceptor.bind(endpoint, failed);
-  if (!failed) acceptor.listen(tcp::acceptor::max_listen_connections, failed);
-  if (failed) return cannot_listen(options, failed);
+  if (failed = wire::open_acceptor(acceptor, endpoint); failed) return cannot_listen(options, failed);
   return acceptor;
+}
+
+/// The host in the URL of a gateway that listens on all addresses, because nobody can open 0.0.0.0: of the key's hosts,
+/// the first one that other computers can use, or else the first one.
+std::string host_for_visitors(const std::vector<std::string>& hosts) {
+  const auto is_own = [](const std::string& host) {
+    boost::system::error_code is_name;
+    const auto address = asio::ip::make_address(host, is_name);
+    return host == "localhost" || (!is_name && address.is_loopback());
+  };
+  const auto found = std::ranges::find_if_not(hosts, is_own);
+  return found != hosts.end() ? *found : hosts.empty() ? "localhost" : hosts.front();
 }
 
 }  // namespace
@@ -52,6 +62,7 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, hub::Hub& h
   auto acceptor = listen(io, options);
   if (!acceptor) return acceptor.error();
   for (const std::string& host : options.access->hosts()) options.policy.allowed_hosts.push_back(host);
+  options.policy.scheme = options.access->has_keys() ? "https" : "http";
   options.offer.resources.insert(options.resources.begin(), options.resources.end());
   const std::string session_id = std::to_string(to_nanoseconds(now()));
   auto context = std::make_shared<GatewayContext>(GatewayContext{
@@ -84,8 +95,10 @@ Gateway::~Gateway() {
 }
 
 std::string Gateway::url() const {
-  const std::string scheme = context_->options.access->has_keys() ? "https://" : "http://";
-  return scheme + program::to_text({context_->options.address, port_}) + "/";
+  const access::Access& access = *context_->options.access;
+  std::string host = context_->options.address;
+  if (asio::ip::make_address(host).is_unspecified()) host = host_for_visitors(access.hosts());
+  return (access.has_keys() ? "https://" : "http://") + program::to_text({host, port_}) + "/";
 }
 
 void Gateway::look_after_connections_every_second() {
@@ -111,6 +124,7 @@ void Gateway::offer(origin::Offer offer) {
 
 void Gateway::look_at_states() {
   context_->states->look();
+  context_->holder.end_if_silent(context_->now());
   for (Connection* const connection : context_->connections) connection->look_at_own_states();
   look_.expires_after(origin::StatePublisher::kLook);
   look_.async_wait([this](boost::system::error_code cancelled) {
@@ -128,24 +142,52 @@ void Gateway::accept() {
       });
       return;
     }
-    make_room();
-    if (context_->connections.size() < context_->options.max_connections)
-      start_http_connection(std::move(socket), context_);
-    else
-      refuse(std::move(socket));
+    admit(std::move(socket));
     accept();
   });
 }
 
-/// When all places are taken, closes a viewer that has subscribed to nothing, to make room for the new one.
-void Gateway::make_room() {
+void Gateway::admit(tcp::socket socket) {
+  boost::system::error_code gone;
+  make_room({.from = socket.remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()});
+  if (context_->connections.size() < context_->options.max_connections)
+    start_http_connection(std::move(socket), context_);
+  else
+    refuse(std::move(socket));
+}
+
+/// When all places are taken, closes a connection that has brought no valid key (one_to_close()). When there is none,
+/// it closes a viewer that has subscribed to nothing.
+void Gateway::make_room(const access::Unproven& newcomer) {
   if (context_->connections.size() < context_->options.max_connections) return;
-  const auto idle = std::find_if(context_->connections.begin(), context_->connections.end(),
-                                 [](const Connection* connection) { return connection->is_idle(); });
-  if (idle == context_->connections.end()) return;
-  Connection* const connection = *idle;
-  context_->connections.erase(idle);  // its pending handlers destroy it later; its place is free at once
-  connection->close();
+  const auto has = [this](auto property) {
+    return std::find_if(context_->connections.begin(), context_->connections.end(), property);
+  };
+  const auto end = context_->connections.end();
+  if (has([](const Connection* connection) { return connection->unproven().has_value(); }) != end)
+    return make_room_among_strangers(newcomer);
+  const auto idle = has([](const Connection* connection) { return connection->is_idle(); });
+  if (idle != end) let_go(**idle);
+}
+
+/// Makes no room if the newcomer itself comes from the network that holds most.
+void Gateway::make_room_among_strangers(const access::Unproven& newcomer) {
+  std::vector<Connection*> strangers;
+  std::vector<access::Unproven> all;
+  for (Connection* const connection : context_->connections) {
+    const std::optional<access::Unproven> unproven = connection->unproven();
+    if (!unproven) continue;
+    strangers.push_back(connection);
+    all.push_back(*unproven);
+  }
+  all.push_back(newcomer);
+  const std::optional<std::size_t> chosen = access::one_to_close(all, newcomer.since);
+  if (chosen && *chosen < strangers.size()) let_go(*strangers[*chosen]);
+}
+
+void Gateway::let_go(Connection& connection) {
+  context_->connections.erase(&connection);  // its pending handlers destroy it later; its place is free at once
+  connection.close();
 }
 
 void Gateway::refuse(tcp::socket socket) {

@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_set>
 
 #include "proto/words/result.h"
 #include "proto/words/time.h"
 #include "server/access/access.h"
+#include "server/access/unproven.h"
 #include "server/gateway/hand_holder.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in/web_sessions.h"
@@ -84,6 +86,8 @@ class Connection {
   /// True when the connection is a viewer that has subscribed to nothing and does not control the viewer hand, so that
   /// it may be closed to make room for a new connection.
   [[nodiscard]] virtual bool is_idle() const { return false; }
+  /// Address and arrival of a connection that has brought no valid key yet; nullopt: it has.
+  [[nodiscard]] virtual std::optional<access::Unproven> unproven() const { return std::nullopt; }
 
  protected:
   [[nodiscard]] const std::shared_ptr<GatewayContext>& context() const noexcept { return context_; }
@@ -109,15 +113,21 @@ class Gateway {
   /// Visitors see `offer` instead of GatewayOptions::offer, or of the last call: another origin is shown.
   void offer(origin::Offer offer);
 
+  /// Takes in a visitor whose connection comes through the meeting point, not through this gateway's port.
+  void admit(boost::asio::ip::tcp::socket socket);
+
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
-  /// The address of the viewer for a browser: "http://127.0.0.1:8080/".
+  /// The address of the viewer for a browser: "http://127.0.0.1:8080/". If the gateway listens on all addresses, it has
+  /// a host of the server's key.
   [[nodiscard]] std::string url() const;
   [[nodiscard]] std::size_t connections() const noexcept { return context_->connections.size(); }
 
  private:
   Gateway(boost::asio::ip::tcp::acceptor acceptor, std::shared_ptr<GatewayContext> context);
   void accept();
-  void make_room();
+  void make_room(const access::Unproven& newcomer);
+  void make_room_among_strangers(const access::Unproven& newcomer);
+  void let_go(Connection& connection);
   void look_after_connections_every_second();
   void look_at_states();
   void refuse(boost::asio::ip::tcp::socket socket);

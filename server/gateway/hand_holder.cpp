@@ -8,9 +8,14 @@ constexpr std::size_t kMaxAsking = 64;  // the gateway has no more connections
 
 }  // namespace
 
-bool HandHolder::moves(std::uint64_t viewer, SessionTime now) {
-  if (holder_ == 0) holder_ = viewer;
+bool HandHolder::moves(std::uint64_t viewer, SessionTime now, bool is_own) {
+  if (holder_ == viewer && !is_own && !handed_) holder_ = 0;
+  if (holder_ == 0 && is_own) {
+    holder_ = viewer;
+    handed_ = false;
+  }
   if (holder_ == viewer) {
+    moved_ = now;
     asking_.erase(viewer);
   } else if (asking_.size() < kMaxAsking || asking_.contains(viewer)) {
     asking_[viewer] = now;
@@ -23,11 +28,17 @@ void HandHolder::let_go(std::uint64_t viewer) {
   if (holder_ == viewer) holder_ = 0;
 }
 
+void HandHolder::end_if_silent(SessionTime now) {
+  if (holder_ != 0 && now - moved_ > kSilent) let_go(holder_);
+}
+
 bool HandHolder::hand_over(std::uint64_t viewer, std::uint64_t to, SessionTime now) {
   const auto asked = asking_.find(to);
   if (holder_ != viewer || asked == asking_.end() || now - asked->second > kStillAsking) return false;
   asking_.erase(asked);
   holder_ = to;
+  handed_ = true;
+  moved_ = now;
   return true;
 }
 

@@ -38,6 +38,9 @@ constexpr std::string_view kNoToken =
     "this program sends no valid token, so it may not open the data stream. fix: send the header Authorization: Bearer "
     "TOKEN, where TOKEN is all that follows \"token:\" in the file that the technician gave you";
 
+/// A browser that trusts the server's key opens this host by HTTPS alone for a year (RFC 6797).
+constexpr const char* kOnlyHttps = "max-age=31536000";
+
 /// True for an error in the bytes of a request, not for the end of the stream.
 bool is_malformed(beast::error_code failed) {
   return failed.category() == http::make_error_code(http::error::bad_method).category() &&
@@ -91,6 +94,11 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
   void close() override {
     beast::error_code ignored;
     stream_.socket().close(ignored);
+  }
+
+  [[nodiscard]] std::optional<access::Unproven> unproven() const override {
+    if (visit_ && visit_->visitor()) return std::nullopt;
+    return access::Unproven{.from = peer_.address(), .since = since_};
   }
 
  private:
@@ -150,6 +158,8 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
           request, http::status::unauthorized,
           "sign in first, at https://" + std::string(host) + "/, or open wss://" + std::string(host) +
               "/?token=TOKEN, where TOKEN is all that follows \"token:\" in the file that the technician gave you"));
+    if (const Result<void> may = context()->options.access->may_join(visit_->visitor()->who); !may)
+      return write(refuse(request, http::status::too_many_requests, to_string(may.error())));
     // A browser's page cannot read why an upgrade is refused, so the stream opens and tells it.
     const Newcomer newcomer{*subprotocol, peer_, visit_->visitor(), visit_->reading(request)};
     stream_.tcp().expires_never();
@@ -158,6 +168,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
 
   void write(HttpReply reply) {
     reply_ = std::move(reply);
+    if (stream_.is_tls()) reply_.set(http::field::strict_transport_security, kOnlyHttps);
     stream_.tcp().expires_after(context()->options.request_timeout);
     http::async_write(stream_, reply_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
       if (!failed && self->reply_.keep_alive()) return self->read();
@@ -168,6 +179,7 @@ class HttpConnection final : public Connection, public std::enable_shared_from_t
 
   WebStream stream_;
   tcp::endpoint peer_;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
   std::optional<Visit> visit_;  // of the last request
   beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
   std::optional<http::request_parser<http::string_body>> parser_;

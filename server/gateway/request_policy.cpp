@@ -35,9 +35,7 @@ bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std
                        bool is_trusted_program) {
   if (origin.empty()) return is_trusted_program;
   if (contains(policy.allowed_origins, origin)) return true;
-  const std::size_t scheme = origin.find("://");
-  if (scheme == std::string_view::npos) return false;
-  return origin.substr(scheme + 3) == host && host_is_ours(policy, host);
+  return origin == policy.scheme + "://" + std::string(host) && host_is_ours(policy, host);
 }
 
 Result<void> check_origin(std::string_view origin) {

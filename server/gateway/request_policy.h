@@ -12,6 +12,8 @@ namespace telepalp::gateway {
 struct RequestPolicy {
   /// Host names of this server, as "host" or "host:port". IP addresses and "localhost" are always allowed.
   std::vector<std::string> allowed_hosts;
+  /// Scheme of the server's own pages: "https" with keys.
+  std::string scheme = "http";
   /// Further origins whose pages may open the WebSocket, for example "https://viewer.example". The server's own
   /// origin is always allowed.
   std::vector<std::string> allowed_origins;
@@ -30,8 +32,8 @@ inline constexpr std::string_view kNotOurHost =
 /// a foreign web page whose DNS name was made to resolve to this machine (DNS rebinding).
 [[nodiscard]] bool host_is_ours(const RequestPolicy& policy, std::string_view host);
 
-/// True when a page from `origin` may open a WebSocket: the host in `origin` equals `host` and is a name of this
-/// server, or the policy allows `origin`. A request without an origin does not come from a browser's page; it is
+/// True when a page from `origin` may open a WebSocket: `origin` is the policy's scheme and `host`, which is a name of
+/// this server, or the policy allows `origin`. A request without an origin does not come from a browser's page; it is
 /// accepted only if `is_trusted_program`: the request comes from this machine, or has a valid token.
 [[nodiscard]] bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,
                                      bool is_trusted_program);

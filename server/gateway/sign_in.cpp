@@ -49,7 +49,9 @@ HttpReply sign_in_page(const HttpRequest& request, std::string_view problem) {
   return page(request, http::status::unauthorized,
               "<h1>telepalp</h1>" + why + "<form method=\"post\" action=\"/sign-in" + html_escaped(query) +
                   "\"><label>Token <input name=\"token\" type=\"password\" "
-                  "autocomplete=\"off\" autofocus required></label> <button>Sign in</button></form>"
+                  "autocomplete=\"off\" autofocus required></label> <label><input name=\"consent\" type=\"checkbox\" "
+                  "value=\"yes\" "
+                  "required> The patient has agreed that I watch</label> <button>Sign in</button></form>"
                   "<p>The token is all that follows <code>token:</code> in the file that the technician gave you.</p>");
 }
 
@@ -59,12 +61,19 @@ HttpReply sign_out_page(const HttpRequest& request, const std::string& who) {
                   ".</p><form method=\"post\" action=\"/sign-out\"><button>Sign out</button></form>");
 }
 
-HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie) {
+HttpReply go_to(const HttpRequest& request, std::string_view target) {
   HttpReply reply = refuse(request, http::status::see_other, "");
   reply.set(http::field::location, boost::beast::string_view(target.data(), target.size()));
-  reply.set(http::field::set_cookie, std::string(kCookieName) + "=" + cookie +
-                                         "; Path=/; Secure; HttpOnly; SameSite=Strict" +
-                                         (cookie.empty() ? "; Max-Age=0" : ""));
+  return reply;
+}
+
+HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie,
+                std::chrono::system_clock::duration valid) {
+  HttpReply reply = go_to(request, target);
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(valid).count();
+  reply.set(http::field::set_cookie,
+            std::string(kCookieName) + "=" + cookie +
+                "; Path=/; Secure; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds));
   return reply;
 }
 
@@ -86,6 +95,10 @@ std::string token_in_form(std::string_view body) {
   while (value.starts_with('+')) value.remove_prefix(1);  // a space that was pasted with the token
   while (value.ends_with('+')) value.remove_suffix(1);
   return std::string(value);
+}
+
+bool states_consent(std::string_view body) noexcept {
+  return body.ends_with("&consent=yes") || body.find("&consent=yes&") != std::string_view::npos;
 }
 
 std::string_view our_cookie(std::string_view cookies) noexcept {

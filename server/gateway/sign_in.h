@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,11 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 [[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, std::string_view problem);
 /// The page with a button that signs out.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);
-/// A redirect to `target` that sets the cookie kCookieName to `cookie`; an empty `cookie` removes it.
-[[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie);
+/// A redirect to `target`.
+[[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target);
+/// A redirect to `target` that sets the cookie kCookieName to `cookie`, which the browser keeps for `valid`.
+[[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie,
+                              std::chrono::system_clock::duration valid);
 
 /// `target` without its query.
 [[nodiscard]] std::string_view path_of(std::string_view target) noexcept;
@@ -29,6 +33,8 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 
 /// The value of the field `token` in a posted form.
 [[nodiscard]] std::string token_in_form(std::string_view body);
+/// True if a posted form states that the patient has agreed to be watched.
+[[nodiscard]] bool states_consent(std::string_view body) noexcept;
 /// The value of the cookie kCookieName in a Cookie header; empty: the header does not have it.
 [[nodiscard]] std::string_view our_cookie(std::string_view cookies) noexcept;
 /// The token of an Authorization header `Bearer TOKEN`; empty: the header has no token.

@@ -55,6 +55,11 @@ bool ViewerCommands::asks_to_rearm(std::string_view bytes) const {
   return hand && hand->rearm();
 }
 
+bool ViewerCommands::accepts_object(std::string_view bytes) const {
+  const std::optional<msg::ViewerHand> hand = read(bytes);
+  return hand && hand->accept_object();
+}
+
 Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now) {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
@@ -64,7 +69,8 @@ Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes
   std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
   if (!hand || !hand->has_hand_camera())
     return refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");
-  hand->set_rearm(false);  // only a message of its own re-arms
+  hand->set_rearm(false);  // only a message of its own re-arms, or accepts an object
+  hand->set_accept_object(false);
   if (last_ && now >= *last_ && now - *last_ < kShortestPeriod) return std::optional<wire::Message>();
   last_ = now;
   hand->set_viewer(viewer);

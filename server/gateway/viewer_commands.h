@@ -30,6 +30,9 @@ class ViewerCommands {
   /// True if the viewer's binary message asks the station to re-arm after a fault.
   [[nodiscard]] bool asks_to_rearm(std::string_view bytes) const;
 
+  /// True if the viewer's binary message accepts the object over the hand's place as skin.
+  [[nodiscard]] bool accepts_object(std::string_view bytes) const;
+
   /// Converts a viewer's binary message to one of /viewer/hand with a time stamp and the id `viewer`. nullopt: the
   /// last one came less than 2 ms ago. Error: an unknown channel, no ViewerHand, or a hand over 10 m from the camera.
   [[nodiscard]] Result<std::optional<wire::Message>> hear(std::string_view bytes, std::uint64_t viewer,

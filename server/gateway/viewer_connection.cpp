@@ -55,6 +55,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     socket().set_option(tcp::no_delay(true), ignored);
     socket().set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
     stream_.read_message_max(kMaxTextBytes);
+    stream_.next_layer().limit_fragments();
     stream_.auto_fragment(false);
     stream_.set_option(
         websocket::stream_base::timeout{context()->options.request_timeout, context()->options.idle_timeout, true});
@@ -89,6 +90,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   void look_at_own_states() override {
+    if (subscriber_ && !reading_ && holds_hand_ && !context()->holder.holds(*subscriber_)) lost_hand_in_silence();
     if (!reading_) return;
     reading_->states().look();
     if (is_opening_ && !reading_is_opening()) reading_opened();
@@ -123,7 +125,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     return paths;
   }
 
-  /// Each topic but the states of resources that this client is not offered.
+  /// True unless `topic` is the state of a resource that this client may not read, or that the server does not have.
   bool is_offered(const wire::Topic& topic) {
     return resource_at(topic.name) == nullptr || offered_.contains(topic.name);
   }
@@ -137,12 +139,13 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!subscriber_) return;
     const hub::SubscriberId viewer = *subscriber_;
     subscriber_.reset();
+    context()->options.access->leave(stream_number_, "viewer=" + std::to_string(number_));
     hub().leave(viewer);
     views().leave(views_subscriber_);
     if (context()->view_maker) context()->view_maker->subscriptions_changed();
     if (std::exchange(reading_, nullptr)) return;  // its last holder ends it
     context()->holder.let_go(viewer);
-    note_hand(false, " why=\"the connection ended\"");
+    note_hand(false, "why=\"the connection ended\"");
     publish_holder();
   }
 
@@ -198,6 +201,11 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
     subscriber_ = hub().join(std::string(kSubscriberName), name_, [this] { write_next(); });
     number_ = *subscriber_;
+    if (visitor_)
+      stream_number_ = context()->options.access->enter(visitor_->who, "browser", name_,
+                                                        "viewer=" + std::to_string(number_) +
+                                                            (visitor_->cookie.empty() ? " by=token" : " by=cookie") +
+                                                            (reading_ ? " what=\"a recorded session\"" : ""));
     views_subscriber_ = views().join(std::string(kSubscriberName), name_, [this] { write_next(); });
     const std::string_view role = visitor_ ? keys::name(visitor_->who.role) : std::string_view{};
     controls_playback_ = speaks_playback_ && offer().playback && may_change(*resource_at(origin::kPlayback.topic.name));
@@ -261,9 +269,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     const Result<void> may = visitor_ ? context()->options.access->may(visitor_->who, keys::Operation::Touch)
                                       : Error{.what = "nobody is signed in", .where = {}, .fix = {}};
     if (!may && !std::exchange(denied_, true)) {
-      const std::string who = visitor_ ? describe(visitor_->who) : "stranger";
-      context()->options.access->note(access::AuditEvent::Refused,
-                                      "who=" + who + " program=browser why=" + access::audit_text(may.error().what));
+      context()->options.access->note(access::AuditEvent::Refused, whose(),
+                                      "program=browser why=" + access::audit_text(may.error().what));
       warn(may.error().what + ". fix: sign in with a doctor's token");
     }
     return may.ok();
@@ -279,30 +286,40 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     }
     if (const auto to = commands_.hands_over_to(bytes)) return hand_over(*to);
     if (commands_.asks_to_rearm(bytes)) return rearm();
+    if (commands_.accepts_object(bytes)) return accept_object();
     const auto message = commands_.hear(bytes, *subscriber_, context()->now());
     if (!message) return warn(to_string(message.error()));
     if (!*message) return;
     if (!context()->hub.is_taken((*message)->topic.name, kSubscriberName)) warn_untaken();
-    const bool holds = context()->holder.moves(*subscriber_, context()->now());
+    const bool holds = context()->holder.moves(*subscriber_, context()->now(), is_own_station());
+    if (!holds && !is_own_station()) warn_of_another_doctors_station();
     note_hand(holds);
     if (holds) context()->hub.publish(**message);
     publish_holder();
   }
 
-  /// Asks the station that follows the hand of a viewer to re-arm. A station of another tracker does not hear of it: a
-  /// person holds its device, and only its own operator sees that person.
   void rearm() {
-    if (!context()->holder.may_rearm(*subscriber_))
-      return warn("the station is not re-armed: another viewer holds the hand. fix: ask that viewer to re-arm");
     msg::ViewerHand asked;
-    asked.set_viewer(*subscriber_);
     asked.set_rearm(true);
+    ask_station(asked, access::AuditEvent::Rearmed,
+                "the station is not re-armed: another viewer holds the hand. fix: ask that viewer to re-arm");
+  }
+
+  void accept_object() {
+    msg::ViewerHand asked;
+    asked.set_accept_object(true);
+    ask_station(asked, access::AuditEvent::AcceptedObject,
+                "the object is not accepted as skin: another viewer holds the hand. fix: ask that viewer to accept it");
+  }
+
+  /// Passes `asked` on to the station that follows the hand of a viewer. A station of another tracker does not hear of
+  /// it: a person holds its device, and only its own operator sees that person.
+  void ask_station(msg::ViewerHand asked, access::AuditEvent event, const std::string& not_holding) {
+    if (!context()->holder.may_command(*subscriber_, is_own_station())) return warn(not_holding);
     if (!context()->hub.is_taken(wire::kViewerHand.name, kSubscriberName)) return warn_untaken();
+    asked.set_viewer(*subscriber_);
     context()->hub.publish(wire::make_message(wire::kViewerHand, context()->now(), asked));
-    if (visitor_)
-      context()->options.access->note(
-          access::AuditEvent::Rearmed,
-          "who=" + describe(visitor_->who) + " program=browser viewer=" + std::to_string(number_));
+    note(event);
   }
 
   void hand_over(std::uint64_t to) {
@@ -313,16 +330,45 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
       return warn(
           "the viewer hand is not handed over: this viewer does not hold the hand, or the named viewer has not asked "
           "for the hand in the last 3 s. fix: take the hand first, and name a viewer that asks for the hand");
-    note_hand(false, " to=\"viewer " + std::to_string(to) + "\"");
+    note_hand(false, "to=\"viewer " + std::to_string(to) + "\"");
     publish_holder();
   }
 
   /// Writes to the audit log when this viewer gets or gives up the hand.
   void note_hand(bool holds, const std::string& more = {}) {
-    if (std::exchange(holds_hand_, holds) == holds || !visitor_) return;
+    if (std::exchange(holds_hand_, holds) == holds) return;
+    note(holds ? access::AuditEvent::TookTouch : access::AuditEvent::GaveTouch, more);
+  }
+
+  void lost_hand_in_silence() {
+    note_hand(false, "why=\"the browser was silent for 2 s\"");
+    publish_holder();
+  }
+
+  [[nodiscard]] std::optional<keys::Identity> whose() const {
+    return visitor_ ? std::optional(visitor_->who) : std::nullopt;
+  }
+
+  /// Writes to the audit log what this viewer did.
+  void note(access::AuditEvent event, const std::string& more = {}) {
     context()->options.access->note(
-        holds ? access::AuditEvent::TookTouch : access::AuditEvent::GaveTouch,
-        "who=" + describe(visitor_->who) + " program=browser viewer=" + std::to_string(number_) + more);
+        event, whose(),
+        "program=browser viewer=" + std::to_string(number_) + " from=" + name_ + (more.empty() ? "" : " " + more));
+  }
+
+  /// False: the station that follows the hand is another doctor's. This viewer may move it only after that doctor's
+  /// page has handed the hand over.
+  bool is_own_station() {
+    const auto holder = context()->options.access->touch().holder(std::chrono::steady_clock::now());
+    return !holder || (visitor_ && visitor_->who.name == *holder);
+  }
+
+  void warn_of_another_doctors_station() {
+    if (!std::exchange(told_whose_station_, true))
+      warn(
+          "the station is another doctor's: only this doctor's page moves it. fix: ask that doctor to hand the hand "
+          "over "
+          "to this page");
   }
 
   void warn_untaken() {
@@ -422,6 +468,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   std::set<std::string_view> offered_;        // paths of the resources that the client knows of
   std::string name_;                          // address of the peer
   bool denied_ = false;
+  bool told_whose_station_ = false;
+  std::uint64_t stream_number_ = 0;  // in access::People
   bool holds_hand_ = false;
   hub::SubscriberId number_ = 0;    // of this viewer, also after it has left
   bool speaks_playback_ = false;    // clients of the older subprotocol fail on binary messages that they do not know

@@ -87,14 +87,14 @@ Visit::Visit(GatewayContext& context, const HttpRequest& request, const boost::a
   const std::string_view token = token_of(request);
   const std::string cookie(our_cookie(view(request[http::field::cookie])));
   if (!access.has_keys()) {
-    const Result<keys::Identity> local = access.who(false, std::nullopt, "", address_);
+    const Result<keys::Identity> local = access.who({});
     visitor_ = Visitor{.who = *local, .cookie = {}};
   } else if (!token.empty()) {
     const Result<keys::Identity> bearer = access.bearer(token, address_);
     brought_token_ = bearer.ok();
     if (bearer) visitor_ = Visitor{.who = *bearer, .cookie = {}};
     if (!bearer) {
-      note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(bearer.error().what));
+      note(access::AuditEvent::Refused, std::nullopt, "why=" + access::audit_text(bearer.error().what));
       problem_ = bearer.error().what + ". " + bearer.error().fix;
     }
   } else if (const auto who = context_.sessions.find(cookie, steady_now()); who && access.still_holds(*who)) {
@@ -127,7 +127,7 @@ std::optional<HttpReply> Visit::page(const HttpRequest& request) {
     if (target == "/" || target == kSignInTarget) return sign_in_page(request, problem_);
     return refuse(request, http::status::unauthorized, kSignInFirst);
   }
-  if (target == kSignInTarget) return go_to(request, page_asked(view(request.target())), visitor_->cookie);
+  if (target == kSignInTarget) return go_to(request, page_asked(view(request.target())));
   if (target != kSignOutTarget) return std::nullopt;
   return request.method() == http::verb::post ? sign_out(request) : sign_out_page(request, describe(visitor_->who));
 }
@@ -135,21 +135,26 @@ std::optional<HttpReply> Visit::page(const HttpRequest& request) {
 HttpReply Visit::sign_in(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
     return refuse(request, http::status::forbidden, kSignAtOwnPage);
-  const Result<keys::Identity> who = context_.options.access->bearer(token_in_form(request.body()), address_);
+  if (!states_consent(request.body()))
+    return sign_in_page(request, "nobody is watched without knowing it. Ask the patient, then check the box");
+  access::Access& access = *context_.options.access;
+  const Result<keys::Identity> who =
+      access.sign_in(token_in_form(request.body()), address_, our_cookie(view(request[http::field::cookie])));
   if (!who) {
-    note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(who.error().what));
+    note(access::AuditEvent::Refused, std::nullopt, "why=" + access::audit_text(who.error().what));
     return sign_in_page(request, who.error().what + ". " + who.error().fix);
   }
-  note(access::AuditEvent::SignedIn, "who=" + describe(*who) + " key=" + who->serial);
-  return go_to(request, page_asked(view(request.target())), context_.sessions.begin(*who, steady_now()));
+  note(access::AuditEvent::SignedIn, *who, "consent=stated");
+  const std::string cookie = context_.sessions.begin(*who, steady_now());
+  access.bind_to_browser(*who, cookie);
+  return go_to(request, page_asked(view(request.target())), cookie, who->expires - std::chrono::system_clock::now());
 }
 
 HttpReply Visit::sign_out(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
     return refuse(request, http::status::forbidden, kSignAtOwnPage);
-  if (const auto who = context_.sessions.end(visitor_->cookie))
-    note(access::AuditEvent::SignedOut, "who=" + describe(*who));
-  return go_to(request, "/", "");
+  if (const auto who = context_.sessions.end(visitor_->cookie)) note(access::AuditEvent::SignedOut, who, {});
+  return go_to(request, "/");  // the cookie stays: without it, this browser could not use its token again
 }
 
 HttpReply Visit::metrics(const HttpRequest& request) const {
@@ -199,7 +204,7 @@ void Visit::resource(const HttpRequest& request, const ResourceRow& row, const R
     return reply(row.empty_if_absent && !commands ? json_reply(request, "{}")
                                                   : refuse(request, http::status::not_found, row.absent));
   const std::string who = describe(visitor_->who);
-  if (commands && row.audited_as) note(*row.audited_as, "who=" + who + " asked=" + access::audit_text(request.body()));
+  if (commands && row.audited_as) note(*row.audited_as, visitor_->who, "asked=" + access::audit_text(request.body()));
   origin::StatePublisher& states = reading ? reading->states() : *context_.states;
   // The reply keeps the reading, and so the resource and its states, until the command has been carried out.
   answer_state(request, row.path, found->second, states, who,
@@ -216,14 +221,14 @@ std::shared_ptr<origin::Reading> Visit::reading(const HttpRequest& request) cons
   const keys::Operation needed = spec.session.empty() ? keys::Operation::Watch : keys::Operation::Record;
   if (const Result<void> allowed = context_.options.access->may(visitor_->who, needed); !allowed)
     return context_.readings.failed(spec, allowed.error());
-  if (!spec.session.empty())
-    note(access::AuditEvent::OpenedSession,
-         "who=" + describe(visitor_->who) + " session=" + access::audit_text(spec.session));
-  return context_.readings.join((*asked)->id, spec);
+  std::shared_ptr<origin::Reading> joined = context_.readings.join((*asked)->id, spec);
+  if (!spec.session.empty() && joined->state().phase() != msg::ReadingState::PHASE_FAILED)
+    note(access::AuditEvent::OpenedSession, visitor_->who, "session=" + access::audit_text(spec.session));
+  return joined;
 }
 
-void Visit::note(access::AuditEvent event, const std::string& text) const {
-  context_.options.access->note(event, text + " program=browser from=" + address_);
+void Visit::note(access::AuditEvent event, const std::optional<keys::Identity>& who, const std::string& text) const {
+  context_.options.access->note(event, who, text + (text.empty() ? "" : " ") + "program=browser from=" + address_);
 }
 
 }  // namespace telepalp::gateway

@@ -47,7 +47,7 @@ class Visit {
   void resource(const HttpRequest& request, const ResourceRow& row, const Reply& reply) const;
   [[nodiscard]] std::optional<HttpReply> refusal_to_watch(const HttpRequest& request) const;
   [[nodiscard]] std::optional<HttpReply> refusal(const HttpRequest& request, const ResourceRow& row, bool is_own) const;
-  void note(access::AuditEvent event, const std::string& text) const;
+  void note(access::AuditEvent event, const std::optional<keys::Identity>& who, const std::string& text) const;
 
   GatewayContext& context_;
   std::string address_;  // of the peer, without its port

@@ -144,6 +144,18 @@ void Hub::start_anew(Subscriber& subscriber, const wire::Topic& topic) {
   if (wants(subscriber.topics, topic.name)) request_from_publisher(topic.name);
 }
 
+Hub::TopicCount Hub::topic_count(SubscriberId id, std::string_view topic) const {
+  const auto subscriber = subscribers_.find(id);
+  if (subscriber == subscribers_.end()) return {};
+  const auto found = subscriber->second.count.topics.find(topic);
+  return found == subscriber->second.count.topics.end() ? TopicCount{} : found->second;
+}
+
+void Hub::note_share(SubscriberId id, std::optional<double> share_B_per_s) {
+  if (const auto found = subscribers_.find(id); found != subscribers_.end())
+    found->second.count.share_B_per_s = share_B_per_s;
+}
+
 void Hub::send_by_datagram(SubscriberId id, bool on) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end() || found->second.count.by_datagram == on) return;

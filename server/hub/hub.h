@@ -64,6 +64,8 @@ class Hub {
   void send_by_datagram(SubscriberId subscriber, bool on);
   /// Takes a deadline topic's newest key frame, else its oldest message; drops older ones (SendQueue::pop_newest()).
   [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber);
+  /// Keeps, for subscriber_counts(), what other flows leave of the subscriber's line.
+  void note_share(SubscriberId subscriber, std::optional<double> share_B_per_s);
   /// The subscriber cannot decode the predicted frames of `topic`: the next one that it gets is a key frame.
   void restart_group(SubscriberId subscriber, const wire::Topic& topic);
 
@@ -90,13 +92,16 @@ class Hub {
     std::string name;
     std::string address;
     std::uint32_t sender = 0;
-    bool by_datagram = false;  ///< datagrams carry the deadline topics, TCP the others
+    bool by_datagram = false;               ///< datagrams carry the deadline topics, TCP the others
+    std::optional<double> share_B_per_s{};  ///< what other flows leave of its line; nullopt: none was noticed
     TopicCounts topics;
     [[nodiscard]] std::uint64_t sent() const noexcept;
     [[nodiscard]] std::uint64_t dropped() const noexcept;
   };
   [[nodiscard]] const TopicCounts& topic_counts() const noexcept { return topics_; }
   [[nodiscard]] std::vector<SubscriberCount> subscriber_counts() const;
+  /// The subscriber's counts of `topic`; zeros if it is unknown.
+  [[nodiscard]] TopicCount topic_count(SubscriberId subscriber, std::string_view topic) const;
 
  private:
   struct Subscriber {

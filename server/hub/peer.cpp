@@ -15,12 +15,19 @@ keys::Operation operation_of(PlaceKind kind) noexcept {
   return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
 }
 
+constexpr const char* kAskTechnician = "ask the technician of the server";
+const Error kStationNeedsKey{.what = "a station needs a key, and this program has a token, which can be copied",
+                             .where = {},
+                             .fix = "ask the technician for a key: telepalp-keys client --name NAME --role doctor"};
+
 }  // namespace
 
-Peer::Peer(const PeerSite& site, std::uint64_t number, std::unique_ptr<wire::ByteStream> stream)
+Peer::Peer(const PeerSite& site, std::uint64_t number, const access::Unproven& arrival,
+           std::unique_ptr<wire::ByteStream> stream)
     : site_(site),
       number_(number),
-      touch_(site.access, number, [this] { return in_audit(); }),
+      arrival_(arrival),
+      touch_(site.access, number, [this](access::AuditEvent event, const std::string& more) { audit(event, more); }),
       connection_(std::make_shared<wire::Connection>(
           std::move(stream),
           wire::Connection::Options{.name = site.server_name,
@@ -33,13 +40,23 @@ Peer::Peer(const PeerSite& site, std::uint64_t number, std::unique_ptr<wire::Byt
 }
 
 Peer::~Peer() {
-  touch_.leave(true);
+  touch_.leave(false);
   if (subscriber_) site_.hub.leave(subscriber_);
   connection_->abandon();
 }
 
+double Peer::dropped() noexcept {
+  const Hub::TopicCount depth = site_.hub.topic_count(subscriber_, wire::kCameraDepth.name);
+  return drops_.step(depth.published, depth.dropped);
+}
+
 void Peer::check_key() {
+  show_revocations();
   if (!who_ || site_.access.still_holds(*who_)) return;
+  if (site_.access.is_revoked())
+    return deny({.what = "the key of this server is revoked", .where = {}, .fix = kAskTechnician});
+  if (site_.access.people().is_sent_out(who_->serial, Clock::now()))
+    return deny({.what = "the technician has sent " + describe(*who_) + " out", .where = {}, .fix = kAskTechnician});
   const bool expired = who_->expires <= std::chrono::system_clock::now();
   deny({.what = "the key of " + describe(*who_) + (expired ? " has expired" : " is revoked"),
         .where = {},
@@ -54,29 +71,29 @@ bool Peer::is_idle(Clock::time_point now) const noexcept {
 
 bool Peer::accepts(const wire::Topic& topic) {
   const bool may = may_publish_upstream(topic) && who_ && site_.access.may(*who_, keys::Operation::Touch) &&
-                   (touch_.holds() || takes_touch(false));
+                   may_be_station() && (touch_.holds() || takes_touch(false));
   if (!may)
-    site_.access.note(access::AuditEvent::Refused,
-                      in_audit() + " why=" + access::audit_text("may not publish " + std::string(topic.name)));
+    audit(access::AuditEvent::Refused, "why=" + access::audit_text("may not publish " + std::string(topic.name)));
   advertised_ = advertised_ || may;
   return may;
 }
 
-std::string Peer::in_audit() const {
-  return "who=" + (who_ ? describe(*who_) : std::string("stranger")) + " program=" + access::audit_text(name_) +
-         " from=" + connection_->peer() + (who_ && !who_->serial.empty() ? " key=" + who_->serial : "");
+void Peer::audit(access::AuditEvent event, const std::string& more) {
+  site_.access.note(
+      event, who_,
+      "program=" + access::audit_text(name_) + " from=" + connection_->peer() + (more.empty() ? "" : " " + more));
 }
 
 /// Refuses the peer with a Goodbye that tells the peer not to try again, because the attempt would fail the same way.
 void Peer::deny(const Error& why) {
   audited_ = true;
-  site_.access.note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(why.what));
+  audit(access::AuditEvent::Refused, "why=" + access::audit_text(why.what));
   site_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + why.what);
   connection_->close(to_string(why), true);
 }
 
 void Peer::refuse(const std::string& reason) {
-  site_.access.note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
+  audit(access::AuditEvent::Refused, "why=" + access::audit_text(reason));
   site_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + reason);
   connection_->close(reason);
 }
@@ -84,28 +101,56 @@ void Peer::refuse(const std::string& reason) {
 void Peer::on_ready(const msg::Hello& peer) {
   name_ = peer.name();
   useful_ = Clock::now();
-  const Result<keys::Identity> who = site_.access.who(connection_->is_sealed(), connection_->identity(), peer.token(),
-                                                      access::host_of(connection_->peer()));
+  touch_.set_run(peer.run());
+  const Result<keys::Identity> who = whose(peer);
   if (!who) return deny(who.error());
   who_ = *who;
   const PlaceKind kind = place_for(peer.role());
+  if (kind == PlaceKind::Station && !may_be_station()) return deny(kStationNeedsKey);
   if (const Result<void> may = site_.access.may(*who_, operation_of(kind)); !may) return deny(may.error());
   const std::size_t places = site_.places.of(kind);
   if (site_.taken(kind) >= places) return refuse(full_house(kind, places));
+  if (const Result<void> may = site_.access.may_join(*who_); !may) return refuse(to_string(may.error()));
   if (kind == PlaceKind::Station && !takes_touch(peer.accepts_touch())) return refuse(touch_.is_held(*who_));
   join(kind, peer);
   offer_datagrams(peer.datagrams());
 }
 
+Result<keys::Identity> Peer::whose(const msg::Hello& peer) const {
+  const auto exporter = connection_->keying_material(keys::kTokenKeyLabel);
+  const std::span<const std::byte> secret =
+      exporter ? std::span<const std::byte>(*exporter) : std::span<const std::byte>();
+  return site_.access.who({.is_sealed = connection_->is_sealed(),
+                           .certificate = connection_->identity(),
+                           .token = peer.token(),
+                           .proof = {.signature = peer.token_proof(), .exporter = secret},
+                           .address = access::host_of(connection_->peer())});
+}
+
+/// True if the peer has a certificate, or the server has no keys. A station moves a device at a person's hand, so a
+/// token, which can be copied, is not enough.
+bool Peer::may_be_station() const { return !site_.access.has_keys() || connection_->identity().has_value(); }
+
+/// Shows the peer the list of revoked keys, if it has not seen the newest one.
+void Peer::show_revocations() {
+  if (!place_ || !connection_->is_sealed() || list_shown_ == site_.access.revocation_number()) return;
+  list_shown_ = site_.access.revocation_number();
+  connection_->show_revocations(site_.access.revocation_list());
+}
+
 void Peer::join(PlaceKind kind, const msg::Hello& peer) {
   place_ = kind;
+  show_revocations();
   sender_ = site_.sender_number(peer.run());
   subscriber_ = site_.hub.join(
       name_, connection_->peer(), [this] { wake(); }, sender_);
   site_.note(name_ + " (" + (site_.access.has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
              connection_->peer());
-  site_.access.note(access::AuditEvent::Joined, in_audit());
-  if (kind == PlaceKind::Recorder) site_.access.note(access::AuditEvent::Records, in_audit());
+  const std::string by = connection_->identity() || !site_.access.has_keys() ? "" : "by=token";
+  stream_ = site_.access.enter(*who_, name_, connection_->peer(), by);
+  if (kind == PlaceKind::Recorder)
+    audit(access::AuditEvent::Records,
+          "consent=" + access::audit_text(peer.consent().empty() ? "not stated" : peer.consent()));
 }
 
 /// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random
@@ -182,13 +227,17 @@ void Peer::on_key_frame_request(const wire::Topic& topic, SessionTime published)
 }
 
 void Peer::on_closed(const std::string& reason) {
-  if (place_) site_.access.note(access::AuditEvent::Left, in_audit() + " why=" + access::audit_text(reason));
+  if (place_) site_.access.leave(stream_, "why=" + access::audit_text(reason));
   touch_.leave(reason.starts_with("peer left"));
   if (!who_ && !audited_ && site_.access.has_keys())
-    site_.access.note(access::AuditEvent::Refused, in_audit() + " why=" + access::audit_text(reason));
+    audit(access::AuditEvent::Refused, "why=" + access::audit_text(reason));
   leave_hub();
-  site_.note((name_.empty() ? "a peer without a name" : name_) + " at " + connection_->peer() +
-             " disconnected: " + reason);
+  const std::string from = connection_->peer();
+  if (place_)
+    site_.note(name_ + " at " + from + " disconnected: " + reason);
+  else
+    site_.note_stranger_gone((name_.empty() ? "a peer without a name" : name_) + " at " + from + " disconnected",
+                             reason);
   site_.forget(number_);
 }
 

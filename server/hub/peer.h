@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "proto/link/datagram_link.h"
 #include "proto/wire/connection/connection.h"
 #include "server/access/access.h"
+#include "server/access/unproven.h"
 #include "server/hub/hub.h"
 #include "server/hub/peer_datagrams.h"
 #include "server/hub/peer_touch.h"
@@ -33,10 +35,12 @@ struct PeerSite {
   std::function<void(std::uint64_t peer, const keys::Identity& who)> hand_over;
   std::function<void(const std::string&)> note;          ///< a log line
   std::function<void(const std::string&)> note_refusal;  ///< a log line about a refused peer
-  std::function<void()> on_invalid;                      ///< a message was dropped because it is invalid
-  std::function<void()> on_over_rate;                    ///< a message was dropped because of its topic's rate
-  std::function<void()> on_leaving;                      ///< before a peer and its counts leave the hub
-  std::function<void(std::uint64_t peer)> forget;        ///< the peer's connection has ended
+  /// The connection of a peer that never joined has ended, for `reason`. Many such peers share one line of the log.
+  std::function<void(const std::string& happened, const std::string& reason)> note_stranger_gone;
+  std::function<void()> on_invalid;                ///< a message was dropped because it is invalid
+  std::function<void()> on_over_rate;              ///< a message was dropped because of its topic's rate
+  std::function<void()> on_leaving;                ///< before a peer and its counts leave the hub
+  std::function<void(std::uint64_t peer)> forget;  ///< the peer's connection has ended
 };
 
 /// One peer: connects its network connection with its subscription in the hub.
@@ -44,8 +48,10 @@ class Peer : private wire::ConnectionOwner {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `number`: differs for each peer of the server. `site` must outlive the peer.
-  Peer(const PeerSite& site, std::uint64_t number, std::unique_ptr<wire::ByteStream> stream);
+  /// `number`: differs for each peer of the server. `arrival`: from where and when its connection came. `site` must
+  /// outlive the peer.
+  Peer(const PeerSite& site, std::uint64_t number, const access::Unproven& arrival,
+       std::unique_ptr<wire::ByteStream> stream);
   ~Peer() override;
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
@@ -56,6 +62,8 @@ class Peer : private wire::ConnectionOwner {
   [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
   [[nodiscard]] std::string from() const { return connection_->peer(); }  ///< ADDRESS:PORT
 
+  [[nodiscard]] const access::Unproven& arrival() const noexcept { return arrival_; }
+
   /// The kind of place (places.h: a connection that counts against a limit) that the peer occupies; nullopt: no Hello
   /// yet, or refused.
   [[nodiscard]] std::optional<PlaceKind> place() const noexcept { return place_; }
@@ -63,6 +71,13 @@ class Peer : private wire::ConnectionOwner {
   /// Ends the connection when the peer's key has expired or is revoked.
   void check_key();
   [[nodiscard]] bool references_arrive() const noexcept { return !datagrams_ || datagrams_->references_arrive(); }
+  [[nodiscard]] std::optional<double> share_B_per_s() const noexcept {
+    return datagrams_ ? datagrams_->share_B_per_s() : std::nullopt;
+  }
+  /// Share of the last depth images that the peer's line had no room for.
+  [[nodiscard]] double dropped() noexcept;
+  /// Tells the hub share_B_per_s(), for /server/stats.
+  void note_share() { site_.hub.note_share(subscriber_, share_B_per_s()); }
   [[nodiscard]] bool is_idle(Clock::time_point now) const noexcept;
 
  private:
@@ -77,9 +92,12 @@ class Peer : private wire::ConnectionOwner {
   std::optional<wire::Message> next_to_send() override { return site_.hub.next(subscriber_); }
   SessionTime session_now() override { return site_.now(); }
 
-  [[nodiscard]] std::string in_audit() const;
+  void audit(access::AuditEvent event, const std::string& more = {});
   void deny(const Error& why);
   void refuse(const std::string& reason);
+  [[nodiscard]] Result<keys::Identity> whose(const msg::Hello& peer) const;
+  [[nodiscard]] bool may_be_station() const;
+  void show_revocations();
   void join(PlaceKind kind, const msg::Hello& peer);
   void offer_datagrams(msg::DatagramCipher wanted);
   [[nodiscard]] std::function<void(wire::Message)> messages_by_datagram();
@@ -92,15 +110,19 @@ class Peer : private wire::ConnectionOwner {
 
   const PeerSite& site_;
   std::uint64_t number_;
+  access::Unproven arrival_;
   std::string name_;
   std::optional<keys::Identity> who_;  // nullopt: not known yet, or refused
   std::optional<PlaceKind> place_;
   PeerTouch touch_;
-  bool audited_ = false;        // the audit log already has the reason for this peer's refusal
-  bool advertised_ = false;     // the peer has advertised an allowed topic
-  bool subscribed_ = false;     // the peer is subscribed to at least one topic
-  Clock::time_point useful_{};  // when it last published, ended its subscriptions or sent its Hello
+  std::uint64_t stream_ = 0;                 // its number in access::People
+  std::optional<std::uint64_t> list_shown_;  // number of the list of revoked keys that the peer has seen
+  bool audited_ = false;                     // the audit log already has the reason for this peer's refusal
+  bool advertised_ = false;                  // the peer has advertised an allowed topic
+  bool subscribed_ = false;                  // the peer is subscribed to at least one topic
+  Clock::time_point useful_{};               // when it last published, ended its subscriptions or sent its Hello
   UpstreamRates rates_;
+  link::DropShare drops_;
   bool over_rate_noted_ = false;
   std::uint32_t sender_ = 0;                      // 0: no Hello yet
   SubscriberId subscriber_ = 0;                   // 0: not in the hub

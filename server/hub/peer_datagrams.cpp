@@ -1,5 +1,6 @@
 #include "server/hub/peer_datagrams.h"
 
+#include <random>
 #include <utility>
 
 #include "proto/wire/datagram_message.h"
@@ -40,11 +41,9 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
   made->end_ = std::make_unique<wire::DatagramEnd>(
       io.get_executor(), made->offer_.seal, link::End::Server,
       wire::DatagramEnd::Handlers{
-          .send =
-              [raw = made.get()](std::span<const std::byte> datagram) {
-                return !raw->address_ || raw->port_.send(datagram, *raw->address_);
-              },
+          .send = [raw = made.get()](std::span<const std::byte> datagram) { return raw->send(datagram); },
           .next_frame = [&hub, subscriber, raw = made.get()]() -> std::shared_ptr<const link::SharedFrame> {
+            if (!raw->address_.is_proved()) return nullptr;
             const std::optional<wire::Message> message = hub.next_for_datagram(subscriber);
             if (!message) return nullptr;
             return raw->port_.frames().frame_of(*message, raw->peer_.now());
@@ -65,14 +64,42 @@ bool PeerDatagrams::references_arrive() const noexcept {
          link::references_arrive(end_->link().path(), link::DatagramLinkSettings{}.deadline);
 }
 
+std::optional<double> PeerDatagrams::share_B_per_s() const noexcept {
+  if (end_->phase() != wire::DatagramPhase::Up) return std::nullopt;
+  return end_->link().path().share_B_per_s();
+}
+
 /// Only the newest authenticated datagram may change the address: a replayed one must not redirect the stream.
 void PeerDatagrams::received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) {
-  if (end_->received(datagram).value_or(false)) address_ = from;
+  if (end_->received(datagram).value_or(false)) prove(from, datagram.size());
   end_->pump();
 }
 
+void PeerDatagrams::prove(const DatagramPort::Endpoint& from, std::size_t bytes) {
+  address_.received(from, bytes, [] {
+    std::random_device random;
+    return (std::uint64_t{random()} << 32U) | random();
+  });
+  const std::optional<std::uint64_t> nonce = end_->take_response();
+  if (nonce && address_.answered(*nonce)) hub_.send_by_datagram(peer_.subscriber, carries_images());
+  link::Datagram datagram;
+  const std::optional<ProvedAddress::Challenge> challenge = address_.challenge(peer_.now());
+  if (!challenge || !end_->challenge(challenge->nonce, datagram)) return;
+  if (address_.may_send(challenge->to, datagram.bytes().size())) (void)port_.send(datagram.bytes(), challenge->to);
+}
+
+/// A datagram for an address that may get no more is lost.
+bool PeerDatagrams::send(std::span<const std::byte> datagram) {
+  const std::optional<DatagramPort::Endpoint> to = address_.receiver();
+  return !to || !address_.may_send(*to, datagram.size()) || port_.send(datagram, *to);
+}
+
+bool PeerDatagrams::carries_images() const noexcept {
+  return end_->phase() == wire::DatagramPhase::Up && address_.is_proved();
+}
+
 void PeerDatagrams::on_phase(wire::DatagramPhase phase) {
-  hub_.send_by_datagram(peer_.subscriber, phase == wire::DatagramPhase::Up);
+  hub_.send_by_datagram(peer_.subscriber, carries_images());
   if (peer_.on_phase) peer_.on_phase(phase);
 }
 

@@ -7,6 +7,7 @@
 #include "proto/wire/datagrams/datagram_end.h"
 #include "proto/wire/datagrams/datagram_offer.h"
 #include "server/hub/datagrams/datagram_port.h"
+#include "server/hub/datagrams/proved_address.h"
 #include "server/hub/hub.h"
 
 namespace telepalp::hub {
@@ -38,6 +39,9 @@ class PeerDatagrams : private DatagramPort::Session {
   /// True if the depth images for this peer may be predicted from each other: they go over TCP, or the path of their
   /// datagrams loses hardly any packet, or a loss is repaired within the deadline (link::references_arrive()).
   [[nodiscard]] bool references_arrive() const noexcept;
+  /// What the path of the datagrams still carries beside other flows (link::PathEstimate::share_B_per_s()) [B/s];
+  /// nullopt: no other flow was noticed, or TCP carries the images.
+  [[nodiscard]] std::optional<double> share_B_per_s() const noexcept;
   /// Call it when the hub has a message for the peer.
   void wake() { end_->pump(); }
 
@@ -46,6 +50,9 @@ class PeerDatagrams : private DatagramPort::Session {
   void received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) override;
   [[nodiscard]] const link::OpenerStatistics& refused() const override { return end_->link().opener(); }
   void on_phase(wire::DatagramPhase phase);
+  [[nodiscard]] bool carries_images() const noexcept;
+  [[nodiscard]] bool send(std::span<const std::byte> datagram);
+  void prove(const DatagramPort::Endpoint& from, std::size_t bytes);
 
   DatagramPort& port_;
   Hub& hub_;
@@ -53,8 +60,7 @@ class PeerDatagrams : private DatagramPort::Session {
   std::uint32_t number_;
   wire::DatagramOffer offer_;
   bool closed_ = false;
-  std::optional<DatagramPort::Endpoint>
-      address_;                             // sender of the newest authenticated datagram; nullopt: none came yet
+  ProvedAddress address_;
   std::unique_ptr<wire::DatagramEnd> end_;  // never null after offer()
 };
 

@@ -4,7 +4,9 @@
 #include <boost/asio/post.hpp>
 #include <random>
 #include <utility>
+#include <vector>
 
+#include "proto/wire/sockets/tcp_socket.h"
 #include "proto/words/counted.h"
 #include "server/access/audit_text.h"
 #include "server/hub/peer.h"
@@ -25,17 +27,6 @@ Error cannot_listen(const tcp::endpoint& endpoint, const error_code& code) {
             .where = where,
             .fix = "stop the program that listens there, or give another --port"};
   return {.what = "cannot listen: " + code.message(), .where = where, .fix = "give another --bind or --port"};
-}
-
-error_code open_acceptor(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
-  error_code code;
-  acceptor.open(endpoint.protocol(), code);
-  // After a quick restart the server's port may still be in TIME_WAIT. On Linux, SO_REUSEADDR does not allow two
-  // listeners.
-  if (!code) acceptor.set_option(tcp::acceptor::reuse_address(true), code);
-  if (!code) acceptor.bind(endpoint, code);
-  if (!code) acceptor.listen(tcp::acceptor::max_listen_connections, code);
-  return code;
 }
 
 }  // namespace
@@ -98,6 +89,8 @@ PeerSite PeerListener::site_for_peers() {
               },
           .note = [this](const std::string& text) { note(text); },
           .note_refusal = [this](const std::string& text) { note_refusal(text); },
+          .note_stranger_gone = [this](const std::string& happened,
+                                       const std::string& reason) { note_stranger_gone(happened, reason); },
           .on_invalid = [this] { ++counts_.invalid_messages; },
           .on_over_rate = [this] { ++counts_.over_rate; },
           .on_leaving =
@@ -113,7 +106,7 @@ error_code PeerListener::open(const tcp::endpoint& endpoint) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     error_code failed;
     acceptor_.close(failed);
-    if (failed = open_acceptor(acceptor_, endpoint); failed) return failed;
+    if (failed = wire::open_acceptor(acceptor_, endpoint); failed) return failed;
     port_ = acceptor_.local_endpoint().port();
     if (failed = datagrams_->open({endpoint.address(), port_}); !failed) return {};
     if (endpoint.port() == 0 && attempt + 1 < kAttempts) continue;
@@ -128,6 +121,30 @@ DatagramCounts PeerListener::datagram_counts() const noexcept { return datagrams
 
 bool PeerListener::references_arrive() const noexcept {
   return std::ranges::all_of(peers_, [](const auto& peer) { return peer.second->references_arrive(); });
+}
+
+std::optional<double> PeerListener::least_share_B_per_s() const noexcept {
+  const bool touched = stations() > 0;
+  std::optional<double> least;
+  for (const auto& [number, peer] : peers_) {
+    if (touched && peer->place() != PlaceKind::Station) continue;
+    if (const std::optional<double> share = peer->share_B_per_s()) least = std::min(least.value_or(*share), *share);
+  }
+  return least;
+}
+
+double PeerListener::most_dropped() noexcept {
+  const bool touched = stations() > 0;
+  double most = 0.0;
+  for (const auto& [number, peer] : peers_) {
+    const double dropped = peer->dropped();
+    if (!touched || peer->place() == PlaceKind::Station) most = std::max(most, dropped);
+  }
+  return most;
+}
+
+void PeerListener::note_shares() {
+  for (const auto& [number, peer] : peers_) peer->note_share();
 }
 
 void PeerListener::close(const std::string& reason) {
@@ -161,7 +178,7 @@ void PeerListener::note_pause(const error_code& why) {
   const std::string text = "no connection can be accepted (" + why.message() +
                            "): accepting pauses, and the server tries again every 0.1 s"
                            ". fix: stop clients of this server, or restart it with a higher ulimit -n";
-  options_.access->note(access::AuditEvent::Refused, "who=stranger why=" + access::audit_text(text));
+  options_.access->note(access::AuditEvent::Refused, std::nullopt, "why=" + access::audit_text(text));
   note_refusal(text);
 }
 
@@ -171,10 +188,13 @@ std::unique_ptr<wire::ByteStream> PeerListener::stream_over(tcp::socket socket) 
 }
 
 void PeerListener::admit(tcp::socket socket) {
-  if (taken(std::nullopt) >= options_.places.strangers) let_a_stranger_go();
   ++counts_.accepted;
   const PeerNumber number = ++last_number_;
-  peers_.emplace(number, std::make_unique<Peer>(*site_, number, stream_over(std::move(socket))));
+  error_code gone;
+  const access::Unproven arrival{.from = socket.remote_endpoint(gone).address(),
+                                 .since = std::chrono::steady_clock::now()};
+  peers_.emplace(number, std::make_unique<Peer>(*site_, number, arrival, stream_over(std::move(socket))));
+  if (taken(std::nullopt) > options_.places.strangers) let_a_stranger_go();
 }
 
 /// A peer that reconnects keeps its number. Two connected peers never have the same number, even if they state the same
@@ -199,19 +219,32 @@ std::size_t PeerListener::taken(std::optional<PlaceKind> kind) const {
       std::count_if(peers_.begin(), peers_.end(), [&](const auto& peer) { return peer.second->place() == kind; }));
 }
 
-/// A valid peer sends its Hello within a round trip, so the stranger that has waited longest is the least likely to
-/// send one.
+std::optional<PeerListener::PeerNumber> PeerListener::stranger_to_close() const {
+  std::vector<PeerNumber> numbers;
+  std::vector<access::Unproven> strangers;
+  for (const auto& [number, peer] : peers_) {
+    if (peer->place()) continue;
+    numbers.push_back(number);
+    strangers.push_back(peer->arrival());
+  }
+  const std::optional<std::size_t> index = access::one_to_close(strangers, std::chrono::steady_clock::now());
+  return index ? std::optional(numbers[*index]) : std::nullopt;
+}
+
+/// Closes a connection of the network that holds most, so that one address cannot keep the others out.
 void PeerListener::let_a_stranger_go() {
-  const auto oldest =
-      std::find_if(peers_.begin(), peers_.end(), [](const auto& peer) { return !peer.second->place(); });
-  if (oldest == peers_.end()) return;
-  const std::string text = "the connection from " + oldest->second->from() + " is closed: more than " +
-                           std::to_string(options_.places.strangers) +
-                           " connections have not sent their Hello message yet, the greeting of a telepalp program";
-  options_.access->note(access::AuditEvent::Refused,
-                        "who=stranger from=" + oldest->second->from() + " why=" + access::audit_text(text));
+  const std::optional<PeerNumber> number = stranger_to_close();
+  if (!number) return;
+  const auto chosen = peers_.find(*number);
+  const std::string text =
+      "the connection from " + chosen->second->from() + " is closed: more than " +
+      std::to_string(options_.places.strangers) +
+      " connections have not sent their Hello message yet, the greeting of a telepalp program, and its network "
+      "holds most of them";
+  options_.access->note(access::AuditEvent::Refused, std::nullopt,
+                        "from=" + chosen->second->from() + " why=" + access::audit_text(text));
   note_refusal(text);
-  peers_.erase(oldest);
+  peers_.erase(chosen);
 }
 
 void PeerListener::let_idle_go_every_second() {
@@ -239,10 +272,10 @@ void PeerListener::audit_refused_datagrams(std::chrono::steady_clock::time_point
   if (forged + strange == 0 || now - datagrams_audited_ < kQuiet) return;
   datagrams_audited_ = now;
   audited_ = counts;
-  options_.access->note(access::AuditEvent::Refused,
-                        "who=stranger why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
-                                                                 " with an unknown session number, " +
-                                                                 std::to_string(forged) + " malformed or forged"));
+  options_.access->note(access::AuditEvent::Refused, std::nullopt,
+                        "why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
+                                                    " with an unknown session number, " + std::to_string(forged) +
+                                                    " malformed or forged"));
 }
 
 /// Logs the first refusal at once and then at most one line in five seconds, so that many refusals do not fill the log.
@@ -257,6 +290,14 @@ void PeerListener::note_refusal(const std::string& text) {
   note(text + (unsaid == 0 ? ""
                            : " (and " + counted(unsaid, "other refusal", "other refusals") +
                                  " since the last logged refusal)"));
+}
+
+/// Logs the first such peer at once. While more of them go, logs their number once each five seconds.
+void PeerListener::note_stranger_gone(const std::string& happened, const std::string& reason) {
+  const Error never_joined{.what = "it had not joined", .where = {}, .fix = {}};
+  if (const auto line =
+          strangers_gone_.line(happened + " (" + reason + ")", never_joined, std::chrono::steady_clock::now()))
+    note(*line);
 }
 
 void PeerListener::note(const std::string& text) const {

@@ -13,6 +13,7 @@
 
 #include "proto/wire/connection/connection.h"
 #include "proto/wire/session_clock.h"
+#include "proto/words/repeated_errors.h"
 #include "proto/words/result.h"
 #include "server/access/access.h"
 #include "server/hub/datagrams/datagram_counts.h"
@@ -66,7 +67,17 @@ class PeerListener {
   /// True if depth images may depend on each other: each peer gets them over TCP, or by a path that loses hardly any
   /// datagram or repairs lost ones in time.
   [[nodiscard]] bool references_arrive() const noexcept;
+  /// The least share that a path still carries beside other flows [B/s]: of the stations' paths, or without a station
+  /// of all; nullopt: no other flow was noticed.
+  [[nodiscard]] std::optional<double> least_share_B_per_s() const noexcept;
+  /// The largest share of the last depth images that a peer's line had no room for. Counts the stations' lines alone;
+  /// without a station, the lines of all peers.
+  [[nodiscard]] double most_dropped() noexcept;
+  /// Tells the hub what other flows leave of each peer's line.
+  void note_shares();
 
+  /// Takes in a peer whose connection comes through the meeting point, not through this listener's port.
+  void admit(boost::asio::ip::tcp::socket socket);
   /// Stops listening, and sends every peer its queued messages and a Goodbye. Within 1 s no work is left in the
   /// io_context.
   void close(const std::string& reason);
@@ -78,13 +89,14 @@ class PeerListener {
   [[nodiscard]] boost::system::error_code open(const boost::asio::ip::tcp::endpoint& endpoint);
   void accept();
   [[nodiscard]] PeerSite site_for_peers();
-  void admit(boost::asio::ip::tcp::socket socket);
   void forget(PeerNumber number);
   [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;
   void note(const std::string& text) const;
   void note_refusal(const std::string& text);
+  void note_stranger_gone(const std::string& happened, const std::string& reason);
   void note_pause(const boost::system::error_code& why);
   [[nodiscard]] std::size_t taken(std::optional<PlaceKind> kind) const;  ///< nullopt: without a place (places.h)
+  [[nodiscard]] std::optional<PeerNumber> stranger_to_close() const;
   void let_a_stranger_go();
   void let_idle_go_every_second();
   void audit_refused_datagrams(std::chrono::steady_clock::time_point now);
@@ -103,6 +115,7 @@ class PeerListener {
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;
+  RepeatedErrors strangers_gone_;
   bool cannot_accept_ = false;  // the last attempt to accept failed
   std::chrono::steady_clock::time_point refusal_noted_{};
   std::chrono::steady_clock::time_point datagrams_audited_{};

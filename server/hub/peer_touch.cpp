@@ -26,30 +26,37 @@ PeerTouch::Taken PeerTouch::take(const keys::Identity& who, bool accepts) {
   access::TouchLease& lease = access_.touch();
   const std::optional<std::string> before = lease.holder(Clock::now());
   std::optional<std::uint64_t> from;
-  holds_ = lease.take(peer_, who.serial, who.name, Clock::now());
+  const access::TouchLease::Station station{
+      .peer = peer_, .run = run_, .serial = who.serial, .name = who.name, .accepts = accepts};
+  holds_ = lease.take(station, Clock::now());
   if (!holds_ && accepts) {
-    from = lease.accept(peer_, who.serial, who.name, Clock::now());
+    from = lease.accept(station, Clock::now());
     holds_ = from.has_value();
   }
-  if (holds_) note(access::AuditEvent::TookTouch, from ? " by=hand-over from=" + access::audit_text(*before) : "");
+  access_.keep_touch();
+  if (holds_) audit_(access::AuditEvent::TookTouch, from ? "by=hand-over from=" + access::audit_text(*before) : "");
   return {.may_touch = holds_, .from = from};
 }
 
 bool PeerTouch::renew() {
   if (!holds_) return true;
   holds_ = access_.touch().renew(peer_, Clock::now());
-  if (!holds_) note(access::AuditEvent::GaveTouch, " why=" + access::audit_text("silent for 10 s"));
-  return holds_;
+  if (holds_) return true;
+  const bool taken_away = access_.touch().must_accept(run_, Clock::now());
+  audit_(access::AuditEvent::GaveTouch,
+         "why=" + access::audit_text(taken_away ? "the technician took it away" : "silent for 10 s"));
+  return false;
 }
 
 std::string PeerTouch::lose_to(const keys::Identity& who) {
-  if (std::exchange(holds_, false)) note(access::AuditEvent::GaveTouch, " to=" + access::audit_text(describe(who)));
+  if (std::exchange(holds_, false)) audit_(access::AuditEvent::GaveTouch, "to=" + access::audit_text(describe(who)));
   return "the touch is handed over to " + describe(who) + ", who has accepted it";
 }
 
 void PeerTouch::leave(bool on_purpose) {
-  if (std::exchange(holds_, false)) note(access::AuditEvent::GaveTouch);
+  if (std::exchange(holds_, false)) audit_(access::AuditEvent::GaveTouch, {});
   access_.touch().leave(peer_, on_purpose, Clock::now());
+  access_.keep_touch();
 }
 
 msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to) {
@@ -58,7 +65,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
     return refuse(
         "this server has no keys, so nobody holds the touch. fix: stop this station, then start the other station");
   if (const Result<void> may = access_.may(who, keys::Operation::HandOver); !may) {
-    note(access::AuditEvent::Refused, " why=" + access::audit_text(may.error().what));
+    audit_(access::AuditEvent::Refused, "why=" + access::audit_text(may.error().what));
     return refuse(to_string(may.error()));
   }
   if (to == who.name)
@@ -74,7 +81,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
 }
 
 std::string PeerTouch::offered(const std::string& to) {
-  note(access::AuditEvent::OfferedTouch, to.empty() ? " to=nobody" : " to=" + access::audit_text(to));
+  audit_(access::AuditEvent::OfferedTouch, to.empty() ? "to=nobody" : "to=" + access::audit_text(to));
   if (to.empty()) return "the offer is withdrawn: you keep the touch";
   return "the touch is offered to doctor " + to + " for " + std::to_string(access::TouchLease::kOffer.count()) +
          " s: you keep the touch until that doctor accepts it";
@@ -83,6 +90,9 @@ std::string PeerTouch::offered(const std::string& to) {
 std::string PeerTouch::is_held(const keys::Identity& who) const {
   const access::TouchLease& lease = access_.touch();
   const std::optional<std::string> holder = lease.holder(Clock::now());
+  if (lease.must_accept(run_, Clock::now()))
+    return "the touch is free, and this station waits for its doctor. fix: to begin, run telepalp-station hand-over "
+           "--accept at this station";
   if (!holder)  // this station's lease had ended, another doctor took the touch, and has given it back since
     return "this station lost the touch, because it was silent for 10 s. fix: wait: the station connects again by "
            "itself, and takes the touch unless another doctor holds it then";
@@ -94,7 +104,5 @@ std::string PeerTouch::is_held(const keys::Identity& who) const {
          "offer you the touch: telepalp-station hand-over --to " +
          who.name;
 }
-
-void PeerTouch::note(access::AuditEvent event, const std::string& more) { access_.note(event, in_audit_() + more); }
 
 }  // namespace telepalp::hub

@@ -18,17 +18,21 @@ class PeerTouch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `peer`: its number. `in_audit`: the fields of the audit log that name the peer.
-  PeerTouch(access::Access& access, std::uint64_t peer, std::function<std::string()> in_audit)
-      : access_(access), peer_(peer), in_audit_(std::move(in_audit)) {}
+  using Audit = std::function<void(access::AuditEvent, const std::string& more)>;
 
+  /// `peer`: its number. `audit`: writes an event of this peer to the audit log, with further fields.
+  PeerTouch(access::Access& access, std::uint64_t peer, Audit audit)
+      : access_(access), peer_(peer), audit_(std::move(audit)) {}
+
+  void set_run(std::uint64_t run) noexcept { run_ = run; }  ///< of the peer's Hello
   [[nodiscard]] bool holds() const noexcept { return holds_; }
 
   struct Taken {
     bool may_touch = false;
     std::optional<std::uint64_t> from;  ///< number of the peer that lost the touch by handing it over
   };
-  /// Takes the touch for `who` if it is free. `accepts`: also takes it from a holder that offers it to `who`.
+  /// Takes the touch for `who` if it is free. `accepts`: the doctor accepts, so that the touch is also taken from a
+  /// holder that offers it to `who`, or after this station had to wait for it (TouchLease).
   [[nodiscard]] Taken take(const keys::Identity& who, bool accepts);
   /// Call it at each message of the peer; it extends the lease. False: the peer held the touch and has lost it.
   [[nodiscard]] bool renew();
@@ -45,11 +49,11 @@ class PeerTouch {
 
  private:
   [[nodiscard]] std::string offered(const std::string& to);
-  void note(access::AuditEvent event, const std::string& more = {});
 
   access::Access& access_;
   std::uint64_t peer_;
-  std::function<std::string()> in_audit_;
+  std::uint64_t run_ = 0;
+  Audit audit_;
   bool holds_ = false;
   std::optional<Clock::time_point> offered_at_;
 };

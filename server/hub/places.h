@@ -24,7 +24,7 @@ struct PlaceLimits {
   static constexpr std::size_t kStations = 8;   ///< role doctor
   static constexpr std::size_t kRecorders = 8;  ///< roles recorder, technician, qa
   std::size_t viewers = 48;                     ///< any other role
-  std::size_t strangers = 32;                   ///< connections without a Hello yet, or refused and not closed yet
+  std::size_t strangers = 128;                  ///< connections without a Hello yet, or refused and not closed yet
 
   [[nodiscard]] constexpr std::size_t of(PlaceKind kind) const noexcept {
     if (kind == PlaceKind::Station) return kStations;

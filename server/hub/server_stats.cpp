@@ -23,6 +23,7 @@ msg::ServerStats server_stats(const Hub& hub, const DatagramCounts& datagrams, S
     row.set_address(subscriber.address);
     row.set_sender(subscriber.sender);
     row.set_by_datagram(subscriber.by_datagram);
+    if (subscriber.share_B_per_s) row.set_share_b_per_s(*subscriber.share_B_per_s);
     row.set_sent(subscriber.sent());
     row.set_dropped(subscriber.dropped());
     for (const auto& [topic, count] : subscriber.topics) fill(*row.add_topics(), topic, count);

@@ -97,6 +97,9 @@ class CameraOrigin final : public Origin {
   void let_predict(bool may) override {
     if (thread_) thread_->let_predict(may);
   }
+  void shrink(std::size_t level) override {
+    if (thread_) thread_->shrink(level);
+  }
   [[nodiscard]] std::uint64_t images() const override { return thread_ ? thread_->frames() : 0; }
   [[nodiscard]] std::string in_words(const msg::CaptureStatus& status) const override {
     return "camera " + std::string(word_for(status.state())) + ": " + status.detail();

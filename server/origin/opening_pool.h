@@ -14,8 +14,8 @@ namespace telepalp::origin {
 /// The share of a file's index that has been read, 0 to 1.
 using Progress = std::function<void(double share)>;
 
-/// Opens files and cameras on threads of its own, so that the network thread never waits for a disk or a driver. Owner:
-/// the network thread.
+/// Opens files and cameras on threads of its own, so that the network thread does not wait while they are opened.
+/// Owner: the network thread.
 class OpeningPool {
  public:
   explicit OpeningPool(boost::asio::io_context& network) : network_(network) {}

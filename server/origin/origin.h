@@ -58,6 +58,9 @@ class Origin {
   /// True if this origin's depth images can be predicted from earlier ones, or not, as let_predict() says.
   [[nodiscard]] virtual bool chooses_prediction() const = 0;
   virtual void let_predict(bool may) = 0;
+  /// Makes images smaller, so that their rate need not fall: link::ContentLevel::level(). An origin whose images are as
+  /// they were recorded ignores it.
+  virtual void shrink(std::size_t level) { (void)level; }
 
   /// Number of depth images so far.
   [[nodiscard]] virtual std::uint64_t images() const = 0;

@@ -36,7 +36,8 @@ class Reading {
   Reading& operator=(const Reading&) = delete;
 
   [[nodiscard]] hub::Hub& hub() noexcept { return hub_; }
-  /// Of the topics for viewers alone: states() publishes there, and nobody makes views.
+  /// The hub of the topics that only viewers get. In a reading it carries the states of resources, and no views for
+  /// Foxglove.
   [[nodiscard]] hub::Hub& views() noexcept { return views_; }
   [[nodiscard]] StatePublisher& states() noexcept { return states_; }
   [[nodiscard]] const Offer& offer() const noexcept { return offer_; }

@@ -53,12 +53,13 @@ inline constexpr StateTopic kRecording =
 inline constexpr StateTopic kSessions = state_topic("/sessions", "telepalp.msg.SessionList", 1000ms);  ///< SessionPart
 
 inline constexpr StateTopic kSource = state_topic("/source", "telepalp.msg.SourceState", 250ms);  ///< SourceCommand
+inline constexpr StateTopic kPeople = state_topic("/people", "telepalp.msg.PeopleState", 250ms);  ///< PeopleCommand
 // Of a camera.
 inline constexpr StateTopic kExposure =
     state_topic("/exposure", "telepalp.msg.ExposureState", 100ms);  ///< ExposureCommand
 
-inline constexpr std::array kStateTopics{kPlayback,  kEvents,   kNetwork, kNotes,  kComparison,
-                                         kRecording, kSessions, kReading, kSource, kExposure};
+inline constexpr std::array kStateTopics{kPlayback, kEvents,  kNetwork, kNotes,    kComparison, kRecording,
+                                         kSessions, kReading, kSource,  kExposure, kPeople};
 
 /// The Protobuf type of one of kStateTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_state(const wire::Topic& topic);

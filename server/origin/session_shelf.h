@@ -47,7 +47,7 @@ class SessionShelf {
   /// As play(), but for a recording of the folder, and without waiting. `name`: as list() names it.
   void play_later(const std::string& name, Progress progress, const OpenedOrigin& done);
 
-  /// The session of the last play() again, without waiting.
+  /// As play_later(), for the session of play().
   void play_again(Progress progress, const OpenedOrigin& done);
 
   /// Another source than a session is shown to all.

@@ -19,6 +19,10 @@ struct EncodeOptions {
   int jpeg_quality = 85;
 };
 
+/// `asked`, made smaller for a line that other flows use (link::ContentLevel). Level 1: fast depth becomes intra, which
+/// is as exact, and colour loses quality. From level 2: colour loses more, and near-lossless depth has twice the bound.
+[[nodiscard]] EncodeOptions shrunk(EncodeOptions asked, std::size_t level) noexcept;
+
 /// Turns the frames of a capture source into the messages of /camera/…. Depth is published before colour, because touch
 /// needs it first. Owner: the capture thread; the handlers are called on it.
 class CameraPipeline {
@@ -29,6 +33,7 @@ class CameraPipeline {
     /// False: a lost image cannot be repaired in time, so that each depth image must be a key frame. Empty: always
     /// true.
     std::function<bool()> may_predict{};
+    std::function<std::size_t()> content_level{};  ///< for shrunk(); empty: always 0
   };
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                  wire::SessionClock clock, Handlers handlers);
@@ -45,11 +50,14 @@ class CameraPipeline {
   void publish_status_when_due();
   void measure_rate(SessionTime now);
   void publish_depth(const RgbdFrame& frame);
+  void shrink_when_asked();
   bool publish(wire::Message message);
 
   capture::CaptureSource& source_;
   std::string source_name_;
-  EncodeOptions options_;
+  EncodeOptions asked_;
+  EncodeOptions options_;  ///< shrunk(asked_, level_)
+  std::size_t level_ = 0;
   wire::SessionClock clock_;
   Handlers handlers_;
   codec::DepthEncoder encoder_;

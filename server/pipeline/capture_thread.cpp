@@ -31,7 +31,8 @@ void CaptureThread::run(const std::string& source_name, EncodeOptions options, w
   CameraPipeline pipeline(*source_, source_name, options, clock,
                           {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
                            .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); },
-                           .may_predict = [this] { return may_predict_.load(); }});
+                           .may_predict = [this] { return may_predict_.load(); },
+                           .content_level = [this] { return content_level_.load(); }});
   while (!stopping_) {
     set_wanted_exposure();
     const bool more = pipeline.step();

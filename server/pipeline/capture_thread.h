@@ -42,6 +42,8 @@ class CaptureThread {
   void request_key_frame() noexcept { key_frame_requested_ = true; }
   /// False: from the next image on, each depth image is a key frame. Any thread.
   void let_predict(bool may) noexcept { may_predict_ = may; }
+  /// From the next image on, images are encoded as shrunk() says for `level`. Any thread.
+  void shrink(std::size_t level) noexcept { content_level_ = level; }
   void set_exposure(const capture::Exposure& exposure) { wanted_exposure_.put(exposure); }  ///< network thread
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   /// Messages dropped because the network thread was too far behind.
@@ -60,6 +62,7 @@ class CaptureThread {
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_frame_requested_{false};
   std::atomic<bool> may_predict_{true};
+  std::atomic<std::size_t> content_level_{0};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
   std::atomic<std::uint64_t> frames_{0};
   std::atomic<std::uint64_t> dropped_{0};

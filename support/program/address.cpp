@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "support/program/default_ports.h"
+
 namespace telepalp::program {
 
 Result<Address> parse_address(std::string_view text, std::string_view where, std::string_view default_port) {
@@ -23,9 +25,28 @@ Result<Address> parse_address(std::string_view text, std::string_view where, std
   return Address{std::string(host), port};
 }
 
+Result<Address> parse_server(std::string_view text, std::string_view where) {
+  const std::size_t at = text.find('@');
+  if (at == std::string_view::npos) return parse_address(text, where, kServerPort);
+  Result<Address> meet = parse_address(text.substr(at + 1), where, kMeetPort);
+  if (!meet) return meet;
+  const std::string_view site = text.substr(0, at);
+  constexpr std::string_view kOfNames = "abcdefghijklmnopqrstuvwxyz0123456789-.";
+  if (site.empty() || site.size() > 253 || site.find_first_not_of(kOfNames) != std::string_view::npos)
+    return Error{
+        .what = "'" + std::string(site) + "' is not the name of a site",
+        .where = std::string(where),
+        .fix =
+            "write SITE@HOST with the name that the site's server shows when it joins the meeting point: small "
+            "letters, digits, hyphens and dots"};
+  meet->site = site;
+  return meet;
+}
+
 std::string to_text(const Address& address) {
   const bool is_v6 = address.host.find(':') != std::string::npos;
-  return (is_v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+  return (address.site.empty() ? "" : address.site + "@") + (is_v6 ? "[" + address.host + "]" : address.host) + ":" +
+         std::to_string(address.port);
 }
 
 }  // namespace telepalp::program

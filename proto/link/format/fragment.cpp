@@ -60,6 +60,17 @@ std::optional<Fragment> read_fragment(std::span<const std::byte> payload) noexce
   return shard.size() == layout.shard_bytes ? std::optional(Fragment{header, shard}) : std::nullopt;
 }
 
+std::array<std::byte, kPathProbeBytes> write_path_probe(PayloadKind kind, std::uint64_t nonce) noexcept {
+  std::array<std::byte, kPathProbeBytes> out{static_cast<std::byte>(kind)};
+  put_little_endian<std::uint64_t>(&out[1], nonce);
+  return out;
+}
+
+std::optional<std::uint64_t> read_path_probe(PayloadKind kind, std::span<const std::byte> payload) noexcept {
+  if (payload.size() != kPathProbeBytes || payload[0] != static_cast<std::byte>(kind)) return std::nullopt;
+  return get<std::uint64_t>(payload, 1);
+}
+
 std::vector<std::byte> write_feedback(const Feedback& feedback) {
   const std::size_t count = std::min(feedback.missing.size(), kMostMissing);
   std::vector<std::byte> out(kFeedbackBytes + count * kMissingBytes);

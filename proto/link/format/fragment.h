@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,7 +11,7 @@
 namespace telepalp::link {
 
 /// First byte of the payload of a sealed (encrypted and authenticated) datagram.
-enum class PayloadKind : std::uint8_t { Fragment = 1, Feedback = 2 };
+enum class PayloadKind : std::uint8_t { Fragment = 1, Feedback = 2, PathChallenge = 3, PathResponse = 4 };
 
 inline constexpr std::size_t kFragmentHeaderBytes = 15;
 inline constexpr std::size_t kMostShardBytes = kPayloadBytes - kFragmentHeaderBytes;
@@ -87,6 +88,14 @@ struct Feedback {
   bool operator==(const Feedback&) const = default;
 };
 inline constexpr std::size_t kMostMissing = 100;
+
+/// Payload of a PathChallenge, and of the PathResponse that repeats its nonce: it shows that the peer receives
+/// datagrams at the address to which the challenge was sent (RFC 9000 §8.2).
+inline constexpr std::size_t kPathProbeBytes = 9;
+[[nodiscard]] std::array<std::byte, kPathProbeBytes> write_path_probe(PayloadKind kind, std::uint64_t nonce) noexcept;
+/// The nonce; nullopt: `payload` is not of this `kind`.
+[[nodiscard]] std::optional<std::uint64_t> read_path_probe(PayloadKind kind,
+                                                           std::span<const std::byte> payload) noexcept;
 
 [[nodiscard]] std::vector<std::byte> write_feedback(const Feedback& feedback);
 [[nodiscard]] std::optional<Feedback> read_feedback(std::span<const std::byte> payload);

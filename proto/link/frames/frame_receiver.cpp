@@ -13,6 +13,7 @@ using namespace std::chrono_literals;
 /// After this time without a fragment of a frame, its missing fragments count as lost: packets overtake each other by
 /// less.
 constexpr Nanoseconds kReordering = 5ms;
+constexpr int kMostDeadlines = 3;  ///< after this many deadlines, a frame is given up even if fragments come
 
 std::uint16_t bit_of(std::uint8_t channel) noexcept { return static_cast<std::uint16_t>(1U << channel); }
 
@@ -158,7 +159,8 @@ void FrameReceiver::step(SessionTime now) {
       const Assembly& one = frame->second;
       const bool chain_broken = one.complete() && !can_deliver(channel, one) && now - one.last_at > kReordering &&
                                 !channel.frames.contains(frame->first - 1);
-      if (now - one.first_at > deadline_ || chain_broken) give_up(channel, frame);
+      const bool late = now - one.last_at > deadline_ || now - one.first_at > kMostDeadlines * deadline_;
+      if (late || chain_broken) give_up(channel, frame);
       frame = next;
     }
 }

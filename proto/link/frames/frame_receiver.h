@@ -37,8 +37,8 @@ class FrameReceiver {
   /// Removes and returns a frame that can be delivered; nullopt: none.
   [[nodiscard]] std::optional<Frame> take();
 
-  /// Gives up frames `deadline` after their first fragment, and complete frames whose reference frame is lost. Call it
-  /// before missing().
+  /// Gives up frames `deadline` after their newest fragment or three times `deadline` after their first one, and
+  /// complete frames whose reference frame is lost. Call it before missing().
   void step(SessionTime now);
   /// Blocks that lack shards, of frames of which no fragment came for 5 ms (longer than packets overtake each other);
   /// by channel, then oldest frame first; at most kMostMissing.

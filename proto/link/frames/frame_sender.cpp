@@ -39,7 +39,7 @@ std::optional<FrameSender::Next> FrameSender::next(SessionTime now, PathEstimate
   if (first_round_.empty()) start_newest(now, path);
   std::deque<Piece>& from = requested_.empty() ? first_round_ : requested_;
   if (from.empty() || !path.has_room(now)) return std::nullopt;
-  Next next = fragment(from.front());
+  Next next = send(from.front(), now);
   from.pop_front();
   return next;
 }
@@ -73,9 +73,11 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
                     .frame = frame,
                     .blocks = std::vector<Block>(layout.blocks)};
   const std::uint64_t place = forgotten_ + sent_.size();
-  for (std::size_t i = 0; i < layout.data_shards; ++i)
-    first_round_.push_back(
-        {place, static_cast<std::uint8_t>(i % layout.blocks), static_cast<std::uint8_t>(i / layout.blocks)});
+  for (std::size_t i = 0; i < layout.data_shards; ++i) {
+    const std::size_t block = i % layout.blocks;
+    first_round_.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(i / layout.blocks)});
+    ++outgoing.blocks[block].unsent;
+  }
   for (std::size_t block = 0; block < layout.blocks; ++block)
     queue_repairs(place, outgoing, block, repairs, first_round_);
   ++statistics_.started;
@@ -94,11 +96,14 @@ void FrameSender::queue_repairs(std::uint64_t place, Outgoing& outgoing, std::si
   for (std::size_t i = 0; i < count; ++i)
     to.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(data + first + i)});
   outgoing.blocks[block].next_row += count;
+  outgoing.blocks[block].unsent += count;
   statistics_.repair_shards += count;
 }
 
-FrameSender::Next FrameSender::fragment(const Piece& piece) const {
-  const Outgoing& outgoing = sent_[piece.outgoing - forgotten_];
+FrameSender::Next FrameSender::send(const Piece& piece, SessionTime now) {
+  Outgoing& outgoing = sent_[piece.outgoing - forgotten_];
+  --outgoing.blocks[piece.block].unsent;
+  outgoing.blocks[piece.block].sent_at = now;
   FragmentHeader header = outgoing.header;
   header.block = piece.block;
   header.shard = piece.shard;
@@ -117,14 +122,14 @@ std::optional<std::size_t> FrameSender::find(const Missing& missing) const noexc
 }
 
 void FrameSender::on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path) {
+  const Nanoseconds there_and_back = path.least_round_trip() + path.queue_delay();
   for (const Missing& one : missing) {
     const std::optional<std::size_t> place = find(one);
     if (!place) continue;
     Outgoing& frame = sent_[*place];
     if (now + path.least_round_trip() / 2 > frame.frame->label().captured + deadline_) continue;
     Block& block = frame.blocks[one.block];
-    if (block.repaired_at != SessionTime{} && now - block.repaired_at < path.round_trip()) continue;  // on its way
-    block.repaired_at = now;
+    if (block.unsent > 0 || now - block.sent_at < there_and_back) continue;
     const double spare = 1.0 + 2.0 * path.loss() * (2.0 * path.burst_packets() - 1.0);
     const auto count = static_cast<std::size_t>(std::ceil(one.shards * spare)) + (path.loss() > 0.02 ? 1 : 0);
     const std::uint64_t before = statistics_.repair_shards;

@@ -51,7 +51,7 @@ class FrameSender {
   std::optional<std::uint32_t> offer(std::shared_ptr<const SharedFrame> frame);
   std::optional<std::uint32_t> offer(Frame frame) { return offer(shared(std::move(frame))); }
 
-  /// The next datagram's payload, of which nothing was copied.
+  /// The payload of the next datagram: a header, and a shard that is read in place.
   struct Next {
     std::array<std::byte, kFragmentHeaderBytes> header{};
     std::span<const std::byte> shard{};  ///< follows the header; lies in `frame`
@@ -67,15 +67,17 @@ class FrameSender {
   /// True while fragments wait for room on the path.
   [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }
 
-  /// Queues further repair shards for the blocks `missing`, if they can arrive before the frame's deadline.
+  /// Queues further repair shards for the blocks `missing`, if they can arrive before the frame's deadline. Ignores a
+  /// block while shards of it are queued or on their way, because the receiver does not know of these.
   void on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path);
 
   [[nodiscard]] const SenderStatistics& statistics() const noexcept { return statistics_; }
 
  private:
   struct Block {
-    std::size_t next_row = 0;  ///< row of the first repair shard that was not sent
-    SessionTime repaired_at{};
+    std::size_t next_row = 0;  ///< row of the first repair shard that is not queued yet
+    std::size_t unsent = 0;    ///< number of this block's shards that are queued and not sent
+    SessionTime sent_at{};     ///< when this block's newest shard was sent
   };
   struct Outgoing {
     FragmentHeader header;
@@ -91,7 +93,7 @@ class FrameSender {
   void start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path);
   void queue_repairs(std::uint64_t place, Outgoing& outgoing, std::size_t block, std::size_t count,
                      std::deque<Piece>& to);
-  [[nodiscard]] Next fragment(const Piece& piece) const;
+  [[nodiscard]] Next send(const Piece& piece, SessionTime now);
   [[nodiscard]] std::optional<std::size_t> find(const Missing& missing) const noexcept;
   void forget_old();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace telepalp::link {
 namespace {
@@ -9,20 +10,36 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Nanoseconds kDelayMemory = 10s;  ///< a route may change
-constexpr Nanoseconds kMoment = 200ms;     ///< about forty reports: one of them met hardly any jitter
+/// The same beside flows that fill the queue: the queue may not be empty for minutes.
+constexpr Nanoseconds kDelayMemoryBeside = 300s;
+constexpr Nanoseconds kMoment = 200ms;  ///< about forty reports: one of them met hardly any jitter
 constexpr Nanoseconds kRateSpan = 200ms;
 constexpr Nanoseconds kBestRateSpan = 1s;
 constexpr Nanoseconds kQueueTarget = 15ms;
 constexpr Nanoseconds kLongQueue = 60ms;
 constexpr Nanoseconds kSilence = 1s;
-constexpr Nanoseconds kDrainAfter = 5s;  ///< half of the memory
+/// A burst of datagrams would overflow a queue that other flows fill, or a short one. So the sender spreads an image's
+/// datagrams: it sends at this multiple of its share, or of its best rate when it is alone, so that the image has left
+/// before the next one comes. When the timer was late, the sender makes up for at most kPaceBurst.
+constexpr double kPaceGain = 1.5;
+constexpr Nanoseconds kPaceBurst = 2ms;
+/// Above this loss and this number of losses in a row, a queue overflows: it drops the end of each image. Losses by
+/// chance are rarer, or fewer in a row.
+constexpr double kOverflowLoss = 0.02;
+constexpr double kOverflowBurst_packets = 6.0;
+constexpr Nanoseconds kLookPaced = 1ms;
+constexpr Nanoseconds kLookForRoom = 5ms;  ///< without feedback, only time makes room
+constexpr Nanoseconds kDrainAfter = 5s;    ///< half of the memory
 constexpr Nanoseconds kNoQueue = 3ms;
 /// Bound on a difference of the two ends' clocks, so that what a peer claims cannot overflow a difference.
 constexpr Nanoseconds kMostClockDifference = 24h;
 constexpr std::uint64_t kLeastLimit_B = 16 * kDatagramBytes;
 constexpr std::uint64_t kMostLimit_B = std::uint64_t{8} << 20U;
 constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a camera
-constexpr double kPriorPackets = 200.0;           ///< weight of the first guess
+/// kLossMemory_packets beside other flows. Shorter, because a full queue then causes the losses: it overflows less as
+/// soon as the sender sends less, and repair shards for losses that are over would fill it again.
+constexpr double kLossMemoryBeside_packets = 5'000.0;
+constexpr double kPriorPackets = 200.0;  ///< weight of the first guess
 constexpr double kPriorLoss = 0.01;
 
 constexpr Nanoseconds kReceiverWaits = 15ms;  ///< from a loss to its request: reordering 5 ms, report 5 ms, margin
@@ -36,6 +53,8 @@ constexpr std::size_t kMostOnTheWay = 65'536;
 void PathEstimate::sent(std::uint64_t sequence, std::size_t bytes, SessionTime now) {
   if (sent_bytes_ == 0) last_heard_ = now;
   sent_bytes_ += bytes;
+  if (const std::optional<double> pace = pace_B_per_s(); pace && *pace > 0.0)
+    paced_until_ = std::max(paced_until_, now - kPaceBurst) + from_seconds(static_cast<double>(bytes) / *pace);
   on_the_way_.push_back({sequence, now, sent_bytes_});
   if (on_the_way_.size() > kMostOnTheWay) on_the_way_.pop_front();
 }
@@ -59,16 +78,17 @@ void PathEstimate::on_feedback(const Feedback& feedback, SessionTime now) {
   last_heard_ = now;
   reported_age_ = std::chrono::microseconds(feedback.age_us);
   measure_rate(feedback, now);
-  measure_loss(feedback);
-  adapt_limit(acknowledged_ - before);
+  const Losses losses = measure_loss(feedback);
+  adapt_limit(acknowledged_ - before, losses, now);
   last_ = feedback;
 }
 
 /// The round trip also has the jitter of the reports, and the one-way delay the corrections of the peer's clock. A
 /// queue in the sender's direction shows in both.
 void PathEstimate::measure_delay(Nanoseconds round_trip, Nanoseconds one_way, SessionTime now) {
-  const auto add = [now](LeastDelay& to, Nanoseconds delay) {
-    const Nanoseconds least = to.of_a_long_time.add(delay, now, kDelayMemory);
+  const Nanoseconds memory = beside_others() ? kDelayMemoryBeside : kDelayMemory;
+  const auto add = [now, memory](LeastDelay& to, Nanoseconds delay) {
+    const Nanoseconds least = to.of_a_long_time.add(delay, now, memory);
     return std::pair(least, to.of_a_moment.add(delay, now, kMoment) - least);
   };
   round_trip_ = round_trip_ == 0ns ? round_trip : round_trip_ + (round_trip - round_trip_) / 8;
@@ -90,18 +110,19 @@ void PathEstimate::measure_rate(const Feedback& feedback, SessionTime now) {
   best_rate_B_per_s_ = rates_.add(rate_B_per_s_, now, std::max<Nanoseconds>(kBestRateSpan, 2 * round_trip_));
 }
 
-void PathEstimate::measure_loss(const Feedback& feedback) {
+PathEstimate::Losses PathEstimate::measure_loss(const Feedback& feedback) {
   const Feedback before = last_.value_or(Feedback{});
-  const double settled = static_cast<std::uint32_t>(feedback.settled - before.settled);
-  const double lost = static_cast<std::uint32_t>(feedback.lost - before.lost);
+  const Losses now{.settled = feedback.settled - before.settled, .lost = feedback.lost - before.lost};
+  const double settled = now.settled, lost = now.lost;
   const double bursts = static_cast<std::uint32_t>(feedback.bursts - before.bursts);
-  if (lost > settled || bursts > lost) return;  // the receiver's counts contradict each other
-  const double keep = std::exp(-settled / kLossMemory_packets);
+  if (lost > settled || bursts > lost) return {};  // the receiver's counts contradict each other
+  const double keep = std::exp(-settled / (beside_others() ? kLossMemoryBeside_packets : kLossMemory_packets));
   settled_ = settled_ * keep + settled;
   lost_ = lost_ * keep + lost;
   bursts_ = bursts_ * keep + bursts;
   loss_ = (lost_ + kPriorLoss * kPriorPackets) / (settled_ + kPriorPackets);
   burst_packets_ = (lost_ + 2.0) / (bursts_ + 2.0);
+  return now;
 }
 
 /// True after a silence, while the limit is below half of what it was and no long queue builds up. Few packets are in
@@ -111,24 +132,47 @@ bool PathEstimate::recovers() noexcept {
   return recover_to_B_ > 0;
 }
 
-/// Keeps the queue short: grows the limit while the round trip is near its least. When a queue builds up, the limit
-/// becomes what the path delivers in a round trip without the queue, jitter included, and the target.
-void PathEstimate::adapt_limit(std::uint64_t acknowledged_now) {
+/// Grows the limit while the round trip is near its least. When a queue builds up, the limit becomes what the path
+/// delivers in a round trip without the queue, jitter included, and the target.
+void PathEstimate::keep_queue_short(std::uint64_t acknowledged_now) {
+  if (queue_delay_ > kQueueTarget && best_rate_B_per_s_ > 0.0)
+    delay_limit_B_ = std::min(
+        delay_limit_B_,
+        static_cast<std::uint64_t>(best_rate_B_per_s_ * to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
+  else if (queue_delay_ < kQueueTarget / 2)
+    delay_limit_B_ += acknowledged_now / 4;
+  delay_limit_B_ = std::clamp(delay_limit_B_, kLeastLimit_B, kMostLimit_B);
+}
+
+void PathEstimate::adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, SessionTime now) {
   if (recovers()) {
-    limit_B_ = std::min(limit_B_ + acknowledged_now, recover_to_B_);
+    limit_B_ = delay_limit_B_ = std::min(limit_B_ + acknowledged_now, recover_to_B_);
     return;
   }
-  if (queue_delay_ > kQueueTarget && best_rate_B_per_s_ > 0.0)
-    limit_B_ = std::min(limit_B_, static_cast<std::uint64_t>(best_rate_B_per_s_ *
-                                                             to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
-  else if (queue_delay_ < kQueueTarget / 2)
-    limit_B_ += acknowledged_now / 4;
+  const bool was_beside = beside_others();
+  if (!was_beside) keep_queue_short(acknowledged_now);
+  limit_B_ = competition_.step({.now = now,
+                                .queue = queue_delay_,
+                                .round_trip = round_trip_,
+                                .rate_B_per_s = rate_B_per_s_,
+                                .acknowledged_B = acknowledged_now,
+                                .in_flight_B = in_flight_B(),
+                                .settled = losses.settled,
+                                .lost = losses.lost,
+                                .saturated = std::exchange(saturated_, false)},
+                               delay_limit_B_);
+  if (was_beside)
+    delay_limit_B_ = std::clamp(static_cast<std::uint64_t>(competition_.window_B()), kLeastLimit_B, kMostLimit_B);
   limit_B_ = std::clamp(limit_B_, kLeastLimit_B, kMostLimit_B);
 }
 
 /// True while sending pauses so that the queue runs empty. Without a pause, the least round trip of a path that is
 /// always full would be forgotten, and the queue itself taken for the path.
 bool PathEstimate::drains(SessionTime now) noexcept {
+  if (beside_others()) {
+    least_seen_at_ = now;
+    draining_ = false;
+  }
   if (round_trip_ > 0ns && now - least_seen_at_ > kDrainAfter) {
     draining_ = true;
     least_seen_at_ = now;
@@ -137,15 +181,26 @@ bool PathEstimate::drains(SessionTime now) noexcept {
   return draining_;
 }
 
+std::optional<double> PathEstimate::pace_B_per_s() const noexcept {
+  if (const std::optional<double> share = share_B_per_s()) return kPaceGain * *share;
+  const bool overflows = loss_ > kOverflowLoss && burst_packets_ > kOverflowBurst_packets;
+  return overflows ? std::optional(kPaceGain * best_rate_B_per_s_) : std::nullopt;
+}
+
 bool PathEstimate::has_room(SessionTime now) noexcept {
   if (in_flight_B() > 0 && now - last_heard_ > std::max<Nanoseconds>(kSilence, 4 * round_trip_)) {
     acknowledged_ = sent_bytes_;
     recover_to_B_ = std::max(recover_to_B_, limit_B_ / 2);
-    limit_B_ = kLeastLimit_B;
+    limit_B_ = delay_limit_B_ = kLeastLimit_B;
+    competition_.forget();
     last_heard_ = now;
   }
-  return !drains(now) && in_flight_B() + kDatagramBytes <= limit_B_;
+  const bool full = in_flight_B() + kDatagramBytes > limit_B_;
+  saturated_ = saturated_ || full;
+  return !drains(now) && !full && (!pace_B_per_s() || now >= paced_until_);
 }
+
+Nanoseconds PathEstimate::next_look() const noexcept { return pace_B_per_s() ? kLookPaced : kLookForRoom; }
 
 bool can_repair(Nanoseconds left, const PathEstimate& path) noexcept {
   return path.round_trip() > 0ns && left > path.round_trip() * 3 / 2 + kReceiverWaits;

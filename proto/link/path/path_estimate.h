@@ -5,13 +5,15 @@
 #include <optional>
 
 #include "proto/link/format/fragment.h"
+#include "proto/link/path/competition.h"
 #include "proto/link/path/windowed_extreme.h"
 #include "proto/words/time.h"
 
 namespace telepalp::link {
 
 /// Rate, delay and loss of a path, which the sender estimates from the receiver's feedback, and the congestion window
-/// that follows from them: limit_B(), a bound on the data in flight. Pure: time is an argument.
+/// that follows from them: limit_B(), a bound on the data in flight. Alone on the path, it keeps the queue short;
+/// beside flows that fill the queue, it holds a fair share (Competition). Pure: time is an argument.
 class PathEstimate {
  public:
   /// A datagram of `bytes` left at `now`.
@@ -24,6 +26,8 @@ class PathEstimate {
   /// the path's queue. Without feedback for the longer of 1 s and 4 round trips, all data in flight counts as lost, and
   /// limit_B() falls to its least value. Then it doubles with each round trip, up to half of its value before the fall.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
+  /// When to ask has_room() again while it says no and no feedback comes.
+  [[nodiscard]] Nanoseconds next_look() const noexcept;
 
   [[nodiscard]] Nanoseconds round_trip() const noexcept { return round_trip_; }              ///< smoothed; 0: unknown
   [[nodiscard]] Nanoseconds least_round_trip() const noexcept { return least_round_trip_; }  ///< of the last 10 s
@@ -35,6 +39,10 @@ class PathEstimate {
   [[nodiscard]] std::uint64_t in_flight_B() const noexcept { return sent_bytes_ - acknowledged_; }
   [[nodiscard]] std::uint64_t limit_B() const noexcept { return limit_B_; }
   [[nodiscard]] Nanoseconds reported_age() const noexcept { return reported_age_; }  ///< newest Feedback::age_us
+  /// True while other flows fill the path's queue.
+  [[nodiscard]] bool beside_others() const noexcept { return competition_.beside(); }
+  /// Rate of the share that is left beside other flows; nullopt: none was noticed.
+  [[nodiscard]] std::optional<double> share_B_per_s() const noexcept { return competition_.share_B_per_s(); }
   /// Number of reports that acknowledged a new datagram. While it grows, the path works in both directions.
   [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }
 
@@ -56,9 +64,17 @@ class PathEstimate {
   };
   void measure_delay(Nanoseconds round_trip, Nanoseconds one_way, SessionTime now);
   void measure_rate(const Feedback& feedback, SessionTime now);
-  void measure_loss(const Feedback& feedback);
-  void adapt_limit(std::uint64_t acknowledged_now);
+  /// Packets that a report adds to the counts.
+  struct Losses {
+    std::uint32_t settled = 0;
+    std::uint32_t lost = 0;
+  };
+  [[nodiscard]] Losses measure_loss(const Feedback& feedback);
+  void adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, SessionTime now);
+  void keep_queue_short(std::uint64_t acknowledged_now);
   [[nodiscard]] bool recovers() noexcept;
+  /// The rate at which datagrams leave while an image is sent; nullopt: as fast as the socket takes them.
+  [[nodiscard]] std::optional<double> pace_B_per_s() const noexcept;
   [[nodiscard]] bool drains(SessionTime now) noexcept;
 
   std::deque<Sent> on_the_way_;
@@ -84,7 +100,11 @@ class PathEstimate {
   double rate_B_per_s_ = 0.0;
   WindowedMaximum<double> rates_;
   double best_rate_B_per_s_ = 0.0;  ///< best of 1 s, or of 2 round trips if longer: pauses in sending do not lower it
-  std::uint64_t limit_B_ = std::uint64_t{1} << 20U;
+  std::uint64_t delay_limit_B_ = std::uint64_t{1} << 20U;  ///< keeps the queue short
+  Competition competition_;
+  bool saturated_ = false;  ///< limit_B_ held a datagram back since the last report
+  SessionTime paced_until_{};
+  std::uint64_t limit_B_ = delay_limit_B_;
   std::uint64_t recover_to_B_ = 0;  ///< after a silence: half of the limit before it; 0: no recovery
 };
 

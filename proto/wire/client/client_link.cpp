@@ -53,7 +53,7 @@ ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers ha
       options_(std::move(options)),
       handlers_(std::move(handlers)),
       run_(random_number()),
-      dialer_(io, {.host = options_.host, .port = options_.port, .key = options_.key},
+      dialer_(io, {.host = options_.host, .port = options_.port, .site = options_.site, .key = options_.key},
               {.on_connected =
                    [this](std::unique_ptr<ByteStream> stream, const Dialer::Endpoint& server) {
                      server_ = server;
@@ -62,7 +62,9 @@ ClientLink::ClientLink(boost::asio::io_context& io, Options options, Handlers ha
                .on_failed = [this](const std::string& reason) { on_connect_failed(reason); },
                .on_refused = [this](const Error& why) { refuse(why); }}),
       back_off_(io),
-      prober_(io) {}
+      prober_(io) {
+  if (options_.key) revoked_.known.emplace(*options_.key);
+}
 
 ClientLink::~ClientLink() {
   if (connection_) connection_->abandon();
@@ -126,17 +128,20 @@ std::map<std::string_view, ReceivedCount> ClientLink::received() const {
 }
 
 void ClientLink::connect() {
-  become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));
+  become(LinkState::Connecting, dialer_.server());
   if (state_ != LinkState::Stopped) dialer_.dial();  // the handler may have called stop()
 }
 
 void ClientLink::greet(std::unique_ptr<ByteStream> stream) {
   ConnectionOwner& owner = *this;
+  revoked_.parts.clear();
+  revoked_.shown = false;
   connection_ = std::make_shared<Connection>(
       std::move(stream),
       Connection::Options{.name = options_.name,
                           .role = options_.role,
                           .token = options_.key ? options_.key->token : "",
+                          .consent = options_.consent.substr(0, 512),
                           .run = run_,
                           .datagrams = options_.datagrams ? quick_cipher() : msg::DATAGRAM_CIPHER_NONE,
                           .accepts_touch = options_.accepts_touch || touch_.accepts_once,
@@ -147,7 +152,7 @@ void ClientLink::greet(std::unique_ptr<ByteStream> stream) {
 
 void ClientLink::refuse(Error why) {
   refusal_ = std::move(why);
-  refusal_.where = options_.host + ":" + std::to_string(options_.port);
+  refusal_.where = dialer_.server();
   become(LinkState::Refused, refusal_.what);
 }
 
@@ -157,7 +162,8 @@ std::optional<std::array<std::byte, 32>> ClientLink::keying_material(std::string
 
 void ClientLink::on_connect_failed(const std::string& reason, std::optional<Error> not_served_because) {
   not_served_because_ = std::move(not_served_because);
-  become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port) + ": " + reason);
+  failed_because_ = reason;
+  become(LinkState::Connecting, dialer_.server() + ": " + reason);
   retry_later();
 }
 
@@ -176,8 +182,30 @@ void ClientLink::on_ready(const msg::Hello& peer) {
   });
 }
 
+void ClientLink::on_revocation_list(const msg::RevocationList& list) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+  if (!revoked_.known || revoked_.parts.size() + list.part().size() > kMostBytes) return;
+  revoked_.parts += list.part();
+  if (!list.last()) return;
+  const Result<void> taken = revoked_.known->take(std::exchange(revoked_.parts, {}));
+  revoked_.shown = taken.ok();
+  if (!taken) revoked_.why_not_trusted = taken.error();
+  (void)trusts_server();
+}
+
+/// Ends the connection to a server whose key is revoked, or that shows no valid list of revoked keys. The list comes
+/// before the first sample of the clock.
+bool ClientLink::trusts_server() {
+  const std::optional<keys::ServerCertificate> server = connection_->server_certificate();
+  if (!revoked_.known || !server) return true;
+  const Result<void> trusted = revoked_.known->check(*server, revoked_.shown);
+  if (!trusted && !revoked_.why_not_trusted) revoked_.why_not_trusted = trusted.error();
+  if (revoked_.why_not_trusted) connection_->close("this client does not trust the server's key");
+  return !revoked_.why_not_trusted;
+}
+
 void ClientLink::on_clock(const ClockSample& sample) {
-  if (!clock_.add(sample) || state_ != LinkState::Connecting) return;
+  if (!clock_.add(sample) || state_ != LinkState::Connecting || !trusts_server()) return;
   back_off_.succeeded();
   touch_.accepts_once = false;
   ++connections_;
@@ -246,7 +274,8 @@ void ClientLink::on_message(Message message) {
 
 void ClientLink::on_closed(const std::string& reason) {
   add(received_before_, connection_->received());
-  const std::optional<Error> refusal = connection_->refusal();
+  const std::optional<Error> untrusted = std::exchange(revoked_.why_not_trusted, std::nullopt);
+  const std::optional<Error> refusal = untrusted ? untrusted : connection_->refusal();
   const std::optional<std::string> goodbye = connection_->peers_goodbye();
   connection_.reset();
   end_datagrams();
@@ -258,7 +287,7 @@ void ClientLink::on_closed(const std::string& reason) {
     outbox_.connection_lost();
     become(LinkState::Lost, reason);
     if (state_ == LinkState::Stopped) return;  // the handler called stop()
-    become(LinkState::Connecting, options_.host + ":" + std::to_string(options_.port));
+    become(LinkState::Connecting, dialer_.server());
     return retry_later();
   }
   on_connect_failed(reason, goodbye ? std::optional{error_in(*goodbye)} : std::nullopt);

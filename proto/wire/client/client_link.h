@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "proto/keys/known_list.h"
 #include "proto/wire/client/client_outbox.h"
 #include "proto/wire/client/client_timers.h"
 #include "proto/wire/client/dialer.h"
@@ -47,9 +48,11 @@ class ClientLink : private ConnectionOwner {
   struct Options {
     std::string host = "127.0.0.1";
     std::uint16_t port = 0;
+    std::string site{};           ///< site behind the meeting point `host`; empty: `host` is the server
     std::string name{};           ///< name of this program, for the server's statistics
     std::string role = "viewer";  ///< doctor, recorder, technician, qa, viewer; the server limits the number of each
     std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
+    std::string consent{};                       ///< of a recorder: the patient's consent, as its operator states it
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
     bool datagrams = true;           ///< takes images and poses by sealed datagram (UDP) if the path carries UDP
@@ -112,6 +115,10 @@ class ClientLink : private ConnectionOwner {
   /// Why the server does not serve this client for now, in the server's words, such as another doctor who holds the
   /// touch: the newest attempt to connect ended with the server's Goodbye. nullopt: it did not. Error::where is empty.
   [[nodiscard]] const std::optional<Error>& not_served_because() const noexcept { return not_served_because_; }
+  /// For a user who waits: that the server does not answer, and why the newest attempt failed.
+  [[nodiscard]] std::string no_answer() const {
+    return failed_because_.empty() ? "does not answer" : "does not answer (" + failed_because_ + ")";
+  }
   /// Connection::keying_material() of the current connection; nullopt without one.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
   /// The phase of the datagram path. In Up the images come by datagram, else over TCP.
@@ -133,6 +140,7 @@ class ClientLink : private ConnectionOwner {
   void on_key_frame_request(const Topic&, SessionTime) override {}  // clients publish no predicted frames
   void on_datagram_offer(const msg::DatagramOffer& offer) override;
   void on_hand_over(const msg::HandOver& answer) override;
+  void on_revocation_list(const msg::RevocationList& list) override;
   void on_closed(const std::string& reason) override;
   std::optional<Message> next_to_send() override { return outbox_.next(); }
   SessionTime session_now() override { return clock().now(); }
@@ -142,6 +150,7 @@ class ClientLink : private ConnectionOwner {
   void greet(std::unique_ptr<ByteStream> stream);
   void on_connect_failed(const std::string& reason, std::optional<Error> not_served_because = std::nullopt);
   void refuse(Error why);
+  [[nodiscard]] bool trusts_server();
   void retry_later();
   void start_datagrams();
   void end_datagrams();
@@ -159,6 +168,14 @@ class ClientLink : private ConnectionOwner {
     bool hands_over = false;    ///< the server's answer to hand_over() has not come
   };
 
+  /// What the client knows of revoked keys, and what the present server has shown of them.
+  struct RevokedKeys {
+    std::optional<keys::KnownList> known;    ///< nullopt: the client has no key
+    std::string parts;                       ///< the parts of a list that is not complete yet
+    bool shown = false;                      ///< the server has shown a whole list
+    std::optional<Error> why_not_trusted{};  ///< why the present connection ends
+  };
+
   boost::asio::io_context& io_;
   Options options_;
   Handlers handlers_;
@@ -167,6 +184,7 @@ class ClientLink : private ConnectionOwner {
   BackOff back_off_;
   LinkState state_ = LinkState::Stopped;
   Error refusal_;
+  std::string failed_because_;  // why the newest attempt to connect failed; empty: it has not
   std::optional<Error> not_served_because_;
   boost::asio::ip::tcp::endpoint server_;   // address and TCP port of the present connection
   std::shared_ptr<Connection> connection_;  // shared with pending operations; null without a connection
@@ -175,6 +193,7 @@ class ClientLink : private ConnectionOwner {
   ClockProber prober_;
   Datagrams datagrams_;
   Touch touch_;
+  RevokedKeys revoked_;
   ClientOutbox outbox_;
   std::map<std::string_view, ReceivedCount> received_before_;
   std::uint64_t connections_ = 0;

@@ -43,7 +43,7 @@ class ClientOutbox {
     not_sent_ += queue_.remove_if([](const Message& message) { return message.topic.has_deadline(); });
     queue_.send_by_datagram(on);
   }
-  /// The connection was lost: drops what is useless when a new one comes.
+  /// The connection was lost: drops the messages that the next connection does not need.
   void connection_lost() {
     not_sent_ += queue_.remove_if([](const Message& message) { return !message.topic.kept_while_away; });
   }

@@ -58,11 +58,10 @@ void Dialer::connect_next() {
          .where = {},
          .fix = "give --key FILE; the technician of the server makes it: telepalp-keys client"});
   connecting_ = tcp::socket(io_);
-  deadline_.expires_after(kConnectDeadline);
-  deadline_.async_wait(while_dialing([this](const error_code& code) {
+  deadline_.call_after(kConnectDeadline, [this] {
     error_code ignored;
-    if (!code) connecting_.close(ignored);
-  }));
+    connecting_.close(ignored);
+  });
   connecting_.async_connect(endpoint, while_dialing([this, endpoint](const error_code& code) {
                               deadline_.cancel();
                               if (code && !untried_.empty()) return connect_next();
@@ -84,7 +83,7 @@ Result<std::unique_ptr<ByteStream>> Dialer::secured(tcp::socket socket) {
     if (!settings) return settings.error();
     tls_ = std::move(settings).value();
   }
-  return tls_at_client(std::move(socket), tls_, server_.host, server_.key);
+  return tls_at_client(std::move(socket), tls_, server_.name(), server_.key);
 }
 
 }  // namespace telepalp::wire

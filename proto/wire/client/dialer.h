@@ -2,7 +2,6 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "proto/wire/byte_stream.h"
+#include "proto/wire/client/client_timers.h"
 #include "proto/wire/tls_stream.h"
 #include "proto/words/result.h"
 
@@ -23,8 +23,14 @@ class Dialer {
   struct Server {
     std::string host;
     std::uint16_t port = 0;
+    /// Name of a site that is reached through the meeting point `host`; empty: `host` is the server.
+    std::string site{};
     std::shared_ptr<const keys::KeyFile> key;  ///< null: plain TCP, to this machine alone
-    [[nodiscard]] std::string text() const { return host + ":" + std::to_string(port); }
+    [[nodiscard]] std::string text() const {
+      return (site.empty() ? "" : site + "@") + host + ":" + std::to_string(port);
+    }
+    /// The name that the server's certificate must have.
+    [[nodiscard]] const std::string& name() const noexcept { return site.empty() ? host : site; }
   };
   /// One of them is called for each dial(), unless hang_up() comes before.
   struct Handlers {
@@ -36,6 +42,8 @@ class Dialer {
 
   void dial();
   void hang_up();
+  /// The server as a user names it, for texts.
+  [[nodiscard]] std::string server() const { return server_.text(); }
 
  private:
   void resolve();
@@ -59,7 +67,7 @@ class Dialer {
   std::deque<Endpoint> untried_;         // further addresses of the host's name
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::ip::tcp::socket connecting_;
-  boost::asio::steady_timer deadline_;
+  OwnTimer deadline_;
 };
 
 }  // namespace telepalp::wire

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "proto/keys/token.h"
 #include "proto/wire/connection/bad_peer.h"
 #include "proto/words/error_line.h"
 
@@ -16,6 +17,7 @@ constexpr int kMaxSubscriptions = 64;
 constexpr std::size_t kMaxNameBytes = 128;
 constexpr std::size_t kMaxTokenBytes = 512;
 constexpr std::size_t kMaxReasonBytes = 512;
+constexpr std::size_t kRevocationPartBytes = 12 << 10;
 constexpr auto kLinger = 500ms;
 
 Error other_version(const std::string& detail) {
@@ -39,7 +41,7 @@ msg::Control hello(const Connection::Options& options) {
   control.mutable_hello()->set_name(options.name);
   control.mutable_hello()->set_role(options.role);
   control.mutable_hello()->set_run(options.run);
-  control.mutable_hello()->set_token(options.token);
+  control.mutable_hello()->set_consent(options.consent);
   control.mutable_hello()->set_datagrams(options.datagrams);
   control.mutable_hello()->set_accepts_touch(options.accepts_touch);
   return control;
@@ -58,10 +60,39 @@ Connection::Connection(std::unique_ptr<ByteStream> stream, Options options, Conn
       outgoing_(options_.publishes, [this] { return owner_->session_now(); }) {}
 
 void Connection::start() {
-  send(hello(options_));
-  send(outgoing_.advertise());
   watch(kHandshakeDeadline, "no Hello message (the greeting of a telepalp program) arrived within 5 s");
-  read();
+  if (options_.token.empty()) {
+    say_hello();
+    return read();
+  }
+  // An empty write ends after the TLS handshake. Only then do both ends share the bytes that the token's proof signs.
+  stream_->async_write({}, [self = shared_from_this()](const boost::system::error_code& code, std::size_t) {
+    if (self->phase_ == Phase::Closed) return;
+    if (code) return self->on_lost(code);
+    self->say_hello();
+    self->read();
+  });
+}
+
+void Connection::say_hello() {
+  msg::Control control = hello(options_);
+  const auto exporter = stream_->keying_material(keys::kTokenKeyLabel);
+  const keys::ProvedToken proved = exporter ? keys::prove_token(options_.token, *exporter) : keys::ProvedToken{};
+  control.mutable_hello()->set_token(exporter ? proved.token : options_.token);
+  control.mutable_hello()->set_token_proof(proved.proof);
+  send(std::move(control));
+  send(outgoing_.advertise());
+}
+
+void Connection::show_revocations(std::string_view list) {
+  while (!list.empty()) {
+    const std::string_view part = list.substr(0, kRevocationPartBytes);
+    list.remove_prefix(part.size());
+    msg::Control control;
+    control.mutable_revocation_list()->set_part(std::string(part));
+    control.mutable_revocation_list()->set_last(list.empty());
+    send(std::move(control));
+  }
 }
 
 void Connection::wake() { write(); }
@@ -218,6 +249,9 @@ Result<void> Connection::on_control(const Frame& frame) {
       return on_datagram_offer(control.datagram_offer());
     case msg::Control::kHandOver:
       return on_hand_over(control.hand_over());
+    case msg::Control::kRevocationList:
+      owner_->on_revocation_list(control.revocation_list());
+      return {};
     case msg::Control::kGoodbye:
       peers_goodbye_ = control.goodbye().reason();
       if (control.goodbye().final()) refusal_ = final_goodbye(control.goodbye().reason());
@@ -232,8 +266,11 @@ Result<void> Connection::on_control(const Frame& frame) {
 Result<void> Connection::on_hello(const msg::Hello& peer) {
   if (phase_ != Phase::Greeting) return bad_peer("sends a second Hello message");
   if (const Result<void> agreed = agree_on_version(peer); !agreed) return agreed;
-  if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes || peer.token().size() > kMaxTokenBytes)
-    return bad_peer("has a name or a role longer than 128 B, or a token longer than 512 B");
+  if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes ||
+      peer.token().size() > kMaxTokenBytes || peer.token_proof().size() > kMaxNameBytes ||
+      peer.consent().size() > kMaxReasonBytes)
+    return bad_peer(
+        "has a name, a role or a token's proof longer than 128 B, or a token or a consent longer than 512 B");
   phase_ = Phase::Open;
   parser_.set_max_payload_bytes(options_.max_payload_bytes);
   watch(kSilenceDeadline, "no message arrived for 5 s");

@@ -47,6 +47,8 @@ class ConnectionOwner {
   virtual void on_hand_over(const msg::HandOver&) {}
   /// The server at the other end offers sealed datagrams. A server makes one offer on a connection.
   virtual void on_datagram_offer(const msg::DatagramOffer&) {}
+  /// A part of the server's list of revoked keys.
+  virtual void on_revocation_list(const msg::RevocationList&) {}
   /// Current session time, for the replies to the peer's clock probes.
   virtual SessionTime session_now() = 0;
 };
@@ -59,7 +61,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   struct Options {
     std::string name{};     ///< name of the program, sent to the peer
     std::string role{};     ///< technician, doctor, recorder, viewer, qa, server
-    std::string token{};    ///< bearer token, sent in Hello; empty: none
+    std::string token{};    ///< of a client without a certificate, proved in Hello (keys::prove_token); empty: none
+    std::string consent{};  ///< of a recorder: the patient's consent, as its operator states it
     std::uint64_t run = 0;  ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
         msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: wants no datagrams
@@ -82,6 +85,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void request_key_frame(const Message& unreadable);
   void offer_datagrams(const msg::DatagramOffer& offer);
   void hand_over(const msg::HandOver& request);  ///< a client's request, or a server's answer to one
+  void show_revocations(std::string_view list);  ///< sends a client the list of revoked keys (PEM)
   /// Takes a message that came by datagram as if it had come on this connection: counts it and calls on_message(), or
   /// drops it when a newer one of its topic came before.
   void take_datagram(Message message);
@@ -100,6 +104,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] std::string peer() const { return stream_->peer(); }
   [[nodiscard]] bool is_sealed() const { return stream_->is_sealed(); }
   [[nodiscard]] std::optional<keys::Identity> identity() const { return stream_->identity(); }
+  [[nodiscard]] std::optional<keys::ServerCertificate> server_certificate() const {
+    return stream_->server_certificate();
+  }
   /// The TLS exporter's secret for `label`, equal at both ends, from on_ready() on; nullopt without TLS.
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const {
     return stream_->keying_material(label);
@@ -110,7 +117,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   enum class Phase { Greeting, Open, Leaving, Closed };
-  /// How this end takes leave.
+  /// How this end closes: its Goodbye (WIRE.md), and what goes before it.
   struct Farewell {
     std::string reason{};
     bool is_final = false;        ///< the Goodbye tells the peer not to try again
@@ -130,6 +137,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] Result<void> on_data(Frame frame);
   [[nodiscard]] Result<void> agree_on_version(const msg::Hello& peer);
 
+  void say_hello();
   void send(msg::Control control);
   void write();
   [[nodiscard]] bool begin_frame();

@@ -55,7 +55,7 @@ void ClientDatagrams::change_socket() {
   ++socket_number_;
   error_code failed;
   socket_.close(failed);
-  if (failed = open_udp(socket_, server_.protocol()); failed) return;
+  if (failed = open_udp(socket_, server_.protocol(), TrafficClass::Touch); failed) return;
   socket_.connect(server_, failed);
   if (!failed) wait();
 }

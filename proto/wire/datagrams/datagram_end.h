@@ -38,6 +38,11 @@ class DatagramEnd {
   void start();
   /// Processes a datagram; call pump() afterwards. nullopt: not from the peer. True: newer than all datagrams before.
   std::optional<bool> received(std::span<const std::byte> datagram);
+  /// Writes a challenge for the peer's new address (link::DatagramLink::challenge()). False: none can be made.
+  [[nodiscard]] bool challenge(std::uint64_t nonce, link::Datagram& into) {
+    return !closed_ && link_.challenge(nonce, handlers_.now(), into);
+  }
+  [[nodiscard]] std::optional<std::uint64_t> take_response() noexcept { return link_.take_response(); }
   /// Sends datagrams while the path and the socket have room. Call it when next_frame() has a frame again.
   void pump();
   /// Stops the timer: afterwards no handler is called, and nothing is sent.

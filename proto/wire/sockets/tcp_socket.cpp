@@ -16,8 +16,9 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-/// About one depth image: enough to keep the wire busy while the next one is fetched from the queue.
-constexpr int kUnsentBytes = 128 << 10;
+/// Enough to keep the wire busy while the next message is fetched from the queue. More would make an image wait behind
+/// one that is already late.
+constexpr int kUnsentBytes = 32 << 10;
 constexpr int kMostClosing = 32;
 std::atomic<int> closing = 0;
 
@@ -58,6 +59,15 @@ void tune(tcp::socket& socket) {
   error_code ignored;  // the options make it quicker; without them it still works
   socket.set_option(tcp::no_delay(true), ignored);
   socket.set_option(asio::detail::socket_option::integer<IPPROTO_TCP, TCP_NOTSENT_LOWAT>(kUnsentBytes), ignored);
+}
+
+error_code open_acceptor(tcp::acceptor& acceptor, const tcp::endpoint& endpoint) {
+  error_code code;
+  acceptor.open(endpoint.protocol(), code);
+  if (!code) acceptor.set_option(tcp::acceptor::reuse_address(true), code);
+  if (!code) acceptor.bind(endpoint, code);
+  if (!code) acceptor.listen(tcp::acceptor::max_listen_connections, code);
+  return code;
 }
 
 std::string peer_address(const tcp::socket& socket) {

@@ -1,5 +1,7 @@
 #include "proto/wire/sockets/udp_socket.h"
 
+#include <netinet/in.h>
+
 #include <boost/asio/error.hpp>
 
 namespace telepalp::wire {
@@ -9,15 +11,23 @@ namespace asio = boost::asio;
 
 constexpr int kSocketBuffer_B = 4 << 20;  // the kernel may grant less
 
+/// The traffic class takes the upper six bits of the byte. A network that knows no classes ignores or clears it.
+void mark(asio::ip::udp::socket& socket, TrafficClass traffic) noexcept {
+  const int byte = static_cast<int>(traffic) << 2;
+  (void)::setsockopt(socket.native_handle(), IPPROTO_IP, IP_TOS, &byte, sizeof byte);
+  (void)::setsockopt(socket.native_handle(), IPPROTO_IPV6, IPV6_TCLASS, &byte, sizeof byte);
+}
+
 }  // namespace
 
-boost::system::error_code open_udp(asio::ip::udp::socket& socket, const asio::ip::udp& protocol) {
+boost::system::error_code open_udp(asio::ip::udp::socket& socket, const asio::ip::udp& protocol, TrafficClass traffic) {
   boost::system::error_code failed;
   socket.open(protocol, failed);
   if (failed) return failed;
   boost::system::error_code smaller;
   socket.set_option(asio::socket_base::receive_buffer_size(kSocketBuffer_B), smaller);
   socket.set_option(asio::socket_base::send_buffer_size(kSocketBuffer_B), smaller);
+  mark(socket, traffic);
   socket.non_blocking(true, failed);
   return failed;
 }

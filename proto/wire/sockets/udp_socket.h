@@ -2,12 +2,20 @@
 
 #include <boost/asio/ip/udp.hpp>
 #include <boost/system/error_code.hpp>
+#include <cstdint>
 
 namespace telepalp::wire {
 
+/// A datagram's class of traffic, by which a network may give it a queue of its own (DSCP, RFC 4594).
+enum class TrafficClass : std::uint8_t {
+  Touch = 46,     ///< EF: the hand's states and the station's, of less than a kilobyte, and reports
+  Pictures = 34,  ///< AF41: depth and colour
+};
+
 /// Opens `socket` in non-blocking mode, and asks for kernel buffers of 4 MiB: enough for a burst of images.
+/// Marks its datagrams with `traffic`.
 [[nodiscard]] boost::system::error_code open_udp(boost::asio::ip::udp::socket& socket,
-                                                 const boost::asio::ip::udp& protocol);
+                                                 const boost::asio::ip::udp& protocol, TrafficClass traffic);
 
 /// False: the socket's buffer is full, and the datagram can be sent again. Any other failure is a lost datagram.
 [[nodiscard]] bool is_sent(const boost::system::error_code& code) noexcept;

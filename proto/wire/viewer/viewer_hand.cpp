@@ -15,7 +15,7 @@ std::optional<msg::ViewerHand> read_viewer_hand(const std::string& payload) {
   msg::ViewerHand hand;
   if (payload.size() > kMaxViewerHandBytes || !hand.ParseFromString(payload)) return std::nullopt;
   hand.DiscardUnknownFields();
-  if (!hand.has_hand_camera()) return hand.rearm() ? std::optional(hand) : std::nullopt;
+  if (!hand.has_hand_camera()) return hand.rearm() || hand.accept_object() ? std::optional(hand) : std::nullopt;
   const msg::Vec3& at = hand.hand_camera();
   if (!is_near(at.x()) || !is_near(at.y()) || !is_near(at.z())) return std::nullopt;
   return hand;

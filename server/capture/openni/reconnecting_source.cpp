@@ -69,11 +69,12 @@ Exposure ReconnectingSource::exposure() const {
 
 Result<void> ReconnectingSource::set_exposure(const Exposure& exposure) {
   if (!exposure_limits()) return CaptureSource::set_exposure(exposure);
+  if (!device_->set_exposure(exposure))
+    return Error{.what = "the camera's driver refuses this exposure or gain",
+                 .where = device_->describe(),
+                 .fix = "choose other values, or leave the exposure to the camera"};
   wanted_ = exposure;
-  if (device_->set_exposure(exposure)) return {};
-  return Error{.what = "the camera's driver refuses this exposure or gain",
-               .where = device_->describe(),
-               .fix = "choose other values, or leave the exposure to the camera"};
+  return {};
 }
 
 CaptureState ReconnectingSource::state() const {

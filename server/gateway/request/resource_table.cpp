@@ -28,6 +28,11 @@ constexpr std::string_view kChoosesNothing =
     "the page of this server does not choose the source. fix: start telepalp-server with another --source";
 constexpr std::string_view kExposesNothing =
     "this server shows no camera. fix: choose a camera, or the synthetic patient, as its source";
+constexpr std::string_view kSendsOutNoForeignPage =
+    "this web page is from another site, which may not send persons out. fix: allow the page's scheme and host: "
+    "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kKnowsNobody =
+    "this server has no keys, so it knows nobody by name. fix: start telepalp-server with --key FILE";
 constexpr std::string_view kRecordsNothing =
     "recording from the web page is off on this server. fix: start telepalp-server with --record-dir DIR";
 
@@ -92,6 +97,15 @@ constexpr std::array kRows{
              std::nullopt),  // the server notes each file once it is whole
     set_up(origin::kSource, kChoosesNothing, access::AuditEvent::ChoseSource),
     set_up(origin::kExposure, kExposesNothing, access::AuditEvent::SetExposure),
+    ResourceRow{.path = origin::kPeople.topic.name,
+                .read = Operation::SetUp,
+                .change = Operation::SetUp,
+                .change_own = Operation::SetUp,
+                .people = "only technicians may see who watches, send persons out and take the touch away",
+                .pages = kSendsOutNoForeignPage,
+                .absent = kKnowsNobody,
+                .empty_if_absent = false,
+                .audited_as = {}},  // Access notes each command in the audit log by itself
 };
 
 constexpr bool has_row(const origin::StateTopic& state) {

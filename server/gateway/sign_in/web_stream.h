@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <boost/asio/associated_executor.hpp>
+#include <boost/asio/bind_executor.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/ssl/stream.hpp>
+#include <boost/beast/core/buffers_range.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/websocket/error.hpp>
 #include <boost/beast/websocket/teardown.hpp>
 #include <memory>
 #include <type_traits>
 #include <utility>
 
 #include "proto/wire/tls_stream.h"
+#include "server/gateway/sign_in/fragment_count.h"
 
 namespace telepalp::gateway {
 
@@ -37,10 +41,21 @@ class WebStream {
   void async_handshake(Handler&& handler) {
     tls_->async_handshake(boost::asio::ssl::stream_base::server, std::forward<Handler>(handler));
   }
+  /// From now on the stream carries WebSocket frames: a read ends with kTooManyFragments when one message has more than
+  /// FragmentCount::kMost fragments.
+  void limit_fragments() { fragments_ = std::make_unique<FragmentCount>(); }
+  static constexpr auto kTooManyFragments = boost::beast::websocket::error::bad_continuation;
+
   template <class Buffers, class Handler>
   void async_read_some(const Buffers& buffers, Handler&& handler) {
-    if (tls_) return void(tls_->async_read_some(buffers, std::forward<Handler>(handler)));
-    plain_->async_read_some(buffers, std::forward<Handler>(handler));
+    if (!fragments_) return read_some(buffers, std::forward<Handler>(handler));
+    const auto executor = boost::asio::get_associated_executor(handler, get_executor());
+    read_some(buffers,
+              boost::asio::bind_executor(executor, [this, buffers, handler = std::forward<Handler>(handler)](
+                                                       boost::system::error_code failed, std::size_t count) mutable {
+                if (!count_fragments(buffers, count)) failed = kTooManyFragments;
+                std::move(handler)(failed, count);
+              }));
   }
   template <class Buffers, class Handler>
   void async_write_some(const Buffers& buffers, Handler&& handler) {
@@ -50,9 +65,27 @@ class WebStream {
 
  private:
   using Tls = boost::asio::ssl::stream<boost::beast::tcp_stream>;
+
+  template <class Buffers, class Handler>
+  void read_some(const Buffers& buffers, Handler&& handler) {
+    if (tls_) return void(tls_->async_read_some(buffers, std::forward<Handler>(handler)));
+    plain_->async_read_some(buffers, std::forward<Handler>(handler));
+  }
+  /// False: with the first `count` bytes of `buffers`, a message has too many fragments.
+  template <class Buffers>
+  [[nodiscard]] bool count_fragments(const Buffers& buffers, std::size_t count) {
+    for (const boost::asio::mutable_buffer part : boost::beast::buffers_range_ref(buffers)) {
+      const std::size_t size = std::min(count, part.size());
+      if (!fragments_->take(static_cast<const std::uint8_t*>(part.data()), size)) return false;
+      count -= size;
+    }
+    return true;
+  }
+
   wire::TlsSettings settings_;
   std::unique_ptr<Tls> tls_;
   std::unique_ptr<boost::beast::tcp_stream> plain_;
+  std::unique_ptr<FragmentCount> fragments_;  // null: the stream carries HTTP
 };
 
 /// Reads and discards what a browser still sends after the server's close frame. A socket that is closed with unread

@@ -18,7 +18,7 @@ constexpr int kBatch = 64;
 DatagramPort::DatagramPort(asio::io_context& io) : socket_(io) {}
 
 error_code DatagramPort::open(const Endpoint& at) {
-  error_code failed = wire::open_udp(socket_, at.protocol());
+  error_code failed = wire::open_udp(socket_, at.protocol(), wire::TrafficClass::Pictures);
   if (!failed) socket_.bind(at, failed);
   if (failed)
     close();

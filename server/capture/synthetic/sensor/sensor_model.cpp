@@ -57,13 +57,13 @@ SensorModel::Moved SensorModel::moved_to(const PatientPose& pose) const {
   return moved;
 }
 
-/// The picture with a colleague's hand, breath included, with the hand's own shadow and ragged silhouette.
-SensorModel::Moved SensorModel::with_hand(const PatientPose& pose, const ColleagueHand& hand) const {
+/// The picture of a pose with a colleague's hand, breath included, with the hand's own shadow and ragged silhouette.
+SensorModel::Moved SensorModel::with_hand(const PatientPose& pose) const {
   Moved seen = moved_to(pose);
   const auto lift_m = static_cast<float>(pose.breath.lift_m);
   for (std::size_t i = 0; i < seen.depth_m.size(); ++i) seen.depth_m[i] -= lift_m * seen.lift_share[i];
   std::fill(seen.lift_share.begin(), seen.lift_share.end(), 0.0F);
-  draw_over(capsules_of(hand), rest_->camera, seen.depth_m);
+  draw_over(capsules_of(*pose.colleague), rest_->camera, seen.depth_m);
   if (holes_) seen.hole_of_256 = hole_map(seen.depth_m, rest_->camera);
   return seen;
 }
@@ -71,7 +71,11 @@ SensorModel::Moved SensorModel::with_hand(const PatientPose& pose, const Colleag
 void SensorModel::measure(const PatientPose& pose, std::int64_t instant, std::vector<std::uint16_t>& out) const {
   out.resize(rest_depth_m_.size());
   const bool lies_at_rest = !pose.slides() && !pose.rises() && !pose.colleague;
-  const Moved moved = lies_at_rest ? Moved{} : pose.colleague ? with_hand(pose, *pose.colleague) : moved_to(pose);
+  Moved moved;
+  if (pose.colleague)
+    moved = with_hand(pose);
+  else if (!lies_at_rest)
+    moved = moved_to(pose);
   const std::vector<std::uint8_t>& hole_of_256 = lies_at_rest ? hole_of_256_ : moved.hole_of_256;
   const float* const depth_m = (lies_at_rest ? rest_depth_m_ : moved.depth_m).data();
   const float* const lift_share = (lies_at_rest ? lift_share_ : moved.lift_share).data();

@@ -30,7 +30,7 @@ class SensorModel {
     std::vector<std::uint8_t> hole_of_256;
   };
   [[nodiscard]] Moved moved_to(const PatientPose& pose) const;
-  [[nodiscard]] Moved with_hand(const PatientPose& pose, const ColleagueHand& hand) const;
+  [[nodiscard]] Moved with_hand(const PatientPose& pose) const;
 
   std::shared_ptr<const RestShape> rest_;
   bool holes_;
