@@ -16,6 +16,7 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
       stands == FaultCause::NotFinite ? std::optional(blank_input(given, target_)) : std::nullopt;
   const ControlInput& in = blank ? *blank : given;
   limiter_.device_gives(in.power);
+  watch_rise(in);
   plane_.move(in.device, in.contact, in.wait_at_m, dt_s);
   force_control_.release(hand_is_lost(in, settings_.ages.tracker_in_contact_s), settings_.transitions.contact_release_s,
                          dt_s);
@@ -48,7 +49,7 @@ Seen EncounteredController::seen_of(const ControlInput& in, FaultCause stands) c
   seen.fault_latched = limiter_.faulted();
   seen.rearm = in.rearm;
   seen.inputs_stale = inputs_are_stale(in);
-  seen.in_body = in.contact.valid && in.contact.in_body;
+  seen.in_body = in.contact.valid && in.contact.in_body && !rises_unfelt_;
   seen.outside = in.contact.valid && !in.contact.in_body;
   seen.below_plane = device_m < plane_.height_m();
   seen.at_plane = device_m >= plane_.target_height_m();
@@ -62,11 +63,19 @@ void EncounteredController::enter_phase(Event event, const ControlInput& in) noe
   if (phases_.phase() == Phase::OutBody) position_control_.begin(in, plane_.target_height_m());
 }
 
+/// A browser's hand that hovers presses nothing. So an end-effector that came below the skin while no force held it is
+/// lifted out of the body without a contact.
+void EncounteredController::watch_rise(const ControlInput& in) noexcept {
+  const bool outside = in.contact.valid && !in.contact.in_body;
+  const bool let_go = has_let_go(phases_.phase());
+  rises_unfelt_ = in.wait_at_m && (let_go || (rises_unfelt_ && !outside));
+}
+
 /// True when the skin gives force: in the phases inside the body, and in Body to plane while the device is in the body;
 /// never while workspace indexing moves the body past the device (`interacts` is false).
 bool EncounteredController::feels_skin(const ControlInput& in) const noexcept {
   const bool may_feel = is_inside(phases_.phase()) || phases_.phase() == Phase::BodyToPlane;
-  return may_feel && in.interacts && in.contact.valid && in.contact.in_body;
+  return may_feel && !rises_unfelt_ && in.interacts && in.contact.valid && in.contact.in_body;
 }
 
 /// The skin's force depends only on the device and the surface. Therefore a lost hand does not end the contact at once:
@@ -94,7 +103,9 @@ HeldForce EncounteredController::phase_force(const ControlInput& in, double dt_s
   force.torque_N_m = felt.torque.N_m;
   if (force_control_.touching()) force.skin += heat_warning_.step(force.skin, limiter_, dt_s);
   if (phases_.phase() == Phase::BodyToPlane && !force_control_.touching())
-    force.drive = lift_force_N(in, plane_.target_height_m(), settings_.position);
+    force.drive = lift_.step(in, plane_.target_height_m(), dt_s);
+  else
+    lift_.rest();
   if (phases_.phase() == Phase::OutBody) {
     force.drive = position_control_.step(in, plane_.target_height_m(), dt_s);
     target_ = position_control_.target();

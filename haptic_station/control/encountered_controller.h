@@ -3,6 +3,7 @@
 #include "haptic_station/control/parts/displayed_hand.h"
 #include "haptic_station/control/parts/force_control.h"
 #include "haptic_station/control/parts/heat_warning.h"
+#include "haptic_station/control/parts/lift.h"
 #include "haptic_station/control/parts/phase_machine.h"
 #include "haptic_station/control/parts/position_control.h"
 #include "haptic_station/control/parts/transition_fade.h"
@@ -26,6 +27,7 @@ class EncounteredController {
         plane_(settings.plane),
         force_control_(effects, settings.coupling, settings.limits.peak_N),
         position_control_(settings.position, settings.transitions.offset_fade_s),
+        lift_(settings.position),
         displayed_hand_(settings.transitions.offset_fade_s),
         limiter_(settings.limits) {}
 
@@ -40,10 +42,13 @@ class EncounteredController {
   [[nodiscard]] Phase phase() const noexcept { return phases_.phase(); }
   /// True when the end-effector was in contact with the skin at the last tick.
   [[nodiscard]] bool touching() const noexcept { return force_control_.touching(); }
+  /// The largest slope of an effect's force over depth, up to the greatest force that the limiter gives.
+  [[nodiscard]] double stiffest_N_per_m() const noexcept { return effects().stiffest_N_per_m(settings_.limits.peak_N); }
   [[nodiscard]] const ControlSettings& settings() const noexcept { return settings_; }
 
  private:
   [[nodiscard]] Seen seen_of(const ControlInput& in, FaultCause stands) const noexcept;
+  void watch_rise(const ControlInput& in) noexcept;
   void enter_phase(Event event, const ControlInput& in) noexcept;
   [[nodiscard]] bool feels_skin(const ControlInput& in) const noexcept;
   [[nodiscard]] bool inputs_are_stale(const ControlInput& in) const noexcept;
@@ -58,11 +63,15 @@ class EncounteredController {
   WaitingPlane plane_;
   ForceControl force_control_;
   PositionControl position_control_;
+  Lift lift_;
   TransitionFade fade_;
   DisplayedHand displayed_hand_;
   ForceLimiter limiter_;
   HeatWarning heat_warning_;
-  Point<HapticBase> target_;  ///< at the last tick; in Out body: p_t of S1 eq. (5), else: the end-effector's position
+  bool rises_unfelt_ = false;  ///< below the skin under a hovering hand since the last release: no contact begins
+  /// Where position control wanted the end-effector at the last tick (p_t of S1 eq. 5). Outside the phase Out body it
+  /// is the end-effector's own position.
+  Point<HapticBase> target_;
 };
 
 }  // namespace telepalp::control

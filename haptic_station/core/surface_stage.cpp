@@ -109,7 +109,8 @@ std::optional<SurfaceStage::Job> SurfaceStage::take(SessionTime now, const std::
   if (waiting_.empty()) return std::nullopt;
   Job job{.messages = {std::make_move_iterator(waiting_.begin()), std::make_move_iterator(waiting_.end())},
           .device = device,
-          .begun = now};
+          .begun = now,
+          .accept_object = std::exchange(accept_object_, false)};
   waiting_.clear();
   for (const ArrivedDepth& taken : job.messages) {
     --admitted_;
@@ -120,6 +121,7 @@ std::optional<SurfaceStage::Job> SurfaceStage::take(SessionTime now, const std::
 
 SurfaceStage::Result SurfaceStage::run(const Job& job, const StepTime& time) {
   Result result;
+  if (job.accept_object) builder_.accept_object();
   for (std::size_t i = 0; i + 1 < job.messages.size(); ++i) skip(job.messages[i]);
   const ArrivedDepth& newest = job.messages.back();
   Decoded depth;

@@ -58,6 +58,7 @@ class SurfaceStage {
     std::vector<ArrivedDepth> messages;       ///< in order of arrival; the last one becomes the surface
     std::optional<Point<HapticBase>> device;  ///< its position in H; nullopt, before the first tick: the whole image
     SessionTime begun{};
+    bool accept_object = false;  ///< the doctor accepts the object over the device's place as skin
   };
   struct Result {
     std::optional<loop::TouchableSurface> surface;  ///< numbered from 1
@@ -75,6 +76,8 @@ class SurfaceStage {
   /// True if a message of that size may wait; arrived() must follow. Counts what is refused as dropped.
   [[nodiscard]] bool admit(std::size_t bytes) noexcept;
   void arrived(ArrivedDepth message);
+  /// With the next job, the object over the device's place becomes skin as soon as the device is above it.
+  void accept_object() noexcept { accept_object_ = true; }
   /// All waiting messages, as the next run's job; nullopt: none waits.
   [[nodiscard]] std::optional<Job> take(SessionTime now, const std::optional<Point<HapticBase>>& device);
   [[nodiscard]] Result run(const Job& job, const StepTime& time);
@@ -99,6 +102,7 @@ class SurfaceStage {
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);
 
   std::deque<ArrivedDepth> waiting_;
+  bool accept_object_ = false;  // for the next job
   codec::DepthReader reader_;
   wire::KeyFrameRequest key_frame_request_;
   surface::SettingChoice choice_;

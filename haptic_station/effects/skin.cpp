@@ -8,7 +8,7 @@ void Skin::begin(const EffectInput& in) noexcept {
   const bool faded = in.contact.coverage < 1.0;
   first_contact_.m = faded ? in.device.m - in.contact.distance_m * in.contact.normal.v : in.contact.proxy.m;
   first_normal_ = in.contact.normal;
-  rise_m_ = 0.0;
+  carried_m_ = Eigen::Vector3d::Zero();
 }
 
 // The anchor moves with the skin at the first contact point. The speed under the hand is not used: a belly rises in its
@@ -21,7 +21,7 @@ Vector<HapticBase> Skin::carried_at(const EffectInput& in) const noexcept {
     case SkinAnchor::Sliding:
       return {in.contact.surface_speed_m_per_s * in.contact.normal.v};
     case SkinAnchor::FollowsSurface:
-      if (in.contact.anchor_seen) return {in.contact.anchor_velocity.v.dot(first_normal_.v) * first_normal_.v};
+      if (in.contact.anchor_seen) return in.contact.anchor_velocity;
       return {in.contact.surface_speed_m_per_s * in.contact.normal.v.dot(first_normal_.v) * first_normal_.v};
   }
   return {};
@@ -30,8 +30,8 @@ Vector<HapticBase> Skin::carried_at(const EffectInput& in) const noexcept {
 Force<HapticBase> Skin::step(const EffectInput& in, double dt_s) noexcept {
   const bool slides = settings_.anchor == SkinAnchor::Sliding;
   const Eigen::Vector3d& normal = slides ? in.contact.normal.v : first_normal_.v;
-  rise_m_ += carried_at(in).v.dot(first_normal_.v) * dt_s;
-  Eigen::Vector3d d = in.device.m - (slides ? in.contact.proxy.m : first_contact_.m + rise_m_ * first_normal_.v);
+  carried_m_ += carried_at(in).v * dt_s;
+  Eigen::Vector3d d = in.device.m - (slides ? in.contact.proxy.m : first_contact_.m + carried_m_);
   const double outwards_m = d.dot(normal);
   if (outwards_m > 0.0) d -= outwards_m * normal;
   if (!slides) d *= in.contact.coverage;  // the coverage already scales the proxy

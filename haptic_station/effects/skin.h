@@ -9,7 +9,7 @@ struct TissuePreset;
 
 /// Where the skin's indentation vector d starts.
 enum class SkinAnchor {
-  FollowsSurface,  ///< at the first contact point, which moves with the surface along the normal of first contact
+  FollowsSurface,  ///< at the first contact point, which moves with the surface there
   Fixed,           ///< at the first contact point, fixed in H: paper S1 (docs/sources.md) eq. (8) as printed
   Sliding,         ///< at the proxy, so that the hand slides without friction (an extension that S1 mentions)
 };
@@ -52,8 +52,8 @@ class Skin {
   SkinLaw law_;                      ///< that of `settings_`, weakened
   Point<HapticBase> first_contact_;  ///< S1's p_p^0: proxy at the start of the contact
   Vector<HapticBase> first_normal_;
-  double rise_m_ = 0.0;  ///< how far the skin at the first contact point has risen along its normal since contact
-  Vector<HapticBase> indentation_;  ///< S1's d, eq. (8)
+  Eigen::Vector3d carried_m_ = Eigen::Vector3d::Zero();  ///< movement of the skin at the first contact point since then
+  Vector<HapticBase> indentation_;                       ///< S1's d, eq. (8)
 };
 
 }  // namespace telepalp::effects

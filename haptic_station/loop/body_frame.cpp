@@ -106,7 +106,7 @@ const effects::Placements& BodyFrame::step(const surface::TouchSample& touch, do
     effects::Placement& shown = shown_[i];
     const effects::Placement wanted = target(i);
     shown.velocity.v = surface::next_rate(shown.velocity.v, wanted.moved.v - shown.moved.v, wanted.velocity.v, limits_,
-                                          share_.of(dt), dt);
+                                          share_.of(limits_.bandwidth_rad_per_s, dt), dt);
     shown.moved.v += dt * shown.velocity.v;
   }
   return shown_;

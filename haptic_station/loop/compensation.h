@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "haptic_station/control/encountered_controller.h"
@@ -39,6 +40,11 @@ struct Compensation {
   // were rejected because they were impossibly fast, out of order or not finite.
   std::uint64_t device_jumps = 0;
   std::uint64_t hand_jumps = 0;
+
+  // The device's own loop and the stiffness that it allows (control/safety/virtual_coupling.h).
+  std::optional<double> loop_delay_s = {};  ///< 99th percentile (LoopDelay); nullopt: the device echoes no commands
+  double stiffest_shown_N_per_m = 0.0;      ///< the largest stiffness that the device displays stably
+  double effects_N_per_m = 0.0;             ///< upper bound of the stiffness of the scene's effects together
 
   // The objects inside the body, which follow the skin above them; indexed by the number of the effect.
   ObjectPlacements objects{};

@@ -20,7 +20,8 @@ constexpr double kEncoderNoise_m = 0.05e-3;
 constexpr double kTimingError = 0.5;  // relative error of the time between two readings
 constexpr double kSlip_m = 0.005;  // a lasting offset (slip) up to this is removed slowly; a larger one is implausible
 constexpr double kBelievedAfter_s = 0.001;  // after a jump, readings consistent for this long show a lasting offset
-constexpr double kRebasedAfter_s = 0.5;     // after a larger offset, they are then accepted unchanged
+constexpr double kRebasedAfter_s =
+    0.5;  // after a larger offset, readings consistent for this long are accepted unchanged
 constexpr double kAbsorbedOver_s = 0.02;    // time constant of the removal of an offset
 constexpr double kAbsorbed_m_per_s = 0.15;  // fastest removal of an offset: 0.04 N per tick on a skin of 500 N/m
 
@@ -72,15 +73,16 @@ GatedReading DeviceGate::bridge(double dt_s) noexcept {
           .unreadable_s = started_ ? unreadable_s_ : std::numeric_limits<double>::infinity()};
 }
 
-/// Takes the first finite reading after a bridge. If the bridge ended beside it by no more than a slip, the position
-/// goes on from where the bridge ended, and the slip is removed slowly.
+/// Takes the first finite reading after a bridge. If the extrapolated position is within kSlip_m of it, the position
+/// goes on from there, and the offset is removed slowly.
 void DeviceGate::come_back(const ports::DeviceReading& reading, double since_s, double dt_s) noexcept {
-  go_on(dt_s);
   unreadable_s_ = 0.0;
-  const Vector3d slip_m = at_m_ - reading.at.m;
-  if (slip_m.norm() > kSlip_m) return hold(reading, 0.0);
-  offset_m_ = slip_m;
-  speed_ = raw_speed_ = (reading.at.m - last_.at.m) / since_s;
+  agree_s_ = 0.0;  // one reading shows no agreement yet
+  raw_speed_ = (reading.at.m - last_.at.m) / since_s;
+  if ((at_m_ + speed_ * dt_s - reading.at.m).norm() > kSlip_m) return hold(reading, dt_s);
+  go_on(dt_s);
+  offset_m_ = at_m_ - reading.at.m;
+  speed_ = raw_speed_;
 }
 
 /// Handles a reading after a jump. Readings that agree with each other are accepted again. If they differ little from

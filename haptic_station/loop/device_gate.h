@@ -12,7 +12,7 @@ struct GatedReading {
   Point<HapticBase> at;
   Vector<HapticBase> velocity;  ///< [m/s]
   double implausible_s = 0.0;   ///< how long the readings have been impossibly fast; 0: this one is plausible
-  double unreadable_s = 0.0;    ///< how long the readings have been no numbers; 0: this one is finite
+  double unreadable_s = 0.0;    ///< how long the readings have not been finite; 0: this one is finite
 };
 
 /// Bridges encoder jumps that are impossibly fast. While a reading is farther from the expected position than a hand

@@ -67,6 +67,7 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
   ticked_ = true;
   // Sense.
   const GatedReading gated = device_gate_.step(given.reading, dt_s);
+  loop_delay_.add(given.reading);
   const Indexed indexed = indexing_.step(gated.at, dt_s);
   const Point<HapticBase> device_at = in_patient_frame(gated.at);
   const surface::TouchSample touch =
@@ -93,6 +94,7 @@ TickOut HapticLoop::tick(const TickIn& given) noexcept {
                                  .attitude = attitude_gate_.step(given.reading, dt_s),
                                  .turning = attitude_gate_.turning(given.reading),
                                  .power = given.reading.power,
+                                 .loop_delay_s = loop_delay_.p99_s().value_or(0.0),
                                  .rearm = given.rearm};
   last_.touch = touch;
   last_.hand = hand;
@@ -110,6 +112,9 @@ Compensation HapticLoop::compensation() const noexcept {
   compensation.surface_captured_ns = has_surface_ ? to_nanoseconds(surface_captured_) : 0;
   compensation.device_jumps = device_gate_.jumps() + attitude_gate_.jumps();
   compensation.hand_jumps = hand_.refused();
+  compensation.loop_delay_s = loop_delay_.p99_s();
+  compensation.stiffest_shown_N_per_m = controller_.coupling().limit_N_per_m();
+  compensation.effects_N_per_m = controller_.coupling().effects_N_per_m();
   compensation.objects = objects();
   return compensation;
 }

@@ -7,6 +7,7 @@
 #include "haptic_station/loop/body_frame.h"
 #include "haptic_station/loop/compensation.h"
 #include "haptic_station/loop/device_gate.h"
+#include "haptic_station/loop/loop_delay.h"
 #include "haptic_station/loop/tick.h"
 #include "haptic_station/loop/workspace_indexing.h"
 #include "haptic_station/surface/touch/touch.h"
@@ -27,9 +28,13 @@ class HapticLoop {
     tracking::HandEstimateSettings hand;
   };
 
+  /// The displayed skin follows the newest image as fast as the stiffest effect allows.
   HapticLoop(const Settings& settings, const control::EncounteredController& controller) noexcept
-      : touch_(settings.touch),
-        body_(settings.touch.follow),
+      : HapticLoop(settings, controller, surface::follow_limits(controller.stiffest_N_per_m())) {}
+  HapticLoop(const Settings& settings, const control::EncounteredController& controller,
+             const surface::FollowLimits& follow) noexcept
+      : touch_(settings.touch, follow),
+        body_(follow),
         hand_(settings.hand),
         controller_(controller),
         indexing_(controller.settings().indexing) {}
@@ -89,6 +94,7 @@ class HapticLoop {
 
   DeviceGate device_gate_;
   AttitudeGate attitude_gate_;
+  LoopDelay loop_delay_;
   surface::Touch touch_;
   BodyFrame body_;
   tracking::HandEstimate hand_;

@@ -27,6 +27,9 @@ struct DeviceReading {
   std::optional<Eigen::Quaterniond> attitude = {};
   Vector<HapticBase> turning = {};  ///< angular velocity [rad/s]; counts only with `attitude`
   DevicePower power = {};
+  /// Age of this reading plus age of the newest command that the device had received before it: the time since the
+  /// station gave that command. nullopt: the device does not tell which command it has received.
+  std::optional<double> loop_s = {};
 };
 
 /// One sample of the hand tracker, in the frame of DeviceReading, stamped with the time at which it saw the hand.

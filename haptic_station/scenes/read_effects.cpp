@@ -18,7 +18,7 @@ struct Reading {
   const msg::Scene& message;
   const std::filesystem::path& folder;
   MeshDetail detail;
-  const std::vector<effects::Recipe>& before;  ///< the recipes of the effects before it
+  const std::vector<effects::Recipe>& before;  ///< the recipes of the effects that precede this one in the file
 };
 
 /// Read<Kind>::from() reads the recipe of an effect of one kind from its message. Each kind of effects::Effect needs
@@ -34,7 +34,8 @@ std::string tissue_names() {
 }
 
 /// Reads a law that replaces S1's: a linear spring, a curve, or the curve of a tissue.
-void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::SkinLaw& law) {
+void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::Skin::Settings& skin) {
+  effects::SkinLaw& law = skin.law;
   check.in(message);
   if (int{message.has_linear_stiffness_n_per_m()} + int{message.has_tissue()} + int{message.has_measured()} > 1)
     check.complain("skin gives more than one of linear_stiffness_N_per_m, tissue and measured",
@@ -54,8 +55,10 @@ void read_tissue(FieldCheck& check, const msg::SkinEffect& message, effects::Ski
   const effects::TissuePreset* preset = effects::find_tissue(message.tissue());
   if (preset == nullptr)
     check.complain("skin.tissue \"" + message.tissue() + "\" is not known", "use one of: " + tissue_names());
-  else
+  else {
     law = preset->law;
+    skin.tissue = preset;
+  }
 }
 
 effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEffect& message) {
@@ -73,8 +76,7 @@ effects::Skin::Settings read_skin_settings(FieldCheck& check, const msg::SkinEff
     TELEPALP_READ(check, "skin.", message, alpha_n_per_m2, alpha, {1, 1e6, "N/m^2"});
   }
   skin.law = effects::paper_law(alpha);
-  read_tissue(check, message, skin.law);
-  skin.tissue = effects::find_tissue(message.tissue());
+  read_tissue(check, message, skin);
   skin.law.by_axis = message.stiffness_by_axis();
   if (message.anchor() == msg::SkinEffect::ANCHOR_FIXED) skin.anchor = effects::SkinAnchor::Fixed;
   if (message.anchor() == msg::SkinEffect::ANCHOR_SLIDING) skin.anchor = effects::SkinAnchor::Sliding;

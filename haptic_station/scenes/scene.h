@@ -52,7 +52,7 @@ struct Scene {
   std::string text;                                 ///< of the file, so that a journal can keep it
   std::vector<Error> warnings;                      ///< what is valid and yet hardly meant, such as a ball 5 m away
 
-  /// The recipes of layers, for pictures and meshes.
+  /// The scene's layers, in the order of its effects, for pictures and meshes.
   [[nodiscard]] std::vector<SceneLayer> layers() const;
   /// The solids of layers().
   [[nodiscard]] std::vector<std::shared_ptr<const effects::SolidLayer>> solids() const;

@@ -25,7 +25,7 @@ class NearMembers {
   [[nodiscard]] Walls walls(const SolidTree& tree, const Eigen::Vector3d& point_m, double swell_m) noexcept;
 
  private:
-  /// Empty: the whole tree is to be evaluated.
+  /// The members to evaluate at a point; empty: evaluate the whole tree.
   [[nodiscard]] std::span<const std::uint32_t> members_at(const SolidTree& tree,
                                                           const Eigen::Vector3d& point_m) noexcept;
   [[nodiscard]] bool covers(const SolidTree& tree, const Eigen::Vector3d& point_m) const noexcept;

@@ -67,7 +67,8 @@ void SolidProxy::push_out(const Vector3d& otherwise) noexcept {
   if (walls_.least_m < 0.0) proxy_ = nearest_in(walls_.spaces(), proxy_, otherwise);
 }
 
-/// Moves the proxy along the walls to the point nearest to the device. A step is at most as long as walls are seen.
+/// Moves the proxy along the walls to the point nearest to the device. A step is at most Walls::kNear_m, the distance
+/// within which walls are known.
 void SolidProxy::slide(const SolidTree& tree, const Vector3d& device, double swell_m) noexcept {
   for (int i = 0; i < settings_.rounds; ++i) {
     const Vector3d before = proxy_;

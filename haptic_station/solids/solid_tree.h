@@ -53,8 +53,8 @@ struct alignas(64) TreeNode {
 };
 inline constexpr std::uint32_t kNothing = 0xffffffff;
 
-/// What is cut away from a solid is larger by this on all sides [m]. Otherwise a sheet without thickness would stay
-/// where both have the same face, and be felt: a solid less itself is nothing.
+/// What is cut away from a solid is larger by this on all sides [m]. Without it, a sheet of zero thickness would remain
+/// where both solids share a face, and would be felt. With it, a solid less itself is empty.
 inline constexpr double kSeam_m = 3e-6;
 
 /// A node of the hierarchy of boxes over the members of a union: up to four boxes, tested together.

@@ -13,10 +13,9 @@ namespace telepalp::solids {
 /// only the part that gives the value counts: outside an edge there is free room beside each face.
 struct Walls {
   static constexpr std::size_t kMost = 8;
-  static constexpr double kNear_m = 0.004;  ///< a wall is near if its part's value is at most this
-
-  static constexpr double kShortest =
-      0.1;  ///< a shorter gradient gives no wall: opposite sides of a mesh are equally near
+  static constexpr double kNear_m = 0.001;  ///< a wall is near if its part's value is at most this
+  /// A shorter gradient gives no wall: opposite sides of a mesh are equally near.
+  static constexpr double kShortest = 0.1;
 
   std::size_t count = 0;
   double least_m = HUGE_VAL;  ///< least value of the parts that are near; HUGE_VAL: nothing is near

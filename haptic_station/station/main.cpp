@@ -36,7 +36,7 @@ program::Usage usage() {
   return {.program = "telepalp-station",
           .purpose = "turns depth images from the server into a surface, and computes the force on the hand at 2 kHz",
           .positional = "",
-          .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
+          .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"accept-touch", "", "take the permission to palpate when you are offered it"},
                       {"scene", "FILE|NAME", "scene file, or one of telepalp's own scenes", "palpation"},
@@ -78,8 +78,7 @@ std::filesystem::path control_of(const program::Arguments& arguments) {
 }
 
 Result<station::StationOptions> options_of(const program::Arguments& arguments) {
-  const Result<program::Address> server =
-      program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
+  const Result<program::Address> server = program::parse_server(arguments.text("connect"), "--connect");
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e6);
   if (!seconds) return seconds.error();
@@ -89,6 +88,7 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   if (!realtime) return realtime.error();
   return station::StationOptions{.host = server->host,
                                  .port = server->port,
+                                 .site = server->site,
                                  .accepts_touch = arguments.has("accept-touch"),
                                  .seconds = *seconds,
                                  .patience = *patience,

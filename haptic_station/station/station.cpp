@@ -33,6 +33,7 @@ wire::ClientLink::Options link_options(const StationOptions& options, bool takes
   wire::ClientLink::Options link{
       .host = options.host,
       .port = options.port,
+      .site = options.site,
       .name = kName,
       .role = "doctor",
       .key = options.key,
@@ -177,7 +178,7 @@ void Station::lose_patience() {
          .fix = "check the server's camera or recording (telepalp-server --source), or wait longer by --patience S"});
   const std::optional<Error>& reason = link_.client().not_served_because();
   if (!reason)
-    return give_up({.what = "does not answer",
+    return give_up({.what = link_.client().no_answer(),
                     .where = where,
                     .fix = "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
   give_up({.what = "the server does not serve this station yet: " + reason->what,
@@ -239,6 +240,7 @@ void Station::on_viewer_hand(const wire::Message& message) {
   if (!hand) return on_unreadable(message);
   if (!viewer_hand_.is_used() || !seen_.haptic_from_camera) return;
   if (hand->rearm()) return faults_.rearm_for("viewer " + std::to_string(hand->viewer()));
+  if (hand->accept_object()) return core_.surface().accept_object();
   const Point<DepthCamera> in_camera{wire::vector_of(hand->hand_camera())};
   if (const auto line = viewer_hand_.hear(*hand, *seen_.haptic_from_camera * in_camera)) say(*line);
 }
@@ -322,6 +324,10 @@ void Station::serve_haptic_thread(HapticThread& haptic) {
     const loop::Compensation& compensation = haptic.compensation().current();
     inside_.set_objects(compensation.objects);
     telemetry_.publish(telemetry_.outbox().compensation(compensation, now()));
+    if (const auto limited = stiffness_notice_.look(compensation)) {
+      say(*limited);
+      telemetry_.publish_event(now(), msg::EVENT_KIND_DEVICE, *limited);
+    }
   }
   haptic.set_clock_offset(link_.clock_offset());
 }

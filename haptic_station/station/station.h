@@ -19,6 +19,7 @@
 #include "haptic_station/station/rigs/rig_choice.h"
 #include "haptic_station/station/rigs/static_patient.h"
 #include "haptic_station/station/signals/station_signals.h"
+#include "haptic_station/station/telemetry/stiffness_notice.h"
 #include "haptic_station/station/telemetry/telemetry_publisher.h"
 #include "proto/wire/client/client_link.h"
 #include "support/program/patience.h"
@@ -29,6 +30,7 @@ namespace telepalp::station {
 struct StationOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
+  std::string site{};  ///< site that is reached through the meeting point `host`; empty: `host` is the server
   std::shared_ptr<const keys::KeyFile> key{};  ///< null: the server is on this machine
   bool accepts_touch = false;                  ///< accepts the touch (permission to palpate) whenever it is offered
   double seconds = 0.0;                        ///< run time of the haptic loop; 0: until a signal
@@ -122,6 +124,7 @@ class Station {
   InsideView inside_;
   ViewerHandInput viewer_hand_;
   DeviceRefusals refusals_;
+  StiffnessNotice stiffness_notice_;
   ImageLog images_;
   Seen seen_;
   Progress progress_;

@@ -15,6 +15,7 @@ Wrench<HapticBase> ForceControl::step(const ControlInput& in, bool touching, dou
   shown_ = in.contact;
   moved_m_ = in.device.m - last_device_.m - in.reindexed.v;
   last_device_ = in.device;
+  coupling_.delayed_by(in.loop_delay_s);
   if (!touching) {
     ledger_.book(held_, measured_skin_N(Vector3d::Zero(), bound_N), moved_m_);
     return {};
@@ -47,6 +48,7 @@ void ForceControl::begin(effects::EffectInput felt, const ControlInput& in, doub
 /// coupling joins the points of tool and device, so a torque about the tool's point acts on the device as it is.
 Wrench<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, const ControlInput& in,
                                              Exchange& exchange, double bound_N, double dt_s) noexcept {
+  coupling_.soften(felt);
   effects::EffectInput at = coupling_.engaged() ? coupling_.at_tool(felt) : felt;
   at = tool_.turn(at, in.attitude, effects_, exchange.lever_m > 0.0, dt_s);
   at.turn.N_per_N_m = N_per_N_m_;
@@ -55,6 +57,8 @@ Wrench<HapticBase> ForceControl::ask_effects(const effects::EffectInput& felt, c
     asked.force = coupling_.pull(asked.force);
     exchange.absorbed_J = coupling_.absorbed_J();
     exchange.stored_J = coupling_.energy_J();
+  } else {
+    coupling_.stand_by(asked.force);
   }
   exchange.absorbed_J += effects_.absorbed_J();
   exchange.stored_J += effects_.energy_J();

@@ -23,8 +23,8 @@ namespace telepalp::control {
 /// True when the surface is older than its limit. An age that is NaN counts as too old.
 [[nodiscard]] bool surface_is_stale(const ControlInput& in, const AgeLimits& ages) noexcept;
 
-/// True when the device has sent what is no number for longer than its limit. Then the station releases, and resumes by
-/// itself.
+/// True when the device's readings have not been finite for longer than the limit. The station then releases the hand,
+/// and resumes once readings are finite.
 [[nodiscard]] bool device_is_unreadable(const ControlInput& in, const AgeLimits& ages) noexcept;
 
 /// True when the tracker has not seen the hand within `limit_s`. An age that is NaN counts as too old, and so does a

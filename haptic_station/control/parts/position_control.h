@@ -8,7 +8,13 @@ namespace telepalp::control {
 
 /// Position control of the free end-effector in the phase Out body: proportional-derivative control to the target of
 /// eq. (5) of paper S1 (docs/sources.md). The target follows the hand's x and z at the height of the waiting plane, in
-/// H, the haptic base's frame, with y up. Owner: haptic thread.
+/// H, the haptic base's frame, with y up.
+///
+/// The force changes at a limited rate, so that neither a coarse encoder nor a jump of the hand is felt as a step. A
+/// rate limit delays the force of a fast movement. A stiff control would then swing for ever with its whole force: with
+/// 400 N/m, 25 N s/m and 56 N/s, a free device of 0.3 kg swings at 4.5 Hz by 22 mm. With the settings' stiffness and
+/// damping every free device of 0.1 to 1 kg and 0.3 to 3 N s/m comes to rest, also when its force comes 4 ms late.
+/// Owner: haptic thread.
 class PositionControl {
  public:
   /// `offset_fade_s`: decay time constant of Delta p in eq. (5). When Out body begins, Delta p is the position of the
@@ -27,19 +33,16 @@ class PositionControl {
 
  private:
   void follow_hand(const ControlInput& in, double dt_s) noexcept;
+  void follow_height(double target_height_m, double dt_s) noexcept;
 
   PositionControlSettings settings_;
   double offset_fade_s_;
-  Moving hand_;    ///< the tracked hand after a low-pass filter that smooths the tracker's 100 Hz steps
-  Moving offset_;  ///< Delta p of S1 eq. (5), which decays to zero
+  Moving hand_;                 ///< the tracked hand after a low-pass filter that smooths the tracker's 100 Hz steps
+  double height_m_ = 0.0;       ///< height of the target at the last step
+  double rises_m_per_s_ = 0.0;  ///< smoothed vertical speed of the target
+  Moving offset_;               ///< Delta p of S1 eq. (5), which decays to zero
   Point<HapticBase> target_;
   Eigen::Vector3d force_N_ = Eigen::Vector3d::Zero();
 };
-
-/// The force of the phase Body to plane [N]: "a force is applied to the end-effector in order to go farther from the
-/// body" (S1). The force controls the velocity: a bounded rise that stops 2 mm above `target_height_m`, so that an
-/// end-effector without a hand does not fly off while the phase waits for its dwell time.
-[[nodiscard]] Eigen::Vector3d lift_force_N(const ControlInput& in, double target_height_m,
-                                           const PositionControlSettings& settings) noexcept;
 
 }  // namespace telepalp::control

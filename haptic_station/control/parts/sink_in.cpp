@@ -5,8 +5,8 @@
 namespace telepalp::control {
 namespace {
 
-constexpr double kFastest_m_per_s = 0.05;  // as fast as the displayed surface follows the measured one
-constexpr double kEasesOver_s = 0.05;      // slower over the last 2.5 mm, so that it stops without a jerk
+constexpr double kFastest_m_per_s = 0.05;
+constexpr double kEasesOver_s = 0.05;  // slower over the last 2.5 mm, so that it stops without a jerk
 constexpr double kSlowest_m_per_s = 0.0003;
 constexpr double kFastestTogether_m_per_s = 0.1;  // with the displayed surface's own approach to the measured one
 constexpr double kFastestInGap_m_per_s = 0.15;    // where the body gives no force
@@ -28,6 +28,7 @@ void SinkIn::step(const ports::SurfaceContact& contact, double dt_s) noexcept {
   if (lowered_m_ <= 0.0) return;
   const double in_gap_m_per_s = std::min((contact.distance_m + lowered_m_) / kClosesGapOver_s, kFastestInGap_m_per_s);
   const double surface_rises_m_per_s = std::max(0.0, contact.surface_speed_m_per_s - contact.measured_speed_m_per_s);
+  // Negative where the displayed surface alone rises faster than both may together: the body is then lowered further.
   const double speed_m_per_s =
       std::min({std::max(lowered_m_ / kEasesOver_s, kSlowest_m_per_s), std::max(kFastest_m_per_s, in_gap_m_per_s),
                 std::max(kFastestTogether_m_per_s, in_gap_m_per_s) - surface_rises_m_per_s});

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double kTolerance_J = 1e-5;      // a smaller excess of energy is ignored as rounding and quantisation
 constexpr double kHandTolerance_J = 1e-4;  // a smaller excess in HandLedger is ignored as noise of the surface
+// The damping force changes by at most 0.045 N a tick, less the change of the effects' force in the same tick. It may
+// always change by 0.02 N.
+constexpr double kSlew_N_per_s = 90.0;
 constexpr double kLeastSlew_N_per_s = 40.0;
 
 }  // namespace
@@ -35,7 +38,6 @@ Wrench<HapticBase> PassivityController::step(const Exchange& exchange, double dt
   dissipated_J_ += damped_J;
   stored_J_ = exchange.stored_J;
   least_J_ = std::min(least_J_, balance_J());
-  if (!settings_.enabled) return damping_ = {};
 
   const Eigen::Vector3d& relative = exchange.velocity.v;
   const Eigen::Vector3d& absolute = exchange.device_velocity.v;
@@ -46,8 +48,7 @@ Wrench<HapticBase> PassivityController::step(const Exchange& exchange, double dt
   const double by_display = display_.follow(display_excess_J, relative.squaredNorm() + turning2, dt_s);
   const double by_hand = hand_.follow(hand_excess_J, absolute.squaredNorm() + turning2, dt_s);
   const Eigen::Vector3d wanted_N = -by_display * relative - by_hand * absolute;
-  const double most_change_N =
-      std::max(kLeastSlew_N_per_s * dt_s, settings_.slew_N_per_s * dt_s - exchange.force_change_N);
+  const double most_change_N = std::max(kLeastSlew_N_per_s * dt_s, kSlew_N_per_s * dt_s - exchange.force_change_N);
   damping_.force.N += at_most(wanted_N - damping_.force.N, most_change_N);
   const Eigen::Vector3d wanted_N_m = -exchange.lever_m * (by_display + by_hand) * turning;
   damping_.torque.N_m += at_most(wanted_N_m - damping_.torque.N_m, exchange.lever_m * most_change_N);

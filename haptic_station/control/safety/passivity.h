@@ -5,13 +5,6 @@
 
 namespace telepalp::control {
 
-struct PassivitySettings {
-  bool enabled = true;
-  /// The damping force changes by at most 0.045 N a tick, less the change of the effects' force in the same tick. It
-  /// may always change by 0.02 N.
-  double slew_N_per_s = 90.0;
-};
-
 /// Energy and motion between the effects and the hand over one tick. H is the haptic base's frame.
 struct Exchange {
   double absorbed_J = 0.0;             ///< work that the effects took from the hand
@@ -43,11 +36,9 @@ struct Exchange {
 /// none.
 ///
 /// The damping stops when the excess is gone. Its force changes slowly in a tick in which the effects' force steps, so
-/// that both together make a smaller step (PassivitySettings::slew_N_per_s). Owner: haptic thread.
+/// that both together make a smaller step (kSlew_N_per_s in passivity.cpp). Owner: haptic thread.
 class PassivityController {
  public:
-  explicit PassivityController(const PassivitySettings& settings = {}) noexcept : settings_(settings) {}
-
   /// Contact begins. `stored_J`: energy that the effects store at that time; it counts as already taken from the hand.
   void begin(double stored_J) noexcept;
 
@@ -69,7 +60,6 @@ class PassivityController {
     [[nodiscard]] double follow(double excess_J, double speed2_m2_per_s2, double dt_s) noexcept;
   };
 
-  PassivitySettings settings_;
   Wrench<HapticBase> damping_;  ///< during the last tick
   Damper display_{.most_N_s_per_m = 40.0, .reaction_s = 0.004};
   Damper hand_{.most_N_s_per_m = 25.0, .reaction_s = 0.01};  ///< against an excess in HandLedger

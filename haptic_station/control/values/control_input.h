@@ -16,7 +16,7 @@ struct ControlInput {
   Vector<HapticBase> device_velocity;  ///< [m/s]
   double device_age_s = 0.0;           ///< time since the device last answered
   double device_implausible_s = 0.0;   ///< how long the device has moved impossibly fast; 0: plausible
-  double device_unreadable_s = 0.0;    ///< how long the device has sent what is no number; 0: it sends numbers
+  double device_unreadable_s = 0.0;    ///< how long the device's readings have not been finite; 0: this one is
   Point<HapticBase> hand;              ///< tracked position of the hand, predicted to now; written H_pL_h in S1
   Vector<HapticBase> hand_velocity;    ///< [m/s]
   bool hand_valid = false;             ///< false while the tracker has not seen a hand yet; `hand` is then meaningless
@@ -32,6 +32,7 @@ struct ControlInput {
   std::optional<Eigen::Quaterniond> attitude = {};
   Vector<HapticBase> turning{};   ///< angular velocity of the tool [rad/s]; counts only with `attitude`
   ports::DevicePower power = {};  ///< the device's greatest force and torque
+  double loop_delay_s = 0.0;      ///< delay of the device's loop (loop::LoopDelay); 0: unknown
   bool rearm = false;             ///< true on the tick at which an operator asks to re-arm
 };
 

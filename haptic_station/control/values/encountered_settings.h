@@ -25,8 +25,8 @@ struct TransitionSettings {
 
 /// The low-level position control of the free end-effector, and the lift away from the body.
 struct PositionControlSettings {
-  double stiffness_N_per_m = 400.0;
-  double damping_N_s_per_m = 25.0;
+  double stiffness_N_per_m = 100.0;  ///< with this damping, the rate limit causes no swing (position_control.h)
+  double damping_N_s_per_m = 12.0;
   double most_N = 3.0;           ///< largest force; a hand can always hold the end-effector against it
   double fastest_m_per_s = 1.0;  ///< greatest speed of the hand that the target follows
   double lift_speed_m_per_s = 0.1;
@@ -42,7 +42,7 @@ struct AgeLimits {
   double surface_s = 1.0;
   double device_s = 0.1;
   double implausible_s = 0.008;      ///< longest run of impossibly fast device readings; a longer one is a fault
-  double unreadable_s = 0.00825;     ///< longest run of device readings that are no numbers: 16 ticks; then the release
+  double unreadable_s = 0.00825;     ///< longest run of readings that are not finite, 16 ticks; then the release
   double hand_implausible_s = 0.08;  ///< longest run of impossibly fast tracker samples out of contact
 };
 

@@ -29,7 +29,7 @@ struct InnerSurfaces {
 /// The surfaces of the layers by dual contouring, thinned to one point in each cell of a grid; each point is then moved
 /// onto the layer's surface. A layer's cells grow until it has at most its equal share of 36 000 points. A layer
 /// without bounds or surface, or with too many points after six attempts, is left out. Takes up to some seconds.
-/// nullopt: `stop` was requested; it is asked at each cell and each point.
+/// nullopt: `stop` was requested; `stop` is checked at each cell and each point.
 [[nodiscard]] std::optional<InnerSurfaces> inner_structures(std::span<const InnerLayer> layers,
                                                             const std::stop_token& stop = {});
 

@@ -22,8 +22,8 @@ class InnerSurfacesStage {
     SessionTime done{};
   };
 
-  /// Without layers there is no job, and the message is empty from the beginning: it replaces that of a station before
-  /// this one.
+  /// Without layers there is no job, and the message is empty from the beginning: it removes the surfaces that an
+  /// earlier station published.
   explicit InnerSurfacesStage(std::vector<InnerLayer> layers);
 
   /// All layers, as the only job; nullopt: they were taken, or there are none.

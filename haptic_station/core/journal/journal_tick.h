@@ -22,6 +22,7 @@ struct JournalTick {
   std::array<double, 3> tool_rad_per_s{};
   double most_N = 0.0;
   double most_N_m = 0.0;
+  double loop_s = 0.0;
   std::int64_t hand_at_ns = 0;
   std::array<double, 3> hand_m{};
   std::array<double, 4> attitude{};  ///< x, y, z, w
@@ -35,12 +36,13 @@ struct JournalTick {
   bool has_hand = false;
   bool has_attitude = false;
   bool has_wait = false;
+  bool has_loop = false;
   bool rearm = false;
 };
 static_assert(std::is_trivially_copyable_v<JournalTick>);
 
 // A new member of these inputs must be kept too, or a replay would differ from the run.
-static_assert(sizeof(ports::DeviceReading) == 160, "keep the new member in JournalTick and journal.proto");
+static_assert(sizeof(ports::DeviceReading) == 176, "keep the new member in JournalTick and journal.proto");
 static_assert(sizeof(ports::HandSample) == 96, "keep the new member in JournalTick and journal.proto");
 
 [[nodiscard]] inline std::array<double, 3> as_array(const Eigen::Vector3d& v) noexcept { return {v.x(), v.y(), v.z()}; }
@@ -57,6 +59,8 @@ inline void keep(const loop::TickIn& in, JournalTick& tick) noexcept {
   tick.tool_rad_per_s = as_array(in.reading.turning.v);
   tick.most_N = in.reading.power.most_N;
   tick.most_N_m = in.reading.power.most_N_m;
+  tick.has_loop = in.reading.loop_s.has_value();
+  tick.loop_s = in.reading.loop_s.value_or(0.0);
   tick.surface = in.surface == nullptr ? 0 : in.surface->number;
   tick.rearm = in.rearm;
   tick.has_hand = in.hand.has_value();

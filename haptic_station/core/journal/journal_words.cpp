@@ -31,6 +31,7 @@ msg::JournalTick message_of(const JournalTick& tick) {
     if (tick.has_attitude) message.mutable_attitude()->Add(tick.attitude.begin(), tick.attitude.end());
     if (tick.has_wait) message.set_wait_at_m(tick.wait_at_m);
   }
+  if (tick.has_loop) message.set_loop_s(tick.loop_s);
   message.set_surface(tick.surface);
   message.set_rearm(tick.rearm);
   message.mutable_force()->Add(tick.force_N.begin(), tick.force_N.end());
@@ -59,6 +60,7 @@ std::optional<loop::TickIn> tick_in(const msg::JournalTick& tick) {
     in.reading.attitude.emplace(tick.tool().data());
     in.reading.turning = {vector_at(tick.tool(), 4)};
   }
+  if (tick.has_loop_s()) in.reading.loop_s = tick.loop_s();
   if (!has_hand) return in;
   ports::HandSample hand{.at = session_time(tick.hand_at_ns()), .hand = {vector_at(tick.hand(), 0)}};
   if (has_attitude) hand.attitude.emplace(tick.attitude().data());
@@ -84,6 +86,7 @@ msg::JournalSurfaceRun message_of(const SurfaceStage::Job& job, const StepTimes&
     camera.set_cy(message.camera.cy);
   }
   if (job.device) wire::set_vector(*run.mutable_device(), job.device->m);
+  run.set_accept_object(job.accept_object);
   run.set_begun_ns(to_nanoseconds(job.begun));
   run.set_decoded_ns(to_nanoseconds(times.of(StageStep::Decoded)));
   run.set_placed_ns(to_nanoseconds(times.of(StageStep::Placed)));
@@ -95,7 +98,8 @@ msg::JournalSurfaceRun message_of(const SurfaceStage::Job& job, const StepTimes&
 }
 
 SurfaceStage::Job job_of(const msg::JournalSurfaceRun& run) {
-  SurfaceStage::Job job{.messages = {}, .device = {}, .begun = session_time(run.begun_ns())};
+  SurfaceStage::Job job{
+      .messages = {}, .device = {}, .begun = session_time(run.begun_ns()), .accept_object = run.accept_object()};
   for (const msg::JournalSurfaceRun::Read& read : run.read()) {
     const msg::CameraFile::Pinhole& camera = read.camera();
     job.messages.push_back({.depth = {.topic = wire::kCameraDepth,

@@ -25,7 +25,7 @@ class Outbox {
  public:
   using Messages = std::vector<wire::Message>;
 
-  /// What messages state of the station and of its computer.
+  /// Facts about the station and its computer that its messages repeat.
   struct Facts {
     /// Bound on the error of the session clock, in all messages that hold ages; infinite: the clock is not known.
     double clock_error_s = std::numeric_limits<double>::infinity();

@@ -87,6 +87,9 @@ msg::StationCompensation compensation_message(const loop::Compensation& compensa
   out.set_unmodelled(compensation.unmodelled);
   out.set_device_jumps(compensation.device_jumps);
   out.set_hand_jumps(compensation.hand_jumps);
+  if (compensation.loop_delay_s) out.set_loop_delay_s(*compensation.loop_delay_s);
+  out.set_stiffness_limit_n_per_m(compensation.stiffest_shown_N_per_m);
+  out.set_effects_n_per_m(compensation.effects_N_per_m);
   for (std::size_t i = 0; i < compensation.objects.size(); ++i) {
     const loop::ObjectPlacement& placed = compensation.objects[i];
     if (!placed.watched) continue;

@@ -57,7 +57,8 @@ void HaplyDevice::on_text(std::string_view text) {
     readings_.put({Clock::now(),
                    {.at = haptic_from_inverse_ * state.cursor,
                     .velocity = haptic_from_inverse_ * state.velocity,
-                    .attitude = newest_attitude()}});
+                    .attitude = newest_attitude()},
+                   answered_});
     thread_.answered();
   }
   answer();
@@ -85,14 +86,18 @@ void HaplyDevice::send_force() {
   (void)wanted_.take();
   const Wanted& wanted = wanted_.current();
   const bool counts = sent_ - wanted.at < kForceCountsFor;
+  answered_ = counts ? std::optional(wanted.at) : std::nullopt;
   line_.send(haply::force_text(device_id_, counts ? inverse_from_haptic_ * wanted.force : Force<haply::InverseBase>{}));
 }
 
 ports::DeviceReading HaplyDevice::read() noexcept {
   if (readings_.take()) has_reading_ = true;
   ports::DeviceReading reading = readings_.current().reading;
-  reading.age_s = has_reading_ ? std::chrono::duration<double>(Clock::now() - readings_.current().at).count()
+  const Clock::time_point now = Clock::now();
+  reading.age_s = has_reading_ ? std::chrono::duration<double>(now - readings_.current().at).count()
                                : std::numeric_limits<double>::infinity();
+  if (const auto& echoes = readings_.current().echoes)
+    reading.loop_s = std::chrono::duration<double>(now - *echoes).count();
   return reading;
 }
 

@@ -26,7 +26,8 @@ namespace telepalp::device {
 /// A Haply Inverse3 with or without a handle (VerseGrip), which measures the attitude: six degrees of freedom measured,
 /// three driven. At the identity, the handle's axes are those of the Inverse3, with its z as y of H. Driven over the
 /// WebSocket of its service on a separate thread. Each text message from the service is answered with the newest force,
-/// at most 2500 times a second. A force that the haptic thread has not renewed for 50 ms is replaced by zero.
+/// at most 2500 times a second. A force that the haptic thread has not renewed for 50 ms is replaced by zero. The
+/// service answers each text with a text of its own, so each reading answers the force that was sent before it.
 class HaplyDevice final : public ports::Device {
  public:
   using Say = std::function<void(const std::string&)>;  ///< gets a message for the operator, on this device's thread
@@ -48,6 +49,7 @@ class HaplyDevice final : public ports::Device {
   struct TimedReading {
     Clock::time_point at;
     ports::DeviceReading reading;
+    std::optional<Clock::time_point> echoes;  ///< when the haptic thread gave the force that this reading answers
   };
   struct Wanted {
     Clock::time_point at;
@@ -64,10 +66,12 @@ class HaplyDevice final : public ports::Device {
   const Say say_;
   const Transform<HapticBase, haply::InverseBase> haptic_from_inverse_;
   const Transform<haply::InverseBase, HapticBase> inverse_from_haptic_;
-  boost::asio::steady_timer pace_;  // owner: thread_
-  WebSocketLine line_;              // owner: thread_
-  std::string device_id_;           // owner: thread_; the first device seen; later ones are ignored
-  Clock::time_point sent_;          // owner: thread_
+  boost::asio::steady_timer pace_;             // owner: thread_
+  WebSocketLine line_;                         // owner: thread_
+  std::string device_id_;                      // owner: thread_; the first device seen; later ones are ignored
+  Clock::time_point sent_;                     // owner: thread_
+  std::optional<Clock::time_point> answered_;  // owner: thread_; when the haptic thread gave the force of the newest
+                                               // text; nullopt: its force is zero
   std::optional<std::pair<Clock::time_point, Eigen::Quaterniond>> attitude_;  // owner: thread_; of the handle
   bool line_is_up_ = false;                                                   // owner: thread_
   std::atomic<std::uint64_t> refused_{0};

@@ -70,6 +70,7 @@ ports::DeviceReading UdpDevice::read() noexcept {
     take(std::span(datagram).first(size));
   }
   ports::DeviceReading reading = newest_;
+  if (echoed_sent_at_) reading.loop_s = std::chrono::duration<double>(Clock::now() - *echoed_sent_at_).count();
   // A device whose motors are off gives no force, so the watchdog treats it as silent.
   reading.age_s = has_reading_ && !faulted_ ? std::chrono::duration<double>(Clock::now() - newest_at_).count()
                                             : std::numeric_limits<double>::infinity();
@@ -94,10 +95,18 @@ void UdpDevice::take(std::span<const std::byte> datagram) noexcept {
              .attitude = pose->attitude,
              .turning = pose->turning,
              .power = pose->power};
+  note_echo(*pose);
   version_ = pose->version;
   newest_at_ = Clock::now();
   faulted_ = pose->faulted;
   has_reading_ = true;
+}
+
+/// A pose names the newest command that its device had received when it read the encoders.
+void UdpDevice::note_echo(const udp::Pose& pose) noexcept {
+  const std::uint32_t since = sequence_ - pose.heard;  // also across a wrap-around
+  echoed_sent_at_.reset();
+  if (since < sent_at_.size() && since < sequence_) echoed_sent_at_ = sent_at_[pose.heard % sent_at_.size()];
 }
 
 void UdpDevice::refuse(Refusal why) noexcept {
@@ -139,10 +148,12 @@ void UdpDevice::apply(const Wrench<HapticBase>& wrench, const ports::SurfaceCont
 }
 
 void UdpDevice::send(udp::Command command) noexcept {
-  const auto since = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch());
+  const Clock::time_point now = Clock::now();
+  const auto since = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch());
   command.version = version_;
   command.session = session_;
   command.sequence = ++sequence_;
+  sent_at_[sequence_ % sent_at_.size()] = now;
   command.sent_us = static_cast<std::uint64_t>(since.count());
   error_code ignored;  // the reading's age shows that the device is away
   const udp::Datagram datagram = udp::encode(command);

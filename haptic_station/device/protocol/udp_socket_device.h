@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
@@ -43,6 +44,7 @@ class UdpDevice final : public ports::Device {
   explicit UdpDevice(std::string name);
   enum class Refusal : std::uint8_t { Damaged, Repeated, OldSession, ClockStands };
   void send(udp::Command command) noexcept;
+  void note_echo(const udp::Pose& pose) noexcept;
   void take(std::span<const std::byte> datagram) noexcept;
   void refuse(Refusal why) noexcept;
 
@@ -51,6 +53,8 @@ class UdpDevice final : public ports::Device {
   boost::asio::ip::udp::socket socket_;
   const std::uint32_t session_;
   std::uint32_t sequence_ = 0;
+  std::array<Clock::time_point, 256> sent_at_{};     ///< of the newest commands; index: low bits of the sequence number
+  std::optional<Clock::time_point> echoed_sent_at_;  ///< when the command was sent that the newest pose echoes
   udp::PoseOrder order_;
   std::uint16_t version_ = udp::kVersion1;
   ports::DeviceReading newest_;

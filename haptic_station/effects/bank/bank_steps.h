@@ -5,8 +5,8 @@
 
 #include "haptic_station/effects/effect_bank.h"
 
-// How BasicEffectBank steps its effects: the definitions of its members, for the one file that instantiates it for a
-// list of kinds.
+// Definitions of BasicEffectBank's members. Include this only in the file that instantiates the bank for a list of
+/// kinds.
 
 namespace telepalp::effects {
 

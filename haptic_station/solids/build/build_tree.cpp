@@ -193,7 +193,7 @@ Result<void> check(const Solid& solid) {
   return {};
 }
 
-/// A scale of a scale can leave the range of numbers, though each factor is in its own range.
+/// Nested scales can multiply to a value that no double holds, although each factor is within its range.
 Result<void> check_values(const SolidTree& tree) {
   constexpr double kAround_m[] = {-1.0, 0.0, 1.0};
   std::vector<Vector3d> points;

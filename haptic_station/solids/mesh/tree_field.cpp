@@ -84,8 +84,9 @@ class FeatureList {
 }  // namespace
 
 isosurface::Field field_of(const SolidTree& tree) {
-  // Without seams: next to a seam the value is nearly zero, and only cells of a micrometre could tell that nothing is
-  // there. Where the value is zero on a sheet, the extraction sees that it has no inside.
+  // The copy has no seams. Next to a seam the value is nearly zero, and only micrometre cells could show that no solid
+  // is there. Without seams the value on such a sheet is exactly zero, and the extraction sees that it encloses
+  // nothing.
   const auto seamless = std::make_shared<SolidTree>(tree);
   for (TreeNode& node : seamless->nodes)
     if (node.op == Op::Difference) node.numbers[0] = 0.0;

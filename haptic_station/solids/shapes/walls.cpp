@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "haptic_station/solids/shapes/evaluate.h"
+#include "haptic_station/solids/shapes/shapes.h"
 
 namespace telepalp::solids {
 namespace {
@@ -17,7 +18,8 @@ struct Frame {
 };
 
 /// A point in one of these frames. `unit_m`: metres of the tree's frame in one unit of this frame. `side`: 1, or -1
-/// where the node is cut away from a solid, so that its inside is free. `more_m`: is added to side times the value.
+/// where the node is cut away from a solid, so that its inside is free. `more_m`: what the tree's value is above side
+/// times the node's, in metres.
 struct Spot {
   Vector3d p;
   double unit_m = 1.0;
@@ -28,10 +30,19 @@ struct Spot {
   [[nodiscard]] bool cut_away() const noexcept { return side < 0.0; }
 };
 
+/// The spot in the own frame of the frame's node.
+Spot inside(const Frame& frame, Spot spot) noexcept {
+  if (!frame.node->placed) return spot;
+  spot.p = in_frame_of(*frame.node, spot.p);
+  spot.unit_m *= frame.node->scale;
+  spot.frame = &frame;
+  return spot;
+}
+
 class WallSearch {
  public:
   WallSearch(const SolidTree& tree, const Vector3d& p, double swell_m, Walls& walls) noexcept
-      : tree_(tree), at_(p), swell_m_(swell_m), near_m_(tree.steepest * Walls::kNear_m + swell_m), walls_(walls) {}
+      : tree_(tree), at_(p), near_m_(tree.steepest * Walls::kNear_m + swell_m), walls_(walls) {}
 
   /// The walls of node `index`. `around`: in the frame of the operator that contains the node.
   void search(std::uint32_t index, const Spot& around) noexcept {
@@ -39,17 +50,11 @@ class WallSearch {
     const double near = near_m_ / around.unit_m;
     if (!around.cut_away() && node.box.squared_distance_m2(around.p) > near * near) return;
     const Frame frame{&node, around.frame};
-    Spot spot = around;
-    if (node.placed) {
-      spot.p = in_frame_of(node, around.p);
-      spot.unit_m *= node.scale;
-      spot.frame = &frame;
-    }
-    walls_of(node, index, spot);
+    visit(node, index, inside(frame, around));
   }
 
  private:
-  void walls_of(const TreeNode& node, std::uint32_t index, const Spot& spot) noexcept {
+  void visit(const TreeNode& node, std::uint32_t index, const Spot& spot) noexcept {
     switch (node.op) {
       case Op::Union:
         return spot.cut_away() ? deepest_member(node, index, spot) : all_members(node, spot);
@@ -96,8 +101,8 @@ class WallSearch {
     search(deepest, spot);
   }
 
-  // Outside an edge the part with the greater value is the nearer wall. Seen from inside, where two solids are cut
-  // away together, both count.
+  // Of an intersection, a difference or a clip, the part with the greater value is the wall. If the node itself is cut
+  // away, the walls of both parts count.
 
   void intersection(const TreeNode& node, const Spot& spot) noexcept {
     const bool first = evaluate(tree_, node.first, spot.p).m >= evaluate(tree_, node.second, spot.p).m;
@@ -115,11 +120,10 @@ class WallSearch {
   }
 
   void clip(const TreeNode& node, std::uint32_t index, const Spot& spot) noexcept {
-    const Vector3d normal(node.numbers[0], node.numbers[1], node.numbers[2]);
-    const SolidAt plane{normal.dot(spot.p) - node.numbers[3], normal, index};
+    const ShapeAt plane = plane_at(spot.p, {node.numbers[0], node.numbers[1], node.numbers[2]}, node.numbers[3]);
     const bool kept = evaluate(tree_, node.first, spot.p).m >= plane.m;
     if (spot.cut_away() || kept) search(node.first, spot);
-    if (spot.cut_away() || !kept) offer(spot, plane);
+    if (spot.cut_away() || !kept) offer(spot, {plane.m, plane.gradient, index});
   }
 
   /// The six walls of a box, seen from inside.
@@ -141,7 +145,7 @@ class WallSearch {
   }
 
   void offer(const Spot& spot, const SolidAt& own) noexcept {
-    const double m = spot.side * own.m * spot.unit_m + spot.more_m - swell_m_;
+    const double m = spot.side * own.m * spot.unit_m + spot.more_m;
     if (m > tree_.steepest * Walls::kNear_m) return;
     Vector3d gradient = spot.side * own.gradient;
     for (const Frame* frame = spot.frame; frame != nullptr; frame = frame->around)
@@ -151,7 +155,6 @@ class WallSearch {
 
   const SolidTree& tree_;
   const Vector3d& at_;
-  double swell_m_;
   double near_m_;
   Walls& walls_;
 };
@@ -176,7 +179,7 @@ void Walls::offer(const Vector3d& p, double m, const Vector3d& gradient) noexcep
 
 Walls walls_at(const SolidTree& tree, const Vector3d& p, double swell_m) noexcept {
   Walls walls;
-  if (!tree.nodes.empty()) WallSearch(tree, p, swell_m, walls).search(tree.root, {.p = p});
+  if (!tree.nodes.empty()) WallSearch(tree, p, swell_m, walls).search(tree.root, {.p = p, .more_m = -swell_m});
   return walls;
 }
 
@@ -184,10 +187,8 @@ Walls walls_of(const SolidTree& tree, std::span<const std::uint32_t> members, co
                double swell_m) noexcept {
   Walls walls;
   WallSearch search(tree, p, swell_m, walls);
-  const TreeNode& root = tree.nodes[tree.root];
-  const Frame frame{&root, nullptr};
-  Spot spot{.p = p};
-  if (root.placed) spot = {.p = in_frame_of(root, p), .unit_m = root.scale, .frame = &frame};
+  const Frame frame{&tree.nodes[tree.root], nullptr};
+  const Spot spot = inside(frame, {.p = p, .more_m = -swell_m});
   for (const std::uint32_t member : members) search.search(member, spot);
   return walls;
 }

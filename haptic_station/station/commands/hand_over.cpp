@@ -25,7 +25,7 @@ program::Usage usage() {
           .positional = "",
           .options = {{"to", "NAME", "offer the touch for 60 s to the doctor whose key has this name"},
                       {"withdraw", "", "withdraw the offer"},
-                      {"accept", "", "accept the touch that is offered to you, now or later"},
+                      {"accept", "", "accept the touch that is offered to you or becomes free, now or later"},
                       {"control", "PATH",
                        "the station's control socket; default: that of the only station on this computer"},
                       program::patience_option("longest wait for the station's answer, in seconds; 0: for ever", "3")},
@@ -73,7 +73,8 @@ bool HandOver::on_command(const std::string& command, const ControlSocket::Reply
     const bool holds = link_.state() == wire::LinkState::Connected;
     reply(holds ? "nothing to accept: this station is connected to its server, so it may already palpate"
                 : std::string(kDone) +
-                      "this station takes the touch (the permission to palpate) as soon as another doctor offers it");
+                      "this station takes the touch (the permission to palpate) as soon as it is free, or another "
+                      "doctor offers it");
     return true;
   }
   if (command == "withdraw") {

@@ -12,6 +12,7 @@
 #include "haptic_station/station/bill/scene_bill.h"
 #include "haptic_station/station/commands/scene_mesh.h"
 #include "haptic_station/station/picture/scene_picture.h"
+#include "haptic_station/station/rigs/inner_layers.h"
 #include "haptic_station/station/rigs/scene_parts.h"
 #include "haptic_station/ultrasound/b_mode.h"
 #include "support/images/image_file.h"
@@ -169,9 +170,8 @@ Result<void> check_image(const program::Arguments& arguments) {
 
 Result<void> image(const ReadScene& read, const program::Arguments& arguments) {
   const scenes::Scene& scene = read.scene;
-  const scenes::Probe size = scene.probe.value_or(scenes::Probe{});
-  const ultrasound::BModeImage seen =
-      ultrasound::b_mode(scene.solids(), *probe_of(arguments), {.width_m = size.width_m, .depth_m = size.depth_m});
+  const ultrasound::BModeImage seen = ultrasound::b_mode(scene.solids(), *probe_of(arguments),
+                                                         image_settings(scene).value_or(ultrasound::BModeSettings{}));
   ColorImage color{.width = seen.side_px, .height = seen.side_px, .rgb = {}};
   for (const std::uint8_t gray : seen.gray) color.rgb.insert(color.rgb.end(), 3, gray);
   return write(images::encode_png(color), arguments.text("out"));

@@ -31,7 +31,7 @@ class InsideView {
   void end();
 
   /// The message of /station/inside; nullopt: not started, or the surfaces are not made yet. Without layers it is empty
-  /// at once: a message without structures replaces that of a station before this one.
+  /// at once: an empty message removes the surfaces that an earlier station published.
   [[nodiscard]] std::optional<msg::InnerStructures> structures(
       SessionTime now, const Transform<HapticBase, DepthCamera>& haptic_from_camera) const;
 

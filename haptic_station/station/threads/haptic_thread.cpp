@@ -84,10 +84,11 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
       loop_, rig_, given,
       [&](const loop::TickIn& in) {
         if (kept) keep(in, *kept);
-        device_.put(loop_.in_patient_frame(in.reading.at));
-        device_to_surface_.put(loop_.in_patient_frame(in.reading.at));
-        for (LatestValue<core::ToolAt>* stage : stages_)
-          stage->put({loop_.in_patient_frame(in.reading.at), in.reading.attitude});
+        const Point<HapticBase> at = loop_.in_patient_frame(in.reading.at);
+        if (!at.m.allFinite()) return;  // the stages keep the last position, as the device gate does
+        device_.put(at);
+        device_to_surface_.put(at);
+        for (LatestValue<core::ToolAt>* stage : stages_) stage->put({at, in.reading.attitude});
       },
       [&decided](const loop::TickIn&, const loop::TickOut&) { decided = Clock::now(); });
   if (kept) {

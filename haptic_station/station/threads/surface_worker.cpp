@@ -33,6 +33,10 @@ void SurfaceWorker::offer(core::ArrivedDepth work) {
   });
 }
 
+void SurfaceWorker::accept_object() {
+  boost::asio::post(io_, [this] { stage_.accept_object(); });
+}
+
 void SurfaceWorker::work_off() {
   device_known_ |= device_.take();
   const auto job = stage_.take(handlers_.now(), device_known_ ? std::optional(device_.current()) : std::nullopt);

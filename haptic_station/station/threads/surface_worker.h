@@ -39,6 +39,9 @@ class SurfaceWorker {
   /// Queues a message. Network thread only.
   void offer(core::ArrivedDepth work);
 
+  /// The doctor accepts the object over the device's place as skin (SurfaceStage). Network thread only.
+  void accept_object();
+
   /// Number of messages that have given no surface: dropped, damaged or still waiting. Network thread only.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return stage_.dropped(); }
 

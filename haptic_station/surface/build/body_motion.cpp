@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
 namespace {
@@ -27,9 +30,7 @@ double median_m(const std::vector<Nearer>& blocks) {
   std::vector<double> all;
   all.reserve(blocks.size());
   for (const Nearer& one : blocks) all.push_back(one.m);
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+  return median_of(all);
 }
 
 Vector3d refit(const std::vector<Nearer>& blocks, const Vector3d& before, double scale_m) {
@@ -60,6 +61,7 @@ BodyMotion body_motion(const BlockLattice& lattice, std::span<const float> befor
       blocks.push_back({static_cast<double>(before_m[at] - seen_m[at]),
                         {1.0, (column - motion.middle_column) / half, (row - motion.middle_row) / half}});
     }
+  motion.off_m = std::numeric_limits<double>::infinity();  // nothing follows it
   if (blocks.empty()) return motion;
   Vector3d fit{median_m(blocks), 0.0, 0.0};
   for (const double scale_m : kScales_m) fit = refit(blocks, fit, scale_m);
@@ -71,7 +73,7 @@ BodyMotion body_motion(const BlockLattice& lattice, std::span<const float> befor
     square += off_m * off_m;
     count += 1.0;
   }
-  motion.off_m = std::sqrt(square / count);
+  if (count >= 1.0) motion.off_m = std::sqrt(square / count);
   motion.nearer_m = fit[0];
   motion.per_column_m = fit[1] / half;
   motion.per_row_m = fit[2] / half;

@@ -6,13 +6,14 @@
 
 namespace telepalp::surface {
 
-/// How the body has come nearer as a whole, as it rises and tilts: linear over the image. The breath's own shape is
-/// left out, because it is small beside what it serves to judge.
+/// How far the whole body has come nearer to the camera by rising and tilting, linear over the image. The shape of a
+/// breath is left out, because it is small compared with the objects that HiddenSkin looks for.
 struct BodyMotion {
   double nearer_m = 0.0;      ///< at the image's middle
-  double per_column_m = 0.0;  ///< change of this value from one block to the next
+  double per_column_m = 0.0;  ///< change of the motion from one column of blocks to the next
   double per_row_m = 0.0;
-  double off_m = 0.0;  ///< root mean square of the deviations of those blocks that follow the motion within 15 mm
+  double off_m = 0.0;  ///< root mean square of the deviations of those blocks that follow the motion within 15 mm;
+                       ///< infinite: none does
 
   double middle_column = 0.0;
   double middle_row = 0.0;
@@ -21,8 +22,8 @@ struct BodyMotion {
   }
 };
 
-/// Fits the motion to the blocks' depths `before_m` and `seen_m`; 0: unknown, such a block is left out. Deviating
-/// blocks do not count (Tukey's weights, from the median on), as long as they are fewer than half.
+/// Fits the motion to the blocks' depths `before_m` and `seen_m`; 0: unknown, such a block is left out. Outliers
+/// have no weight (Tukey's biweight, starting at the median) as long as they are fewer than half of the blocks.
 [[nodiscard]] BodyMotion body_motion(const BlockLattice& lattice, std::span<const float> before_m,
                                      std::span<const float> seen_m);
 

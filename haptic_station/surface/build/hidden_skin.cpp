@@ -1,30 +1,36 @@
 #include "haptic_station/surface/build/hidden_skin.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "haptic_station/surface/build/body_motion.h"
+#include "haptic_station/surface/build/camera_moved.h"
+#include "haptic_station/surface/build/patch_terms.h"
 
 namespace telepalp::surface {
 namespace {
 
-constexpr double kFits_m = 0.003;    // the rest of the body follows rise and tilt within this: a breath's shape fits
+constexpr double kFits_m = 0.003;    // rms deviation of the rest of the body from rise and tilt; a breath stays below
 constexpr float kJump_m = 0.012F;    // a patient who sits up comes 5 mm nearer from image to image
-constexpr double kEdgeShare = 0.6;   // of a new object's rim
-constexpr double kStillEdges = 0.3;  // of the rim of a region that was an object
-constexpr int kLeastRim = 4;         // places of a rim that decide; with fewer, a region stays what it was
+constexpr double kEdgeShare = 0.6;   // least share of steps on a new object's rim
+constexpr double kStillEdges = 0.3;  // the same for a region that an object hid before
+constexpr int kLeastRim = 4;  // places of a rim that decide; with fewer, one that was hidden, or jumped, is an object
 constexpr std::size_t kLeastBlocks = 3;
-constexpr double kMostShare = 0.5;    // of the blocks seen: with more, it cannot be told what is the rest
-constexpr float kDoubted_s = 0.3F;    // how long skin may differ from the memory before the memory follows
-constexpr float kFelt_s = 1.0F;       // for so long the remembered skin is felt under an object
-constexpr float kLeastShown = 0.07F;  // 2 % of the force: a contact under an object goes on, because its end would lift
-                                      // the hand off the body with up to 1 N
-constexpr float kFades_s = 2.0F;      // then its force fades
-constexpr float kClear_m = 0.03F;     // a hand that is so far over an object can press it anew
-constexpr float kPresses_m = 0.01F;   // a hand that has come so near to it does so
-constexpr float kRests_m = 0.01F;     // the object has not come to the hand instead
-constexpr int kPlace_blocks = 4;      // 24 mm around the device
+constexpr double kMostShare = 0.5;  // of the measured blocks: if new objects cover more, too little of the body is left
+constexpr float kDoubted_s = 0.3F;  // how long skin may differ from the memory before the memory follows
+constexpr float kFelt_s = 1.0F;     // for so long the remembered skin is felt under an object
+constexpr float kFades_s = 2.0F;    // after kFelt_s, it fades over this time
+constexpr float kReturns_s = 1.0F;  // over this time it returns
+// 2 % of the force: a contact under an object goes on, because its end would lift the hand off the body with up to 1 N.
+constexpr float kLeastRoot = 0.14F;
+constexpr double kLetsGo_s = 0.6;    // a contact whose surface is gone ends after 0.5 s
+constexpr float kClear_m = 0.03F;    // a hand farther above an object than this may press it afterwards
+constexpr float kPresses_m = 0.01F;  // at this height it presses the object
+constexpr float kRests_m = 0.01F;    // most change of the object's depth in between: it did not come to the hand
+constexpr int kPlace_blocks = 4;     // 24 mm around the device
+
+/// The weight of a node whose coverage, a smooth step of it, is `share`.
+float weight_of(float share) noexcept { return 0.5F - std::sin(std::asin(1.0F - 2.0F * share) / 3.0F); }
 
 template <class Visit>
 void for_neighbours(const BlockLattice& lattice, std::size_t at, int reach, const Visit& visit) {
@@ -51,13 +57,18 @@ void Hidden::blank(DepthField& depth) const {
 
 void HiddenSkin::begin(const DepthField& seen) {
   lattice_ = hidden_.lattice = blocks_of(seen.width, seen.height);
+  begin_again();
+}
+
+void HiddenSkin::begin_again() {
   const std::size_t size = lattice_.size();
   object_.assign(size, 0);
   doubted_s_.assign(size, 0.0F);
   covered_s_.assign(size, 0.0F);
+  root_.assign(size, 1.0F);
   hidden_.block.assign(size, 0);
   hidden_.shown.assign(size, 1.0F);
-  hidden_.any = hidden_.over_place = false;
+  hidden_.any = hidden_.fades = hidden_.over_place = accepted_ = false;
   remembered_m_ = before_m_ = depth_m_;
   clear_over_m_.reset();
 }
@@ -66,12 +77,12 @@ const Hidden& HiddenSkin::add(const DepthField& seen, const Intrinsics& camera, 
                               const std::optional<Point<DepthCamera>>& device) {
   const BlockLattice lattice = blocks_of(seen.width, seen.height);
   block_depths(seen, lattice, depth_m_);
-  if (admits_ || lattice.columns != lattice_.columns || lattice.rows != lattice_.rows) {
-    admits_ = false;
+  if (lattice.columns != lattice_.columns || lattice.rows != lattice_.rows) {
     begin(seen);
     return hidden_;
   }
   look_at_place(camera, device);
+  look_at_camera(dt_s);
   carry();
   judge();
   spread();
@@ -99,9 +110,9 @@ bool HiddenSkin::is_object(const NearerRegion& region) const {
   const int known = region.edges + region.smooth;
   const bool was = 2 * region.hidden > static_cast<int>(region.blocks.size());
   if (region.blocks.size() < kLeastBlocks) return was;
-  if (known < kLeastRim) return was || region.hidden > 0 || jumped(region);  // doubt: less force
+  if (known < kLeastRim) return region.hidden > 0 || jumped(region);  // doubt: less force
   const double edges = static_cast<double>(region.edges) / known;
-  if (was || region.hidden > 0) return edges >= kStillEdges;
+  if (region.hidden > 0) return edges >= kStillEdges;
   if (edges < kEdgeShare) return false;
   return fits_ || jumped(region);
 }
@@ -126,6 +137,7 @@ void HiddenSkin::judge() {
   }
   if (covered > kMostShare * measured) std::fill(is.begin(), is.end(), std::uint8_t{0});
   look_for_way_back(regions, is);
+  look_for_accepted(regions, is);
   // Where nothing is measured, an object that lay there is still there: its silhouette is ragged.
   for (std::size_t at = 0; at < object_.size(); ++at)
     if (depth_m_[at] > 0.0F) object_[at] = 0;
@@ -152,6 +164,42 @@ void HiddenSkin::look_for_way_back(const std::vector<NearerRegion>& regions, std
   clear_over_m_.reset();
 }
 
+/// Height [m] of the object above the device, close to its place; nullopt: the object does not lie there.
+std::optional<float> HiddenSkin::over_place_m(const NearerRegion& region) const {
+  std::optional<float> over_m;
+  for_neighbours(lattice_, *place_, kPlace_blocks, [&](std::size_t at) {
+    if (std::find(region.blocks.begin(), region.blocks.end(), static_cast<std::uint32_t>(at)) == region.blocks.end())
+      return;
+    const float here_m = static_cast<float>(device_z_m_) - depth_m_[at];
+    over_m = std::max(over_m.value_or(here_m), here_m);
+  });
+  return over_m;
+}
+
+/// An accepted object waits until the device is above it. Otherwise its surface would push the device out.
+void HiddenSkin::look_for_accepted(const std::vector<NearerRegion>& regions, std::vector<std::uint8_t>& is_object) {
+  if (!accepted_ || !place_) return;
+  bool waits = false;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (is_object[i] == 0) continue;
+    const std::optional<float> over_m = over_place_m(regions[i]);
+    if (over_m && *over_m <= 0.0F)
+      is_object[i] = 0;
+    else
+      waits = waits || over_m;
+  }
+  accepted_ = waits;
+}
+
+/// After a move of the camera, all that was remembered lies elsewhere.
+void HiddenSkin::look_at_camera(double dt_s) {
+  lets_go_s_ = std::max(0.0, lets_go_s_ - dt_s);
+  hidden_.camera_moved = camera_moved(lattice_, before_m_, depth_m_);
+  if (!hidden_.camera_moved) return;
+  begin_again();
+  lets_go_s_ = kLetsGo_s;
+}
+
 /// Takes over what is skin. A block that is a little nearer than the memory may be the rim of an object that comes, so
 /// the memory waits.
 void HiddenSkin::remember(double dt_s) {
@@ -168,9 +216,9 @@ void HiddenSkin::remember(double dt_s) {
   }
 }
 
-/// An object hides also the blocks beside it, which have a part of it, and from there all connected blocks in which
-/// nothing is measured, or was measured before: they lie in its shadow, it is too near to the camera there, or it lies
-/// where the skin was never seen.
+/// An object also hides the blocks beside it, which show a part of it, and all blocks connected to these that are
+/// unmeasured now or have no remembered skin: they are in its shadow, the object is too near to the camera there, or
+/// the skin there was never seen.
 void HiddenSkin::spread() {
   std::vector<std::uint8_t>& block = hidden_.block;
   block = object_;
@@ -196,10 +244,20 @@ void HiddenSkin::spread() {
 }
 
 void HiddenSkin::fade(double dt_s) {
+  const auto step_s = static_cast<float>(dt_s);
+  hidden_.fades = false;
   for (std::size_t at = 0; at < hidden_.block.size(); ++at) {
     const bool hides = hidden_.block[at] != 0;
-    covered_s_[at] = hides ? covered_s_[at] + static_cast<float>(dt_s) : 0.0F;
-    hidden_.shown[at] = hides ? std::clamp(1.0F - (covered_s_[at] - kFelt_s) / kFades_s, kLeastShown, 1.0F) : 1.0F;
+    float& root = root_[at];
+    covered_s_[at] = hides ? covered_s_[at] + step_s : 0.0F;
+    if (lets_go_s_ > 0.0)
+      root = 0.0F;
+    else if (!hides)
+      root = std::min(1.0F, std::max(root, kLeastRoot) + step_s / kReturns_s);
+    else if (covered_s_[at] > kFelt_s)
+      root = std::max(kLeastRoot, root - step_s / kFades_s);
+    hidden_.shown[at] = root > 0.0F ? weight_of(root * root) : 0.0F;
+    hidden_.fades = hidden_.fades || root < 1.0F;
   }
   hidden_.over_place = false;
   if (place_)
@@ -211,10 +269,10 @@ void HiddenSkin::fade(double dt_s) {
 void HiddenSkin::look_at_place(const Intrinsics& camera, const std::optional<Point<DepthCamera>>& device) {
   place_.reset();
   if (!device || !device->m.allFinite() || device->m.z() <= 0.1) return;
-  const double u = camera.fx * device->m.x() / device->m.z() + camera.cx;
-  const double v = camera.fy * device->m.y() / device->m.z() + camera.cy;
-  if (u < 0.0 || v < 0.0 || u >= camera.width || v >= camera.height) return;
-  place_ = lattice_.at(static_cast<int>(u) / BlockLattice::kBlock_px, static_cast<int>(v) / BlockLattice::kBlock_px);
+  const Eigen::Vector2d pixel = pixel_of(camera, device->m);
+  if (pixel.x() < 0.0 || pixel.y() < 0.0 || pixel.x() >= camera.width || pixel.y() >= camera.height) return;
+  place_ = lattice_.at(static_cast<int>(pixel.x()) / BlockLattice::kBlock_px,
+                       static_cast<int>(pixel.y()) / BlockLattice::kBlock_px);
   device_z_m_ = device->m.z();
 }
 

@@ -87,10 +87,7 @@ class Finder {
       const int column = static_cast<int>(at % static_cast<std::size_t>(lattice_.columns));
       const int row = static_cast<int>(at / static_cast<std::size_t>(lattice_.columns));
       for (const Step& step : kAround) {
-        if (!lattice_.contains(column + step.column, row + step.row)) {
-          region.at_border = true;
-          continue;
-        }
+        if (!lattice_.contains(column + step.column, row + step.row)) continue;
         const std::size_t beside = lattice_.at(column + step.column, row + step.row);
         if (region_of_[beside] != 0 || nearer_m(beside) < static_cast<float>(kGrown_m)) continue;
         region_of_[beside] = number;

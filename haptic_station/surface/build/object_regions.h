@@ -15,20 +15,21 @@ struct SeenBlocks {
   std::span<const std::uint8_t> hidden;  ///< 1: an object lay over the block in the last image
 };
 
-/// A connected part of the image that lies nearer than the remembered skin, and what tells an object from skin.
+/// A connected part of the image that lies nearer than the remembered skin, with the figures that distinguish an object
+/// from skin.
 struct NearerRegion {
   std::vector<std::uint32_t> blocks;
-  int hidden = 0;          ///< blocks of it over which an object lay in the last image
-  int edges = 0;           ///< places of its rim where depth steps up to it, and the remembered skin has no such step
-  int smooth = 0;          ///< places of its rim where the surface goes on without a step
-  bool at_border = false;  ///< it reaches the image's edge
+  int hidden = 0;  ///< blocks of it over which an object lay in the last image
+  int edges = 0;   ///< places of its rim where depth steps up to it, and the remembered skin has no such step
+  int smooth = 0;  ///< places of its rim where the surface goes on without a step
 };
 
-/// The regions in which a block is at least kNearer_m nearer than the remembered skin (kStaysNearer_m, if an object lay
-/// over it), each grown to all connected blocks that are at least kGrown_m nearer.
 inline constexpr double kNearer_m = 0.015;  ///< a patient's skin moves less beside the body's common motion
 inline constexpr double kStaysNearer_m = 0.007;
 inline constexpr double kGrown_m = 0.005;  ///< above the noise of a block's mean, and above what a breath leaves
+
+/// The regions in which a block is at least kNearer_m nearer than the remembered skin (kStaysNearer_m, if an object lay
+/// over it), each grown to all connected blocks that are at least kGrown_m nearer.
 [[nodiscard]] std::vector<NearerRegion> nearer_regions(const BlockLattice& lattice, const SeenBlocks& seen);
 
 }  // namespace telepalp::surface

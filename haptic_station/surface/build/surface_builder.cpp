@@ -46,7 +46,7 @@ std::shared_ptr<const SurfaceSnapshot> make_snapshot(const DepthField& depth, co
   }
   auto snapshot = std::make_shared<GridSnapshot>(depth, camera, reach, settings);
   if (motion != nullptr && settings.predict) snapshot->carry_forward(*motion);
-  if (hidden.any) snapshot->fade(hidden.lattice, hidden.shown);
+  if (hidden.fades) snapshot->fade(hidden.lattice, hidden.shown);
   label(*snapshot);
   return snapshot;
 }
@@ -65,7 +65,7 @@ struct SurfaceBuilder::State {
   std::optional<TemporalFilter> filter;
   HiddenSkin skin;
   MarkTracker marks;
-  Intrinsics camera;  // camera of the filter's frames
+  Intrinsics camera;  // camera of the last frame
 };
 
 SurfaceBuilder::SurfaceBuilder(SurfaceSettings settings) : state_(std::make_unique<State>()) {
@@ -90,9 +90,9 @@ void SurfaceBuilder::restart() {
   state_->skin.restart();
 }
 
-void SurfaceBuilder::admit_objects() { state_->skin.admit(); }
-
 bool SurfaceBuilder::object_over_place() const noexcept { return state_->skin.hidden().over_place; }
+
+void SurfaceBuilder::accept_object() noexcept { state_->skin.accept_object(); }
 
 std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& depth, const Intrinsics& camera,
                                                            SessionTime captured, const std::optional<Reach>& reach) {
@@ -115,14 +115,13 @@ std::shared_ptr<const SurfaceSnapshot> SurfaceBuilder::add(const DepthImage& dep
   else
     to_depth_field(depth, field);
   fill_pinholes(field, state.settings.break_m);
-  if (dt_s > kForgetAfter_s || camera != state.camera) state.skin.restart();
+  const bool begins_again = dt_s > kForgetAfter_s || camera != state.camera;
+  if (begins_again) state.skin.restart();
   const Hidden& hidden =
       state.skin.add(field, camera, dt_s, reach ? std::optional<Point<DepthCamera>>(reach->centre) : std::nullopt);
   hidden.blank(field);
-  if (state.settings.temporal) {
-    if (!state.filter || dt_s > kForgetAfter_s || camera != state.camera)
-      state.filter.emplace(camera.width, camera.height, state.settings);
-  }
+  if (state.settings.temporal && (!state.filter || begins_again || hidden.camera_moved))
+    state.filter.emplace(camera.width, camera.height, state.settings);
   state.camera = camera;
   const std::span<const std::uint8_t> covered =
       hidden.any ? std::span<const std::uint8_t>(hidden.block) : std::span<const std::uint8_t>();

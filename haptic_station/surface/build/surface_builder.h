@@ -45,15 +45,16 @@ class SurfaceBuilder {
   /// Follows the places where these lines cross the skin, from the next frame on; SurfaceSnapshot::marks gives them.
   void watch(const MarkLines& lines);
 
-  /// Discards the temporal average, the estimated motion, the patches of the marks and the last capture time. Call it
-  /// when the camera is replaced or moved, or when session time has stepped back.
+  /// Discards the temporal average, the estimated motion, the patches of the marks, the remembered skin (HiddenSkin)
+  /// and the last capture time. Call it when the camera is replaced or moved, or when session time has stepped back.
   void restart();
 
-  /// From the next image on, objects over the patient count as skin, as a towel that is to be felt (HiddenSkin).
-  void admit_objects();
-  /// In the last image, an object lay over the centre of the reach: the surface there is the remembered skin, which
-  /// fades (HiddenSkin).
+  /// True if an object lay over the centre of the reach in the last image. With the temporal average, the surface there
+  /// is the remembered skin, which fades (HiddenSkin); without it, there is none.
   [[nodiscard]] bool object_over_place() const noexcept;
+
+  /// Makes the object over the centre of the reach skin as soon as that centre is above it (HiddenSkin).
+  void accept_object() noexcept;
 
  private:
   struct State;

@@ -36,9 +36,11 @@ std::shared_ptr<const NeighborIndex> index_over(const std::vector<CloudPoint>& p
 
 }  // namespace
 
-CloudOrientation::CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m)
+CloudOrientation::CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m, Signs signs)
     : points_(some_of(cloud)), index_(index_over(points_)), noise_m_(noise_m) {
+  const std::vector<CloudPoint> given = points_;
   propagate();
+  if (signs == Signs::OfTheFile) keep_patches_of(given);
   look_for_contradictions();
   look_for_inside();
 }
@@ -93,6 +95,57 @@ void CloudOrientation::propagate() {
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (!seen[i]) turned += propagate_from(i, seen).size();
   against_ = points_.empty() ? 0.0 : static_cast<double>(turned) / static_cast<double>(points_.size());
+}
+
+/// Whether the turned point `here` fits the oriented point `there`: 1 on a smooth surface, -1 on the two sides of a
+/// thin wall, 0 if their normals differ too much to say.
+int CloudOrientation::fits_beside(const CloudPoint& here, const CloudPoint& there) const {
+  constexpr float kSmooth = 0.9F;   // cosine of 26 degrees
+  constexpr float kOnSheet = 0.2F;  // on a round surface, the offset at this angle divided by the distance
+  if (here.normal.dot(there.normal) < kSmooth) return 0;
+  const Vector3f between = there.at_m - here.at_m;
+  const float across = std::max(std::abs(here.normal.dot(between)), std::abs(there.normal.dot(between)));
+  return across < std::max(kOnSheet * between.norm(), 3.0F * static_cast<float>(noise_m_)) ? 1 : -1;
+}
+
+/// Collects the patch of neighbours that turned together with `first`. True when it is bounded by others, and turning
+/// it does not make it fit them.
+bool CloudOrientation::is_bounded_by_edges(std::size_t first, const std::vector<CloudPoint>& given,
+                                           std::vector<bool>& seen, std::vector<std::size_t>& patch) const {
+  patch.assign(1, first);
+  seen[first] = true;
+  bool is_bounded = false;
+  int fitting = 0;
+  std::vector<Neighbor> found;
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    const CloudPoint& here = points_[patch[i]];
+    const std::size_t count = neighbors_of(patch[i], found);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t there = found[k].index;
+      const int fits = fits_beside(here, points_[there]);
+      if (points_[there].normal.dot(given[there].normal) > 0.0F) {
+        is_bounded = true;
+        fitting += fits - fits_beside({here.at_m, -here.normal}, points_[there]);
+      } else if (fits > 0 && !seen[there]) {
+        seen[there] = true;
+        patch.push_back(there);
+      }
+    }
+  }
+  return is_bounded && fitting <= 0;
+}
+
+void CloudOrientation::keep_patches_of(const std::vector<CloudPoint>& given) {
+  std::vector<bool> seen(points_.size(), false);
+  std::vector<std::size_t> kept;
+  std::vector<std::size_t> patch;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const bool is_turned = points_[i].normal.dot(given[i].normal) < 0.0F;
+    if (is_turned && !seen[i] && is_bounded_by_edges(i, given, seen, patch))
+      kept.insert(kept.end(), patch.begin(), patch.end());
+  }
+  for (const std::size_t point : kept) points_[point].normal = given[point].normal;
+  if (!points_.empty()) against_ -= static_cast<double>(kept.size()) / static_cast<double>(points_.size());
 }
 
 void CloudOrientation::look_for_contradictions() {

@@ -12,8 +12,11 @@ namespace telepalp::surface {
 /// Source: Hoppe et al. 1992 (propagation along a minimum spanning tree), Barill et al. 2018 (winding number).
 class CloudOrientation {
  public:
-  /// `cloud`: points with normals that are correct except for their sign. `noise_m`: 1-sigma along the normal.
-  CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m);
+  /// `cloud`: points with normals that are correct except for their sign. `noise_m`: 1-sigma along the normal. `signs`:
+  /// whether the signs come from the file. Signs of the file are kept on a patch that only a sharp edge bounds: across
+  /// the edge of a thin fin, the most similar normal is the wrong one.
+  enum class Signs { OfTheFile, Guessed };
+  CloudOrientation(const std::vector<CloudPoint>& cloud, double noise_m, Signs signs);
 
   /// Share of input normals that disagree with the propagated sign, where the sign of each connected piece is that of
   /// the majority of its normals. About one half when the input signs are random.
@@ -37,6 +40,10 @@ class CloudOrientation {
   [[nodiscard]] bool are_on_one_sheet(const CloudPoint& a, const CloudPoint& b) const;
   [[nodiscard]] std::vector<std::size_t> propagate_from(std::size_t first, std::vector<bool>& seen);
   void propagate();
+  void keep_patches_of(const std::vector<CloudPoint>& given);
+  [[nodiscard]] int fits_beside(const CloudPoint& here, const CloudPoint& there) const;
+  [[nodiscard]] bool is_bounded_by_edges(std::size_t first, const std::vector<CloudPoint>& given,
+                                         std::vector<bool>& seen, std::vector<std::size_t>& patch) const;
   void look_for_contradictions();
   void look_for_inside();
   [[nodiscard]] bool points_against(const CloudPoint& point) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "haptic_station/surface/cloud/static_model.h"
 #include "haptic_station/surface/touch/touch.h"
@@ -60,10 +61,13 @@ bool jumps_in_press(const CloudSnapshot& snapshot, const Vector3d& at, const Vec
 
 MeshJudge::MeshJudge(const models::PointModel& mesh, float side, std::uint64_t seed)
     : side_(side), winding_(mesh), near_(index_of(mesh)), places_(random_samples(mesh, kProbedPlaces, seed)) {
-  const std::vector<CloudPoint> fine = face_middles(mesh, kProbedPlaces);
+  std::vector<CloudPoint> fine = face_middles(mesh, kProbedPlaces);
+  for (std::vector<CloudPoint>* drawn : {&places_, &fine}) {
+    for (CloudPoint& place : *drawn) place.normal *= side;
+    leave_out_hidden(*drawn);
+  }
+  by_area_ = places_.size();
   places_.insert(places_.end(), fine.begin(), fine.end());
-  for (CloudPoint& place : places_) place.normal *= side;
-  leave_out_hidden(places_);
 }
 
 bool MeshJudge::encloses(const Vector3d& at) const { return static_cast<double>(side_) * winding_.at(at) > 0.5; }
@@ -106,6 +110,39 @@ Fidelity MeshJudge::judge(const CloudSnapshot& snapshot) const {
           .missing = 1.0 - static_cast<double>(errors.size()) / static_cast<double>(places_.size()),
           .in_air = share_in_air(snapshot),
           .jumps = 0.0};
+}
+
+/// The thickness of the body below the place, in steps of an eighth of `below_m`; infinite if it is not less than
+/// `below_m`, or if the mesh does not enclose what is below.
+double MeshJudge::wall_m(const CloudPoint& place, double below_m) const {
+  constexpr double kEnclosed = 0.8;  // below an open sheet the winding number is one half
+  constexpr double kJustBelow_m = 1e-4;
+  constexpr int kSteps = 8;
+  const Vector3d at = place.at_m.cast<double>();
+  const Vector3d in = -place.normal.cast<double>();
+  if (static_cast<double>(side_) * winding_.at(at + kJustBelow_m * in) > kEnclosed)
+    for (int i = 1; i <= kSteps; ++i)
+      if (const double deep_m = below_m * i / kSteps; !encloses(at + deep_m * in)) return deep_m;
+  return std::numeric_limits<double>::infinity();
+}
+
+ThinWalls MeshJudge::thin_walls(double below_m) const {
+  constexpr double kApart_m = 0.02;
+  constexpr std::size_t kMostPlaces = 3;
+  std::vector<ThinWalls::Place> thin;
+  for (std::size_t i = 0; i < by_area_; ++i)
+    if (const double thick_m = wall_m(places_[i], below_m); std::isfinite(thick_m))
+      thin.push_back({places_[i].at_m.cast<double>(), thick_m});
+  std::sort(thin.begin(), thin.end(), [](const auto& a, const auto& b) { return a.wall_m < b.wall_m; });
+  ThinWalls walls;
+  if (by_area_ > 0) walls.share = static_cast<double>(thin.size()) / static_cast<double>(by_area_);
+  for (const ThinWalls::Place& place : thin) {
+    const bool is_apart = std::all_of(walls.places.begin(), walls.places.end(), [&](const ThinWalls::Place& kept) {
+      return (kept.at_m - place.at_m).norm() > kApart_m;
+    });
+    if (walls.places.size() < kMostPlaces && is_apart) walls.places.push_back(place);
+  }
+  return walls;
 }
 
 /// True when the place is free above, and the body is thicker than the press at both ends of the slide.

@@ -17,6 +17,16 @@ struct Fidelity {
   double jumps = 0.0;    ///< share of presses in which the proxy jumps; see MeshJudge::share_of_jumps()
 };
 
+/// Walls of a mesh that are thinner than `below_m`, at random places of its reachable area.
+struct ThinWalls {
+  struct Place {
+    Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< relative to the mean of the mesh
+    double wall_m = 0.0;                             ///< thickness, rounded up to an eighth of below_m
+  };
+  double share = 0.0;         ///< of the reachable area, 0 to 1
+  std::vector<Place> places;  ///< the three thinnest that are at least 20 mm apart, or fewer
+};
+
 /// Measures the Fidelity of surfaces that were sampled from one mesh. Owns its test points and keeps no reference to
 /// the mesh.
 class MeshJudge {
@@ -37,15 +47,20 @@ class MeshJudge {
   /// share of presses in which the offset from hand to proxy changes by over 0.4 mm while the hand moves by 0.05 mm.
   [[nodiscard]] double share_of_jumps(const CloudSnapshot& snapshot) const;
 
+  /// Looks for walls thinner than `below_m`. An open sheet has no thickness and counts as no wall.
+  [[nodiscard]] ThinWalls thin_walls(double below_m) const;
+
  private:
   [[nodiscard]] bool encloses(const Eigen::Vector3d& at) const;
   [[nodiscard]] double share_in_air(const CloudSnapshot& snapshot) const;
+  [[nodiscard]] double wall_m(const CloudPoint& place, double below_m) const;
   [[nodiscard]] bool can_be_pressed(const CloudPoint& place) const;
 
   float side_;
   WindingNumber winding_;
   std::shared_ptr<const NeighborIndex> near_;  // over the mesh's vertices and the centres of its faces
   std::vector<CloudPoint> places_;             // test points; their normals point outwards
+  std::size_t by_area_ = 0;                    // so many of the first ones are drawn by area
 };
 
 }  // namespace telepalp::surface

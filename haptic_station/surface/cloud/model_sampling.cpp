@@ -32,6 +32,7 @@ struct Sampler {
     SampledMesh sampled{std::make_shared<const CloudSnapshot>(std::move(points), shape, Index::Nanoflann),
                         std::sqrt(area_m2 / static_cast<double>(count)),
                         hidden,
+                        {},
                         {}};
     sampled.fidelity = judge.judge(*sampled.snapshot);
     return sampled;
@@ -67,6 +68,24 @@ SampledMesh sampled_as_asked(const Sampler& sampler) {
   return refined(sampler);
 }
 
+/// "; 12 % of the surface has walls thinner than two spacings, ... : 2.3 mm at (0.01, 0.02, 0.3) m"
+std::string description_of(const ThinWalls& thin) {
+  if (thin.share < 0.001) return "";
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "; %.1f %% of the surface has walls thinner than two spacings, where the contact can jump to the other "
+                "side: ",
+                100.0 * thin.share);
+  std::string description = text;
+  for (std::size_t i = 0; i < thin.places.size(); ++i) {
+    const ThinWalls::Place& place = thin.places[i];
+    std::snprintf(text, sizeof text, "%sunder %.1f mm at (%.3f, %.3f, %.3f) m", i == 0 ? "" : ", ", 1e3 * place.wall_m,
+                  place.at_m.x(), place.at_m.y(), place.at_m.z());
+    description += text;
+  }
+  return description;
+}
+
 }  // namespace
 
 SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings, const Vector3d& origin_m,
@@ -75,6 +94,8 @@ SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSetting
   if (!sampler.judge.has_places()) return {};
   SampledMesh sampled = sampled_as_asked(sampler);
   sampled.fidelity.jumps = sampler.judge.share_of_jumps(*sampled.snapshot);
+  sampled.thin = sampler.judge.thin_walls(2.0 * sampled.spacing_m);
+  for (ThinWalls::Place& place : sampled.thin.places) place.at_m += origin_m;
   return sampled;
 }
 
@@ -112,7 +133,7 @@ std::string description_of(const SampledMesh& sampled) {
                   100.0 * sampled.fidelity.jumps);
     description += text;
   }
-  return description;
+  return description + description_of(sampled.thin);
 }
 
 }  // namespace telepalp::surface

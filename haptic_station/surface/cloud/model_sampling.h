@@ -14,6 +14,7 @@ struct SampledMesh {
   double spacing_m = 0.0;  ///< mean spacing of the points
   double hidden = 0.0;     ///< share of the mesh's area that lies inside other parts of the mesh, and is left out
   Fidelity fidelity;
+  ThinWalls thin;  ///< walls thinner than two spacings; places in the file's frame
 };
 
 /// Samples `mesh`, whose points are in metres relative to their mean. `origin_m`: this mean, in the file's frame, which

@@ -160,7 +160,8 @@ Result<void> settle_normals(Settling& cloud, bool given, double misfit) {
   if (given && !fit) say(cloud.remarks, "the cloud " + unfit);
   if (!given) say(cloud.remarks, "the cloud has no normals");
   if (!fit) estimate_normals(cloud);
-  const CloudOrientation orientation(cloud.points, cloud.noise.noise_m);
+  using Signs = CloudOrientation::Signs;
+  const CloudOrientation orientation(cloud.points, cloud.noise.noise_m, fit ? Signs::OfTheFile : Signs::Guessed);
   cloud.closed = orientation.is_closed();
   if (cloud.closed) {
     turn_outwards(cloud, orientation, fit ? "its" : "the estimated");

@@ -16,6 +16,8 @@ constexpr double kQuick_s = 0.07;
 constexpr double kCalmUpTo = 2.0;   // mean innovation [sigma]
 constexpr double kQuickFrom = 6.0;  // mean innovation [sigma]
 constexpr double kLeanGain = 0.3;
+constexpr double kDoubt =
+    3.0;  // of an innovation of so many sigma, half moves the surface at once; of a larger one, more
 constexpr double kOutlier = 4.0;      // a cell counts less if it deviates by more than this [sigma] …
 constexpr double kOddShare = 0.3;     // … plus this share of its expected innovation
 constexpr double kMovesWithIt = 0.3;  // least share of a cell that enters the median
@@ -120,7 +122,9 @@ void SharedMotion::correct(std::span<const SharedInnovation> seen, double dt_s) 
   const double quick = std::clamp((std::abs(lean_m_) / chance_m - kCalmUpTo) / (kQuickFrom - kCalmUpTo), 0.0, 1.0);
   const double theta = std::exp(-dt_s / (kCalm_s + quick * (kQuick_s - kCalm_s)));
   const double forgets = 1.0 - theta;
-  corrected_m_ = (1.0 - theta * theta * theta) * estimate.m;
+  const double doubt_m = kDoubt * (estimate.sigma_m + 1e-5);
+  const double sure = estimate.m * estimate.m / (estimate.m * estimate.m + doubt_m * doubt_m);
+  corrected_m_ = std::max(1.0 - theta * theta * theta, sure) * estimate.m;
   shared_m_ += corrected_m_;
   speed_m_per_s_ += 1.5 * forgets * forgets * (1.0 + theta) * estimate.m / dt_s;
   acceleration_m_per_s2_ += forgets * forgets * forgets * estimate.m / (dt_s * dt_s);

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBandwidth_rad_per_s = 40.0;    // of the critically damped approach, while no other limit is reached
-constexpr double kFastestSurface_m_per_s = 0.3;  // a greater speed of the newest surface is limited to this
+// The displayed surface follows the newest one's speed up to this limit.
+constexpr double kFastestSurface_m_per_s = 0.3;
 constexpr double kAccelerationInGap_m_per_s2 = 6.0;
 // The greatest speed in a gap is the gap's width divided by this time, so that the surface has slowed down when it
 // meets the device.
@@ -41,14 +41,39 @@ FollowLimits in_gap(FollowLimits limits, double gap_m) noexcept {
 
 }  // namespace
 
-double FollowShare::of(double dt_s) noexcept {
-  return share_.of(-2.0 * kBandwidth_rad_per_s * dt_s, [](double x) noexcept { return -std::expm1(x); });
+FollowLimits follow_limits(double stiffest_N_per_m) noexcept {
+  constexpr double kMostStep_N = 0.035;
+  constexpr double kTick_s = 0.0005;
+  constexpr double kFastest_m_per_s = 0.2;
+  FollowLimits limits;
+  const double most_m_per_s = kMostStep_N / (std::max(stiffest_N_per_m, 1.0) * kTick_s);
+  limits.speed_m_per_s = std::min(kFastest_m_per_s, most_m_per_s);
+  limits.speed_in_gap_m_per_s = std::max(limits.speed_in_gap_m_per_s, limits.speed_m_per_s);
+  limits.acceleration_m_per_s2 = 50.0;
+  limits.bandwidth_rad_per_s = 400.0;
+  return limits;
+}
+
+FollowLimits slowed_by_age(FollowLimits limits, double age_s) noexcept {
+  constexpr double kFresh_s = 0.2;
+  const double pace = age_s > kFresh_s ? kFresh_s / age_s : 1.0;
+  const FollowLimits least;
+  const auto slowed = [pace](double limit, double cautious) {
+    return std::max(pace * limit, std::min(limit, cautious));
+  };
+  limits.speed_m_per_s = slowed(limits.speed_m_per_s, least.speed_m_per_s);
+  limits.acceleration_m_per_s2 = slowed(limits.acceleration_m_per_s2, least.acceleration_m_per_s2);
+  return limits;
+}
+
+double FollowShare::of(double bandwidth_rad_per_s, double dt_s) noexcept {
+  return share_.of(-2.0 * bandwidth_rad_per_s * dt_s, [](double x) noexcept { return -std::expm1(x); });
 }
 
 Vector3d next_rate(const Vector3d& rate, const Vector3d& error, const Vector3d& target_rate, const FollowLimits& limits,
                    double share, double dt_s) noexcept {
-  const Vector3d wanted =
-      at_most(target_rate, kFastestSurface_m_per_s) + at_most(0.5 * kBandwidth_rad_per_s * error, limits.speed_m_per_s);
+  const Vector3d wanted = at_most(target_rate, kFastestSurface_m_per_s) +
+                          at_most(0.5 * limits.bandwidth_rad_per_s * error, limits.speed_m_per_s);
   return rate + at_most(share * (wanted - rate), limits.acceleration_m_per_s2 * dt_s);
 }
 
@@ -94,9 +119,11 @@ void SurfaceFollower::advance(const Vector3d& foot, const Vector3d& normal, doub
   const FollowLimits limits = gap_m > 0.0 ? in_gap(limits_, gap_m) : limits_;
   const Vector3d newest = newest_speed_m_per_s * normal;
   in_parts(dt_s, [&](double part_s) noexcept {
-    velocity_m_per_s_ = next_rate(velocity_m_per_s_, lag_m_, newest, limits, share_.of(part_s), part_s);
+    velocity_m_per_s_ =
+        next_rate(velocity_m_per_s_, lag_m_, newest, limits, share_.of(limits.bandwidth_rad_per_s, part_s), part_s);
     lag_m_ += part_s * (newest - velocity_m_per_s_);
-    turn_rad_per_s_ = next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn, turn_share_.of(part_s), part_s);
+    turn_rad_per_s_ = next_rate(turn_rad_per_s_, tilt_rad_, Vector3d::Zero(), kTurn,
+                                turn_share_.of(kTurn.bandwidth_rad_per_s, part_s), part_s);
     tilt_rad_ -= part_s * turn_rad_per_s_;
   });
 }
@@ -111,7 +138,7 @@ void LineFollower::begin(const Vector3d& at, const Vector3d& along, double rate_
 void LineFollower::advance(double error_m, double target_m_per_s, double dt_s) noexcept {
   in_parts(dt_s, [&](double part_s) noexcept {
     const Vector3d rate = next_rate({rate_m_per_s_, 0.0, 0.0}, {error_m, 0.0, 0.0}, {target_m_per_s, 0.0, 0.0}, limits_,
-                                    share_.of(part_s), part_s);
+                                    share_.of(limits_.bandwidth_rad_per_s, part_s), part_s);
     rate_m_per_s_ = rate.x();
     risen_m_ += part_s * rate_m_per_s_;
     error_m += part_s * (target_m_per_s - rate_m_per_s_);

@@ -12,22 +12,31 @@ struct FollowLimits {
   double speed_m_per_s = 0.05;  ///< greatest speed of the approach, in addition to the surface's own motion
   double acceleration_m_per_s2 = 1.5;
   double speed_in_gap_m_per_s = 0.15;  ///< speed_m_per_s while the device is above the displayed surface (in a gap)
+  double bandwidth_rad_per_s = 40.0;   ///< of the critically damped approach, while no other limit is reached
 };
+
+/// The limits with which the station follows the newest image. `stiffest_N_per_m`: the largest slope of the displayed
+/// force over depth. The approach alone changes the force by at most 0.035 N in a tick of 0.5 ms.
+[[nodiscard]] FollowLimits follow_limits(double stiffest_N_per_m) noexcept;
+
+/// `limits` for an image of this age: from 0.2 s on, the approach slows down in proportion, but not below the default
+/// limits. An old image may be wrong, and a fast approach to it gives the hand energy.
+[[nodiscard]] FollowLimits slowed_by_age(FollowLimits limits, double age_s) noexcept;
 
 /// The share of the difference between wanted and present rate that one step of next_rate() removes, 1 - exp(-2
 /// bandwidth dt). Keeps the last result, because the time between ticks seldom changes.
 class FollowShare {
  public:
-  [[nodiscard]] double of(double dt_s) noexcept;
+  [[nodiscard]] double of(double bandwidth_rad_per_s, double dt_s) noexcept;
 
  private:
   LastResult share_;
 };
 
 /// One step of a critically damped approach with bounded speed and acceleration. `rate`: rate of the value; `error`:
-/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of(`dt_s`). Returns the
-/// next rate of the value. The result depends only on the present error and rates, so the approach is the same
-/// whether the target is updated 10 or 200 times a second.
+/// target minus value; `target_rate`: rate of the target; `share`: FollowShare::of() of the same bandwidth and `dt_s`.
+/// Returns the next rate of the value. The result depends only on the present error and rates, so the approach is the
+/// same whether the target is updated 10 or 200 times a second.
 [[nodiscard]] Eigen::Vector3d next_rate(const Eigen::Vector3d& rate, const Eigen::Vector3d& error,
                                         const Eigen::Vector3d& target_rate, const FollowLimits& limits, double share,
                                         double dt_s) noexcept;
@@ -45,6 +54,8 @@ class SurfaceFollower {
   /// The sample of the displayed surface at a point, given `newest`, the sample of the newest surface at on_newest() of
   /// that point.
   [[nodiscard]] FieldSample shown(const FieldSample& newest) const noexcept;
+
+  void set_limits(const FollowLimits& limits) noexcept { limits_ = limits; }
 
   /// Sets lag and tilt to zero. The displayed surface then moves at `speed_m_per_s`, limited, along `normal`.
   void follow_at_once(const Eigen::Vector3d& normal, double speed_m_per_s) noexcept;
@@ -80,6 +91,8 @@ class SurfaceFollower {
 class LineFollower {
  public:
   explicit LineFollower(const FollowLimits& limits) noexcept : limits_(limits) {}
+
+  void set_limits(const FollowLimits& limits) noexcept { limits_ = limits; }
 
   /// Starts at the point `at`, with the rate `rate_m_per_s` along the line's direction `along` (unit).
   void begin(const Eigen::Vector3d& at, const Eigen::Vector3d& along, double rate_m_per_s) noexcept;

@@ -11,8 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSteepEnough = 0.2;   // |gradient| below which f says nothing about direction (1 on a clean surface)
-constexpr double kSharpCosine = 0.94;  // planes turned by more than 20 degrees in one slide make a crease
+constexpr double kSteepEnough = 0.2;  // |gradient| below which f says nothing about direction (1 on a clean surface)
+constexpr double kSteepestCarried = 0.5;  // cosine of the steepest skin, 60 degrees, that moves along the depth axis
+constexpr double kSharpCosine = 0.94;     // planes turned by more than 20 degrees in one slide make a crease
 constexpr int kMostHops = 32;
 constexpr double kLongestHop_m = 0.004;  // a longer move of the device is searched in parts, to miss no surface
 constexpr int kMostIterations = 4;       // of one search for the foot; each evaluates the surface at least once
@@ -48,6 +49,24 @@ double better_slide(double slide, const Vector3d& before, const Vector3d& after)
   if (length2 < 1e-12) return slide;
   const double gained = 1.0 - before.dot(after) / length2;
   return gained <= 0.05 ? slide : std::clamp(slide / gained, 0.1, 2.0);
+}
+
+/// The direction in which skin with this normal is taken to move. A depth image does not show motion within the
+/// surface. Breath, a cough and a patient who sits up move the body towards the camera; if the anchor on a flank moved
+/// along the normal, it would leave its place on the skin sideways. On steeper skin the depth axis hardly meets the
+/// surface.
+Vector3d carried_along(const Vector3d& normal) noexcept {
+  const Vector3d to_camera = -Vector3d::UnitZ();
+  return normal.dot(to_camera) >= kSteepestCarried ? to_camera : normal;
+}
+
+/// The limits along a line that meets the skin's normal at this cosine. The line's motion is longer than the skin's
+/// along its normal, so without this a step of the force on a flank would be larger.
+FollowLimits on_slope(FollowLimits limits, double cosine) noexcept {
+  const double share = std::clamp(cosine, kSteepestCarried, 1.0);
+  limits.speed_m_per_s *= share;
+  limits.acceleration_m_per_s2 *= share;
+  return limits;
 }
 
 }  // namespace
@@ -103,9 +122,8 @@ FieldSample Touch::meet(const Vector3d& expected) noexcept {
 }
 
 void Touch::release() noexcept {
-  const TouchSettings settings = settings_;
   const std::uint64_t counted = out_of_order_;
-  *this = Touch(settings);
+  *this = Touch(TouchSettings(settings_), FollowLimits(follow_));
   out_of_order_ = counted;
 }
 
@@ -113,6 +131,9 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   now_ = std::max(now_, now);
   if (snapshot_ == nullptr || !device.m.allFinite()) return {};
   const double dt = dt_s > 0.0 ? std::min(dt_s, 0.1) : 0.0;
+  const FollowLimits limits = slowed_by_age(follow_, age_s());
+  follower_.set_limits(limits);
+  anchor_.set_limits(anchored_ ? on_slope(limits, normal_.dot(anchor_.along())) : limits);
   carry_on(dt, felt);
   basis_ = motion_basis(snapshot_->motion, age_s());
   const Vector3d from = has_device_ ? device_ : device.m;
@@ -272,7 +293,7 @@ void Touch::look_at_anchor() noexcept {
   anchor_target_m_per_s_ = newest.velocity_m_per_s / slope;
 }
 
-/// Follows the skin at the point where the contact began, along the normal at that time. The displayed anchor follows
+/// Follows the skin at the point where the contact began, on a line [carried_along()]. The displayed anchor follows
 /// the newest surface there like the skin under the device. Every 4 ms the surface is evaluated; meanwhile it moves on
 /// at its speed there. If the surface is not known there, the anchor moves with the foot.
 void Touch::follow_anchor(double dt_s) noexcept {
@@ -281,8 +302,10 @@ void Touch::follow_anchor(double dt_s) noexcept {
   anchored_ = side_ == Side::Inside;
   if (!anchored_) return;
   if (begins) {
-    anchor_.begin(foot_, normal_, follower_.velocity_m_per_s().dot(normal_));
-    anchor_lag_m_ = follower_.lag_m().dot(normal_);
+    const Vector3d along = carried_along(normal_);
+    const double slope = normal_.dot(along);
+    anchor_.begin(foot_, along, follower_.velocity_m_per_s().dot(normal_) / slope);
+    anchor_lag_m_ = follower_.lag_m().dot(normal_) / slope;
     anchor_looked_s_ = kAnchorLook_s;
   }
   const double part_s = std::min(dt_s, kLongestTick_s);
@@ -292,7 +315,8 @@ void Touch::follow_anchor(double dt_s) noexcept {
     anchor_looked_s_ = 0.0;
   }
   const Vector3d& along = anchor_.along();
-  const double target_m_per_s = anchor_seen_ ? anchor_target_m_per_s_ : newest_velocity_ * normal_.dot(along);
+  const double slope = std::max(normal_.dot(along), kSteepestCarried);
+  const double target_m_per_s = anchor_seen_ ? anchor_target_m_per_s_ : newest_velocity_ / slope;
   const double before_m = anchor_.risen_m();
   anchor_.advance(anchor_seen_ ? anchor_lag_m_ : 0.0, target_m_per_s, part_s);
   const double rose_m = anchor_.risen_m() - before_m;

@@ -16,7 +16,6 @@ inline constexpr double kLetGoOver_s = 0.5;
 inline constexpr double kDeepestStart_m = 0.09;
 
 struct TouchSettings {
-  FollowLimits follow;
   bool gentle_start = true;    ///< skin over a device first seen in the body is displayed at the device, then rises
   double stale_after_s = 1.0;  ///< age of the snapshot at which the contact begins to fade
 };
@@ -58,7 +57,8 @@ struct Displaced {
 /// system, if the snapshot is realtime_safe().
 class Touch {
  public:
-  explicit Touch(const TouchSettings& settings = {}) noexcept : settings_(settings) {}
+  explicit Touch(const TouchSettings& settings = {}, const FollowLimits& follow = {}) noexcept
+      : settings_(settings), follow_(follow) {}
 
   /// Uses `snapshot` from now on; the displayed surface does not jump. The snapshot must stay alive until the next
   /// adopt() or release(). The earlier snapshot is not read again. A snapshot that is not newer than the last one is
@@ -101,10 +101,11 @@ class Touch {
   [[nodiscard]] TouchSample answer(const Eigen::Vector3d& device) const noexcept;
 
   TouchSettings settings_;
+  FollowLimits follow_;
   const SurfaceSnapshot* snapshot_ = nullptr;  // borrowed
   SessionTime snapshot_captured_{};            // a copy, because the snapshot may be freed before the next one comes
   SessionTime adopted_{};
-  SurfaceFollower follower_{settings_.follow};
+  SurfaceFollower follower_{follow_};
   MotionBasis basis_;
   SessionTime now_{};
   Side side_ = Side::Unknown;
@@ -119,13 +120,13 @@ class Touch {
   Eigen::Vector3d device_ = Eigen::Vector3d::Zero();  // position of the device at the last step
   bool has_device_ = false;
   bool anchored_ = false;
-  LineFollower anchor_{settings_.follow};  // the displayed skin where the contact began
-  bool anchor_seen_ = false;               // the newest surface is known at anchor_
-  double anchor_lag_m_ = 0.0;              // from anchor_ to the newest surface, along the line
-  double anchor_target_m_per_s_ = 0.0;     // speed of the newest surface at the anchor, along the line
-  double anchor_looked_s_ = 0.0;           // time since the surface was evaluated at the anchor
-  double anchor_speed_ = 0.0;              // mean speed of anchor_ along its line over the last step [m/s]
-  double slide_ = 1.0;                     // share of the tangential step towards the device that the curvature allows
+  LineFollower anchor_{follow_};        // the displayed skin where the contact began
+  bool anchor_seen_ = false;            // the newest surface is known at anchor_
+  double anchor_lag_m_ = 0.0;           // from anchor_ to the newest surface, along the line
+  double anchor_target_m_per_s_ = 0.0;  // speed of the newest surface at the anchor, along the line
+  double anchor_looked_s_ = 0.0;        // time since the surface was evaluated at the anchor
+  double anchor_speed_ = 0.0;           // mean speed of anchor_ along its line over the last step [m/s]
+  double slide_ = 1.0;                  // share of the tangential step towards the device that the curvature allows
   double held_ = 0.0;  // factor on the contact, 0 to 1: the coverage, changed gradually; TouchSample::coverage
   std::uint64_t out_of_order_ = 0;
 };

@@ -40,8 +40,9 @@ class LatestHand {
   [[nodiscard]] std::optional<Seen> take() noexcept {
     return newest_.take() ? std::optional(newest_.current()) : std::nullopt;
   }
-  [[nodiscard]] std::optional<Timed> take(SessionTime now) noexcept {
-    (void)session_clock_.map(now.time_since_epoch(), Clock::now().time_since_epoch());
+  /// `steady`: the steady clock's time at `now`.
+  [[nodiscard]] std::optional<Timed> take(SessionTime now, Clock::time_point steady = Clock::now()) noexcept {
+    (void)session_clock_.map(now.time_since_epoch(), steady.time_since_epoch());
     const std::optional<Seen> seen = take();
     if (!seen) return std::nullopt;
     return Timed{SessionTime(seen->at.time_since_epoch() - session_clock_.difference()), seen->hand, seen->attitude,

@@ -29,10 +29,10 @@ ViewerHandTracker::Taken ViewerHandTracker::hear(const msg::ViewerHand& hand, co
   return Taken::Followed;
 }
 
-std::optional<ports::HandSample> ViewerHandTracker::sample(SessionTime now,
-                                                           const ports::DeviceReading& device) noexcept {
+std::optional<ports::HandSample> ViewerHandTracker::sample_at(SessionTime now, Clock::time_point steady,
+                                                              const ports::DeviceReading& device) noexcept {
   (void)skin_.take();
-  const auto seen = latest_hand_.take(now);
+  const auto seen = latest_hand_.take(now, steady);
   if (!seen) return std::nullopt;
   const double since_s = sampled_ ? to_seconds(seen->at - *sampled_) : 0.0;
   sampled_ = seen->at;

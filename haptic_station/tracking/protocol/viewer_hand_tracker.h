@@ -33,7 +33,12 @@ class ViewerHandTracker final : public ports::Tracker {
   void see(const SkinHeights& skin) { skin_.put(skin); }
 
   [[nodiscard]] std::optional<ports::HandSample> sample(SessionTime now,
-                                                        const ports::DeviceReading& device) noexcept override;
+                                                        const ports::DeviceReading& device) noexcept override {
+    return sample_at(now, Clock::now(), device);
+  }
+  /// As sample(), for any clock. `steady`: the time on hear()'s clock when the session time is `now`.
+  [[nodiscard]] std::optional<ports::HandSample> sample_at(SessionTime now, Clock::time_point steady,
+                                                           const ports::DeviceReading& device) noexcept;
 
  private:
   std::uint64_t viewer_ = 0;     // owner: network thread; the viewer that is followed, 0: no viewer yet
