@@ -18,14 +18,14 @@ program::Usage usage() {
   return {.program = kProgram,
           .purpose = "records a server's messages to a session file; describes and edits such files",
           .positional = {},
-          .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
+          .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"out", "FILE.mcap", "new session file; FILE.mcap.partial until complete"},
                       {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
                       {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                       {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
                       {"keep-last", "TIME", "delete files of this recording older than TIME: 5min"},
-                      {"consent", "TEXT", "note on the patient's consent, stored in the file"},
+                      {"consent", "TEXT", "note on the patient's consent; needed with --key"},
                       {"scene", "FILE", "the station's scene file, to be attached"},
                       {.name = "attach",
                        .argument = "FILE",
@@ -73,8 +73,7 @@ Result<record::Splitting> splitting_of(const program::Arguments& arguments) {
 }
 
 Result<record::RecordingOptions> recording_options(const program::Arguments& arguments) {
-  const Result<program::Address> server =
-      program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
+  const Result<program::Address> server = program::parse_server(arguments.text("connect"), "--connect");
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
   if (!seconds) return seconds.error();
@@ -105,6 +104,12 @@ int run_recording(const program::Arguments& arguments) {
                          program::kAskedWrongly);
   Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
+  if (arguments.has("key") && options->consent.find_first_not_of(' ') == std::string::npos)
+    return program::fail(
+        {.what = "the patient's consent to this recording is not stated, without which no patient is recorded",
+         .where = "--consent",
+         .fix = "ask the patient, then give --consent \"signed form, study 17\", or who heard the consent"},
+        program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =
       keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
   if (!key) return program::fail(key.error());

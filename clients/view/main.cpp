@@ -30,7 +30,7 @@ program::Usage usage() {
   return {.program = kProgram,
           .purpose = "saves a picture of a running session, or prints rates, ages and losses by topic",
           .positional = {},
-          .options = {{"connect", "HOST[:PORT]", "the server", program::kServerAddress},
+          .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
                       {"key", "FILE", "your key or token file, for a server on another machine"},
                       {"snapshot", "FILE.png", "save a picture of the patient and the doctor's hand"},
                       {"stats", "", "print rates, bytes, ages and losses by topic"},
@@ -51,8 +51,7 @@ struct Asked {
 };
 
 Result<Asked> asked_of(const program::Arguments& arguments) {
-  const Result<program::Address> server =
-      program::parse_address(arguments.text("connect"), "--connect", program::kServerPort);
+  const Result<program::Address> server = program::parse_server(arguments.text("connect"), "--connect");
   if (!server) return server.error();
   const Result<double> seconds = arguments.number("seconds", 0.1, 1e6);
   if (!seconds) return seconds.error();
@@ -79,6 +78,7 @@ class View {
         link_(io_,
               {.host = asked.server.host,
                .port = asked.server.port,
+               .site = asked.server.site,
                .name = kProgram,
                .key = asked.key,
                .subscribes = asked.stats ? std::vector<std::string>{"*"}
@@ -118,31 +118,36 @@ class View {
     if (taken == view::NewestInstant::Taken::Unreadable && unreadable_.insert(message.topic.name).second)
       program::log(kProgram, "a message on " + std::string(message.topic.name) +
                                  " is damaged or cut short, and left out; more of this topic are left out silently");
-    if (instant_.is_complete(true)) return stop(save());
+    if (instant_.is_complete(!without_hand_)) return stop(save());
     // A connected station publishes its state 100 times a second, so a longer wait would show no hand either.
     constexpr std::chrono::seconds kTimeForAState{2};
     if (instant_.is_complete(false) && !std::exchange(waits_for_state_, true))
-      wait(kTimeForAState, [this] { lose_patience(); });
+      wait(kTimeForAState, [this] { go_without_hand(); });
+  }
+  /// No station's state came: saves the newest image if it is whole, else waits for the next whole one.
+  void go_without_hand() {
+    without_hand_ = true;
+    wait(asked_.patience.value_or(program::kForEver), [this] { lose_patience(); });
+    if (instant_.is_complete(false)) stop(save());
   }
   /// Called when the time is over: saves the patient without a hand if no station's state came, else ends with an
   /// error.
   void lose_patience() {
-    if (!asked_.stats && instant_.is_complete(false)) {
-      program::log(kProgram,
-                   "no station reported the device's place at the time of the image: the picture has no hand");
-      return stop(save());
-    }
+    if (!asked_.stats && instant_.is_complete(false)) return stop(save());
     stop(Error{
         .what = connected_
                     ? "the server answers, but sent no depth image with a colour image of the same instant, or no "
                       "calibration"
-                    : "does not answer",
+                    : link_.no_answer(),
         .where = program::to_text(asked_.server),
         .fix = connected_
                    ? "check the server's camera or recording (telepalp-server --source), or wait longer by --patience S"
                    : "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
   }
   Result<void> save() const {
+    if (!instant_.is_complete(true))
+      program::log(kProgram,
+                   "no station reported the device's place at the time of the image: the picture has no hand");
     constexpr int kWidth = 1280;
     constexpr int kHeight = 960;
     const Result<void> saved = program::write_whole_file(
@@ -179,6 +184,7 @@ class View {
   view::LiveFigures figures_;
   bool connected_ = false;
   bool waits_for_state_ = false;  ///< the patient can be drawn, the hand not yet
+  bool without_hand_ = false;     ///< the picture no longer waits for the hand
   bool stopping_ = false;
   Result<void> outcome_;
   wire::ClientLink link_;

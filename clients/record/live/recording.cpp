@@ -87,9 +87,11 @@ class Recording {
         link_(io_,
               {.host = options.server.host,
                .port = options.server.port,
+               .site = options.server.site,
                .name = kProgram,
                .role = "recorder",
                .key = options.key,
+               .consent = options.consent,
                .subscribes = options.topics.subscription(),
                // Without a key the server is on this machine. There TCP is in time and loses no image.
                .datagrams = options.key != nullptr},
@@ -110,7 +112,7 @@ class Recording {
     deadline_.expires_after(std::chrono::duration_cast<Clock::duration>(options_.patience.value_or(program::kForEver)));
     deadline_.async_wait([this](const error_code& cancelled) {
       if (!cancelled)
-        fail({"does not answer", program::to_text(options_.server),
+        fail({link_.no_answer(), program::to_text(options_.server),
               "start telepalp-server, name another one by --connect, or wait longer by --patience S"});
     });
     watch();

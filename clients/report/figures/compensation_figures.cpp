@@ -98,6 +98,11 @@ std::vector<Chart> compensation(const Session& session) {
     charts.push_back(chart_of_words("The patient's motion, compared with the seconds before",
                                     {"as before", "unlike before"},
                                     over_time(session, "", plot::kBlue, [](Sample t) { return t.unmodelled(); })));
+  if (std::any_of(session.compensations.begin(), session.compensations.end(),
+                  [](Sample t) { return t.has_loop_delay_s(); }))
+    charts.push_back(chart_of("Delay of the device's own loop: its reading's age plus its command's age", "delay [ms]",
+                              {over_time(session, "99th percentile of the last second", plot::kBlue,
+                                         [](Sample t) { return t.loop_delay_s() * 1e3; })}));
   add_objects(session, charts);
   return charts;
 }

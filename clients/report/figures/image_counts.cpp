@@ -29,6 +29,13 @@ std::string carriers_in_words(const Session& session, const Summary& summary) {
   return text + (changed ? "" : " for the whole session");
 }
 
+std::string shared_line_in_words(const SharedLine& line) {
+  if (line.seconds == 0) return "";
+  return " For " + std::to_string(line.seconds) +
+         " s something else used the station's line, such as a download; at least " +
+         plot::number(8e-6 * line.least_B_per_s, 1) + " Mbit/s were left for the images.";
+}
+
 std::string image_counts_section(const Session& session, const Summary& summary) {
   if (!summary.frames_sent || !summary.frames_dropped || !summary.frames_received) return "";
   const std::uint64_t sent = *summary.frames_sent, received = *summary.frames_received;
@@ -49,7 +56,8 @@ std::string image_counts_section(const Session& session, const Summary& summary)
   return section("Depth images from the server to the station",
                  "Every share is of the images that the server had for the station during the recording. Server and "
                  "station count once a second, so that the rows can differ by a second's images from their sum." +
-                     (carrier.empty() ? "" : " The images went by " + carrier + "."),
+                     (carrier.empty() ? "" : " The images went by " + carrier + ".") +
+                     shared_line_in_words(summary.shared_line),
                  table({"depth images that …", "number", "share"}, rows));
 }
 

@@ -15,4 +15,7 @@ namespace telepalp::report {
 /// known.
 [[nodiscard]] std::string carriers_in_words(const Session& session, const Summary& summary);
 
+/// For how long something else used the station's line, and what it left at least; empty: never.
+[[nodiscard]] std::string shared_line_in_words(const SharedLine& line);
+
 }  // namespace telepalp::report

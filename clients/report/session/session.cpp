@@ -117,6 +117,7 @@ void add_subscriber(Session& session, const msg::ServerStats::PerSubscriber& sub
   known.address = subscriber.address();
   if (is_new) known.was_there_first = !session.heard_server_stats;
   known.counted_ns = at_ns;
+  if (subscriber.has_share_b_per_s()) known.shared_line.add(subscriber.share_b_per_s());
   if (known.carriers.empty() || known.carriers.back().by_datagram != subscriber.by_datagram())
     known.carriers.push_back({at_ns, subscriber.by_datagram()});
   for (const msg::ServerStats::PerTopic& topic : subscriber.topics()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -74,6 +75,20 @@ struct Carrier {
   bool by_datagram = false;
 };
 
+/// When something else used a connection's line, by /server/stats, which come once a second.
+struct SharedLine {
+  std::uint64_t seconds = 0;   ///< number of messages that said so
+  double least_B_per_s = 0.0;  ///< least rate that was left
+  void add(double left_B_per_s) noexcept {
+    least_B_per_s = seconds++ == 0 ? left_B_per_s : std::min(least_B_per_s, left_B_per_s);
+  }
+  void add(const SharedLine& other) noexcept {
+    if (other.seconds == 0) return;
+    add(other.least_B_per_s);
+    seconds += other.seconds - 1;
+  }
+};
+
 /// One connection to the server, from /server/stats.
 struct Subscription {
   std::uint32_t sender = 0;
@@ -83,6 +98,7 @@ struct Subscription {
   std::uint64_t depth_sent_before = 0, depth_dropped_before = 0;  ///< counts in the first /server/stats that lists it
   std::int64_t counted_ns = 0;      ///< session time of the last /server/stats that lists it
   std::vector<Carrier> carriers{};  ///< in the order of time; one more at each change
+  SharedLine shared_line{};
 };
 
 /// The content of a session file, without images: the images of a long session do not fit into memory. After settle(),

@@ -185,7 +185,10 @@ std::string what_to_do(const Summary& s) {
 std::vector<Check> deadline_checks(const Summary& s) {
   constexpr double kBudget = 0.1;
   constexpr Each late_ticks{Measurement::TickEnd, kPeriod_us};
-  const std::string brief = "the force came late", late = "the force came late in more than one of a thousand ticks";
+  const std::string brief = "the force came late",
+                    late = "the force came late: " + readable(known(s.deadlines_missed)) + " of " +
+                           readable(static_cast<double>(s.ticks)) +
+                           " deadlines were missed, more than one in a thousand";
   if (!s.idle_timer)
     return {{"late ticks, share of all ticks", missed_percent(s), kBudget, "%", true, Rank::Loop, brief, late,
              what_to_do(s), late_ticks}};

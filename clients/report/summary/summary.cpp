@@ -202,6 +202,7 @@ void add_frames(SenderSummary& summary, const Session& session, const SenderReco
                              (whole ? subscription.depth_dropped_before : 0);
     summary.sent_until_ns = std::max(summary.sent_until_ns, subscription.counted_ns);
     summary.carriers.insert(summary.carriers.end(), subscription.carriers.begin(), subscription.carriers.end());
+    summary.shared_line.add(subscription.shared_line);
   }
   std::sort(summary.carriers.begin(), summary.carriers.end(),
             [](const Carrier& one, const Carrier& other) { return one.since_ns < other.since_ns; });
@@ -248,6 +249,7 @@ void add_senders(Summary& summary, const Session& session) {
   summary.frames_unused = judged.frames_unused;
   summary.frames_on_the_way = frames_on_the_way(summary, judged);
   summary.carriers = judged.carriers;
+  summary.shared_line = judged.shared_line;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct SenderSummary {
   std::optional<std::uint64_t> frames_unused;  ///< of those received: replaced by a newer one, or not decodable
   std::int64_t sent_until_ns = 0, received_until_ns = 0;  ///< session times of the last counts
   std::vector<Carrier> carriers;                          ///< of its images
+  SharedLine shared_line;                                 ///< of its connections
 };
 
 /// Wake-ups of a thread that only waits, measured on the station's computer before the run.
@@ -55,6 +56,7 @@ struct Summary {
   /// Estimate of the sent frames that were still on the way when the station last counted; 0 if it is not known.
   std::uint64_t frames_on_the_way = 0;
   std::vector<Carrier> carriers;  ///< of the station's images
+  SharedLine shared_line;         ///< of its connections
 
   std::optional<std::uint64_t> depth_images;  ///< in the file
   std::optional<std::uint64_t> surfaces;      ///< depth images that became a surface

@@ -14,10 +14,11 @@ import {SessionsCard} from './panel/sessions_card';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {EXPOSURE} from './panel/technician/exposure_card';
+import {type PeopleCommand, type PeopleState, readPeople} from './panel/technician/people_card';
 import {readSource, type SourceCommand, type SourceState} from './panel/technician/source_card';
 import {readRecording, type RecordingCommand, type RecordingState} from './panel/technician/recording_state';
 import {type ComparisonCommand, type ComparisonState, readComparison} from './playback/comparison_state';
-import {commanded, joined, type NetworkCommand, type NetworkState, readNetwork} from './playback/network_state';
+import {joined, type NetworkCommand, type NetworkState, readNetwork} from './playback/network_state';
 import {OverviewBand} from './playback/overview_band';
 import {PLAYBACK} from './playback/playback_state';
 import {openingShare, readSessions} from './playback/recorded_sessions';
@@ -45,7 +46,7 @@ const EXTRA: Record<View, Extra> = {
     topics: ['/station/compensation', '/station/surface', '/station/ultrasound', '/station/inside'],
     light: false,
   },
-  technician: {topics: ['/recording', '/sessions', '/source', '/exposure'], light: true},
+  technician: {topics: ['/recording', '/sessions', '/source', '/exposure', '/people'], light: true},
   qa: {topics: ['/station/events', '/playback/network', '/playback/comparison', '/sessions'], light: false},
 };
 
@@ -62,6 +63,7 @@ const viewerHand = new ViewerHandInput(view, canvas, (hand) => link.publishHand(
 const steering = new HandSteering(canvas, () => viewerHand.held, () => document.getElementById('hold-hand')?.click());
 viewerHand.steering = steering;
 element('rearm').addEventListener('click', () => viewerHand.rearm());
+element('accept-object').addEventListener('click', () => viewerHand.acceptObject());
 view.headset.onHand = (at) => (viewerHand.tracked = at);
 
 function openView(): SceneView {
@@ -82,14 +84,13 @@ const resources = new ServerResources();
 const playback = resources.at('/playback', PLAYBACK);
 const parts = {
   notes: resources.at<'/playback/notes', Note[], NoteCommand>('/playback/notes', {read: readNotes}),
-  network: resources.at<'/playback/network', NetworkState, NetworkCommand>('/playback/network', {
-    read: readNetwork, join: joined, after: commanded,
-  }),
+  network: resources.at<'/playback/network', NetworkState, NetworkCommand>('/playback/network', {read: readNetwork, join: joined}),
   comparison: resources.at<'/playback/comparison', ComparisonState, ComparisonCommand>(
       '/playback/comparison', {read: readComparison, join: (_, next) => next}),
 };
 const source = resources.at<'/source', SourceState, SourceCommand>('/source', {read: readSource});
 const exposure = resources.at('/exposure', EXPOSURE);
+const people = resources.at<'/people', PeopleState, PeopleCommand>('/people', {read: readPeople});
 const recording = resources.at<'/recording', RecordingState, RecordingCommand>('/recording', {read: readRecording});
 const link = new SiteLink({
   instant: (instant) => {
@@ -156,7 +157,7 @@ const status = publishStatus(() => ({
   innerTriangles: view.inner.triangles,
 }));
 
-const technician = new TechnicianPanel(view, canvas, {recording, source, exposure}, (place) => link.takePlace(place));
+const technician = new TechnicianPanel(view, canvas, {recording, source, exposure, people}, (place) => link.takePlace(place));
 const sessions = new SessionsCard();
 const whole = new OverviewBand(playback, parts.notes);
 resources.on('/reading', (newest) => (state.opening = newest && openingShare(newest.message)));

@@ -8,7 +8,10 @@ export type Ask<Command> = (command: Command) => Promise<Answer>;
 export interface Traits<Message, State, Command> {
   /** undefined: the message is not the state after the last command yet. */
   read(message: Message): State | undefined;
-  /** One command of two that wait, so that a dragged slider sends no queue. Without it, or undefined: both are sent. */
+  /**
+   * Joins two waiting commands into one, so that a dragged slider sends no queue. Without this function, or if it returns
+   * undefined, both are sent.
+   */
   join?(waiting: Command, next: Command): Command | undefined;
   /** The state that a command will lead to, to show it at once. */
   after?(state: State, command: Command): State;
@@ -67,7 +70,10 @@ export class Resource<Message, State, Command extends object> {
   /** Resolves when the server has answered this command, or the one that it was joined to. True: it did what was asked. */
   command(command: Command): Promise<boolean> {
     if (this.waiting.length >= (this.traits.mostWaiting ?? Infinity)) return Promise.resolve(false);
-    if (this.traits.after !== undefined && this.state !== undefined) this.state = this.traits.after(this.state, command);
+    if (this.traits.after !== undefined && this.state !== undefined) {
+      this.state = this.traits.after(this.state, command);
+      this.changed();
+    }
     const last = this.waiting[this.waiting.length - 1];
     const joined = last && this.traits.join?.(last.command, command);
     if (last !== undefined && joined !== undefined) {
@@ -92,13 +98,19 @@ export class Resource<Message, State, Command extends object> {
       next.settle(this.problem === '');
     }
     this.busy = false;
+    if (this.isBehind) return;  // a control that showed the state from before the command would jump back
     this.show();
     this.changed();
   }
 
+  /** The state after the last command is on its way. */
+  private get isBehind(): boolean {
+    return this.newest !== undefined && this.newest.published_ns < this.answered_ns;
+  }
+
   private show(): void {
     const {newest} = this;
-    if (newest === undefined || this.busy || newest.published_ns < this.answered_ns) return;
+    if (newest === undefined || this.busy || this.isBehind) return;
     const state = this.traits.read(newest.message);
     if (state === undefined) return;
     this.state = state;

@@ -1,8 +1,8 @@
 import type {
   CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, DepthImage, ExposureState, HandHolder,
   InnerStructures,
-  NetworkState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList, SessionNotes,
-  SourceState,
+  NetworkState, PeopleState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList,
+  SessionNotes, SourceState,
   StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand,
 } from './generated';
 
@@ -13,6 +13,8 @@ type Given<T, Name extends keyof T> = Required<Pick<T, Name>>;
 type HandSample = Given<ViewerHand, 'sampledUs' | 'handCamera' | 'hovers'>;
 /** Asks the station to re-arm after a fault. */
 type Rearm = Given<ViewerHand, 'rearm'>;
+/** Accepts the object over the hand's place as skin. */
+type AcceptObject = Given<ViewerHand, 'acceptObject'>;
 /** Gives up the hand. Without it the viewer holds the hand even if it sends nothing. */
 type LetGo = Given<ViewerHand, 'letGo'>;
 /** Passes the hand to a viewer that asks for it. */
@@ -20,7 +22,7 @@ type HandOver = Given<ViewerHand, 'handOverTo'>;
 
 /** The topics that the viewer publishes: topic name -> fields of its messages. */
 export interface OwnTopics {
-  '/viewer/hand': HandSample | LetGo | HandOver | Rearm;
+  '/viewer/hand': HandSample | LetGo | HandOver | Rearm | AcceptObject;
 }
 
 /** The states of the server's resources: path of the resource, which is the topic's name -> fields of its messages. */
@@ -35,14 +37,15 @@ export interface StateTopics {
   '/sessions': SessionList;
   '/source': SourceState;
   '/exposure': ExposureState;
+  '/people': PeopleState;
 }
 export type StateTopic = keyof StateTopics;
 export const STATE_TOPICS = [
   '/playback', '/playback/events', '/playback/network', '/playback/notes', '/playback/comparison', '/reading', '/recording',
-  '/sessions', '/source', '/exposure',
+  '/sessions', '/source', '/exposure', '/people',
 ] as const satisfies readonly StateTopic[];
 
-/** A state as it came. */
+/** A state, and the session time at which the server published it. */
 export interface Published<Message> {
   message: Message;
   published_ns: bigint;

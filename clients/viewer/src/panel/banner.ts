@@ -2,6 +2,7 @@ import {CaptureState, Phase} from '../messages/generated';
 import {type Place, slowest, type TimeAccount, total_ms} from '../present/time_account';
 import type {Health, Unsteady} from '../state/health';
 import type {Banner} from './banner_look';
+import {megabits} from './megabits';
 import {movesAHand, touchAdvice} from './touch_advice';
 
 const RECENT_MS = 1000;
@@ -58,7 +59,7 @@ export function bannerFor(health: Health): Banner | undefined {
     return {
       level: 'warn',
       title: 'Something lies over the place',
-      text: 'You feel the skin as it was remembered, for 1 s; then its force fades. To feel what lies there: lift 3 cm clear of it, and press again.',
+      ...underObject(health),
     };
   if (health.surfaceStale)
     return {
@@ -74,7 +75,16 @@ export function bannerFor(health: Health): Banner | undefined {
       title: 'Late readings',
       text: `Hand and force come ${seconds(health.late_ms)} after the picture, and are not shown in it.`,
     };
-  return touchAdvice(health);
+  return touchAdvice(health) ?? lineIsShared(health);
+}
+
+function lineIsShared({lineLeft_B_per_s}: Health): Banner | undefined {
+  if (lineLeft_B_per_s === undefined) return undefined;
+  return {
+    level: 'wait',
+    title: 'Something else uses this line',
+    text: `About ${megabits(lineLeft_B_per_s)} are left for the station. If images become coarse or late, end downloads and videos on this line.`,
+  };
 }
 
 /** A browser re-arms only the station whose hand it moves: beside any other device, an operator must look first. */
@@ -82,6 +92,13 @@ function afterFault(health: Health): Pick<Banner, 'text' | 'rearms'> {
   if (movesAHand(health)) return {text: 'No force. Take the hand off the patient, then re-arm.', rearms: true};
   return {text: 'No force. Remove the cause that the station’s terminal names, then run on its machine: telepalp-station rearm. ' +
       'If a browser’s hand moves this station: press Touch (T), then Re-arm.'};
+}
+
+/** A browser accepts an object only for the station whose hand it moves: beside any other device, nobody sees the hand. */
+function underObject(health: Health): Pick<Banner, 'text' | 'acceptsObject'> {
+  const now = 'You feel the skin as it was remembered, for 1 s; then its force fades. To feel what lies there:';
+  if (movesAHand(health)) return {text: `${now} lift the hand above it, and choose “This is skin now”.`, acceptsObject: true};
+  return {text: `${now} lift 3 cm clear of it, and press again.`};
 }
 
 const BLAME: Record<Place, (part: string) => string> = {

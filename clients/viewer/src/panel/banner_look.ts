@@ -4,4 +4,5 @@ export interface Banner {
   title: string;
   text: string;
   rearms?: boolean;  // with a button that re-arms the station
+  acceptsObject?: boolean;  // with a button by which the doctor accepts the object over the place as skin
 }

@@ -141,6 +141,7 @@ export class Readouts {
     setText('banner-title', banner.title);
     setText('banner-text', banner.text);
     element('rearm').hidden = banner.rearms !== true;
+    element('accept-object').hidden = banner.acceptsObject !== true;
   }
 }
 

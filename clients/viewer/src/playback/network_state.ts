@@ -48,11 +48,6 @@ export function readNetwork(message: NetworkMessage): NetworkState {
   };
 }
 
-/** What the page shows from a command on, until the server's state comes: else a slider would jump back for a moment. */
-export function commanded(state: NetworkState, command: NetworkCommand): NetworkState {
-  return {...state, ...command};
-}
-
 /** What two commands do one after the other, as one. */
 export function joined(first: NetworkCommand, then: NetworkCommand): NetworkCommand {
   return then.profile === undefined ? {...first, ...then} : then;

@@ -25,6 +25,7 @@ export class OverviewBand {
   /** undefined: no session is played. */
   know(overview: SessionOverview | undefined): void {
     this.overview = overview;
+    this.drawn = '';  // other events may be as many
     this.draw();
   }
 

@@ -11,7 +11,7 @@ import {SilenceWatch} from '../link/silence_watch';
 import {Stream} from '../link/stream';
 import {isAtRest} from '../messages/capture_rest';
 import type {CompressedImage, StationState} from '../messages/generated';
-import type {StateTopic, StateTopics} from '../messages/topics';
+import {STATE_TOPICS, type StateTopic, type StateTopics} from '../messages/topics';
 import {DeviceWatch} from '../present/device_watch';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
@@ -117,6 +117,12 @@ function stateCame<Topic extends StateTopic>(topic: Topic, message: StateTopics[
   toldStates = true;
 }
 
+type StateReaders = {[Topic in StateTopic]: (state: StateTopics[Topic], published_ns: bigint) => void};
+const readerOf = <Topic extends StateTopic>(topic: Topic) => [
+  topic, (state: StateTopics[Topic], published_ns: bigint) => stateCame(topic, state, published_ns),
+];
+const stateReaders = () => Object.fromEntries(STATE_TOPICS.map(readerOf)) as StateReaders;
+
 const stream = new Stream(
     `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream${self.name}`,  // the page gave its own session as the worker's name
     {
@@ -157,22 +163,13 @@ const stream = new Stream(
       '/viewer/hand_holder': (holder) => {
         facts.holder = holder;
       },
-      '/playback': (state, at_ns) => stateCame('/playback', state, at_ns),
-      '/playback/events': (state, at_ns) => stateCame('/playback/events', state, at_ns),
-      '/playback/network': (state, at_ns) => stateCame('/playback/network', state, at_ns),
-      '/playback/notes': (state, at_ns) => stateCame('/playback/notes', state, at_ns),
-      '/playback/comparison': (state, at_ns) => stateCame('/playback/comparison', state, at_ns),
-      '/reading': (state, at_ns) => stateCame('/reading', state, at_ns),
-      '/recording': (state, at_ns) => stateCame('/recording', state, at_ns),
-      '/sessions': (state, at_ns) => stateCame('/sessions', state, at_ns),
-      '/source': (state, at_ns) => stateCame('/source', state, at_ns),
-      '/exposure': (state, at_ns) => stateCame('/exposure', state, at_ns),
+      ...stateReaders(),
     },
     {
       publishes: ['/viewer/hand'],
       onRequest: [
         '/station/compensation', '/station/surface', '/station/events', '/station/ultrasound', '/station/inside',
-        '/playback/network', '/playback/comparison', '/recording', '/sessions', '/source', '/exposure',
+        '/playback/network', '/playback/comparison', '/recording', '/sessions', '/source', '/exposure', '/people',
       ],
     },
     {

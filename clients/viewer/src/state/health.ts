@@ -36,5 +36,6 @@ export interface Health extends TouchHealth {
   graphicsLost: boolean;     // the browser has lost its graphics context, and draws nothing
   unsteady: Unsteady | undefined;  // undefined: the device is steady
   phase: Phase | undefined;  // undefined: there is a station, but its phase at this instant is not known
+  lineLeft_B_per_s?: number | undefined;  // what other traffic leaves of the station's line; undefined: none was noticed
   yields_s: number | undefined;  // until warm motors lower the force in contact; undefined: they do not
 }

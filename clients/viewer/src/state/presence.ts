@@ -13,3 +13,8 @@ export interface Presence {
 export function stationIsLive({stats, touching}: Pick<Presence, 'stats' | 'touching'>): boolean {
   return touching !== 0 && (stats?.subscribers.some(({sender}) => sender === touching) ?? false);
 }
+
+/** What other traffic leaves of the line of the station that touches, in bytes per second; undefined: none was noticed. */
+export function lineLeft({stats, touching}: Pick<Presence, 'stats' | 'touching'>): number | undefined {
+  return touching === 0 ? undefined : stats?.subscribers.find(({sender}) => sender === touching)?.shareBPerS;
+}

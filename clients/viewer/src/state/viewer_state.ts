@@ -13,7 +13,7 @@ import {shownHand} from '../present/shown_hand';
 import {accountFor, type FrameTimes, type TimeAccount, total_ms, WorstOfSecond} from '../present/time_account';
 import type {News} from '../site/worker_messages';
 import type {Health, Unsteady} from './health';
-import {type Presence, stationIsLive} from './presence';
+import {lineLeft, type Presence, stationIsLive} from './presence';
 
 const UNTAKEN_MS = 2500;
 const STALE_MS = 1000;   // a picture that is older by this than its path always needs is stale; on an irregular path, by more
@@ -56,6 +56,16 @@ export interface Reading extends Health {
   light: Light | undefined;                         // only in views that show it
   cameraFrames_per_s: number;
   taking: Taking | undefined;  // of a calibration; undefined: there is no live station whose tracker needs one
+}
+
+/**
+ * What to show after `told` was shown and `now` is seen. Of two swings: the newer one, with the larger of both widths.
+ * A swing that was shown is kept when only a full drive is seen now, because a swing brings about a full drive.
+ */
+function withWidest(told: Unsteady | undefined, now: Unsteady): Unsteady {
+  if (typeof told !== 'object') return now;
+  if (typeof now !== 'object') return told;
+  return {...now, swing_mm: Math.max(told.swing_mm, now.swing_mm)};
 }
 
 interface DrawnPicture {
@@ -175,6 +185,7 @@ export class ViewerState {
       numbersInstant_ms: station && milliseconds(station.stampNs),
       handInstant_ms: this.hand_ms,
       role: news?.role ?? '',
+      lineLeft_B_per_s: lineLeft(presence),
       presence,
       station,
       compensation: station && this.compensation,
@@ -188,16 +199,16 @@ export class ViewerState {
     };
   }
 
-  /** An unsteady device is told for some time, because a swing comes and goes; of a swing, its widest part. */
+  /** An unsteady device is shown for some time, because a swing comes and goes: with largest width and newest rate. */
   private unsteadyAt(now_ms: number): Unsteady | undefined {
     const {swing, driveIsFull} = this.news?.motion ?? {};
     const told = this.unsteady !== undefined && now_ms - this.unsteady.at_ms < UNSTEADY_MS ? this.unsteady.what : undefined;
     let now: Unsteady | undefined = driveIsFull === true ? 'full drive' : undefined;
     if (swing !== undefined && isOwnSwing(swing, this.pointerRests)) now = {swing_mm: 1000 * swing.width_m, hertz: swing.hertz};
     if (now === undefined) return told;
-    const wider = typeof told === 'object' && (typeof now === 'string' || told.swing_mm >= now.swing_mm) ? told : now;
-    this.unsteady = {what: wider, at_ms: now_ms};
-    return wider;
+    const what = withWidest(told, now);
+    this.unsteady = {what, at_ms: now_ms};
+    return what;
   }
 
   private get isPaused(): boolean {

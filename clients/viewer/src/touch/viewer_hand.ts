@@ -16,8 +16,8 @@ const RISES_M_PER_S = 0.25;
 const REST_PX = 3;
 const REST_MS = 1200;
 const LONGEST_STEP_S = 0.05;  // after a longer pause of the browser the hand does not sink further
-const REARM_TIMES = 5;        // a message may be lost
-const REARM_EVERY_MS = 100;
+const ASK_TIMES = 5;        // a message may be lost
+const ASK_EVERY_MS = 100;
 
 /** The text that tells the user who holds the hand; empty if only this page does. */
 class HolderNotice {
@@ -47,8 +47,9 @@ class HolderNotice {
  * A hand that follows the pointer, keys, a gamepad, or the hand that a headset tracks. It hovers over the skin, and it
  * presses slowly in while the first button or a finger is down. The station limits its speed, and flies it over the
  * patient while nothing presses. Its position is sent about 100 times a second. When the pointer leaves the picture or
- * the browser is busy, nothing is sent: the station releases, but this viewer still holds the hand. The button, a hidden page or the end of the connection gives up the hand, and *Hand over* passes it to a
- * viewer that asks; until then, other viewers can only ask for it.
+ * the browser is busy, nothing is sent: the station releases, and after 2 s another viewer may take the hand. The
+ * button, a hidden page or the end of the connection gives up the hand, and *Hand over* passes it to a viewer that
+ * asks. Until one of these happens, other viewers can only ask for it.
  */
 export class ViewerHandInput {
   private pointer: Pointer | undefined;
@@ -140,7 +141,16 @@ export class ViewerHandInput {
 
   /** Asks the station to re-arm after a fault. */
   rearm(): void {
-    for (let time = 0; time < REARM_TIMES; ++time) setTimeout(() => this.publish({rearm: true}), time * REARM_EVERY_MS);
+    this.ask({rearm: true});
+  }
+
+  /** Tells the station that the object over the hand's place is skin. */
+  acceptObject(): void {
+    this.ask({acceptObject: true});
+  }
+
+  private ask(what: OwnTopics['/viewer/hand']): void {
+    for (let time = 0; time < ASK_TIMES; ++time) setTimeout(() => this.publish(what), time * ASK_EVERY_MS);
   }
 
   /** `me`: this viewer's number at the server. When this viewer gets the hand, the hand starts over the skin. */

@@ -69,6 +69,7 @@ export function compensationRows(
       says: 'Depth does not show whether smooth skin, such as a belly’s, slides along itself. If the patient moves ' +
           'sideways, the objects below this skin are felt where they lay before.',
     });
+  rows.push(...deviceRows(compensation));
   rows.push(
       {
         name: 'Hand: excess work',
@@ -94,6 +95,21 @@ export function compensationRows(
         level: dampingN > DAMPED_N ? 'warn' : undefined,
       });
   return rows;
+}
+
+/** The delay of the device's own loop, and what it does to the stiffness that the hand feels. */
+function deviceRows({loopDelayS, stiffnessLimitNPerM, effectsNPerM}: StationCompensation): Row[] {
+  if (loopDelayS === undefined) return [];
+  const softened = effectsNPerM > stiffnessLimitNPerM;
+  const limit = `${fixed(stiffnessLimitNPerM, 0)} N/m`;
+  return [{
+    name: 'Device: loop delay',
+    value: `${fixed(1000 * loopDelayS, 1)} ms${softened ? `, at most ${limit}` : ''}`,
+    says: 'Age of the device’s reading plus age of its command, in 99 of 100 ticks at most this. With it, the device ' +
+        `displays at most ${limit} without swinging; the scene asks for ${fixed(effectsNPerM, 0)} N/m.` +
+        (softened ? ' So the hand feels a softer patient.' : ''),
+    level: softened ? 'warn' : undefined,
+  }];
 }
 
 function ms(seconds: number): string {

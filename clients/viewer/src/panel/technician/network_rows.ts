@@ -1,8 +1,8 @@
 import type {ServerStats} from '../../messages/generated';
 import type {Row} from '../../page/rows';
+import {megabits} from '../megabits';
 
 const MOST_TOPICS = 6;
-const MEGABIT = 1e6 / 8;
 
 /** Rates from one /server/stats to the next, which come once a second. Pure but for the last one, which it keeps. */
 export class NetworkRates {
@@ -31,20 +31,26 @@ function rates(before: ServerStats, after: ServerStats): Row[] {
   const all = topics.reduce((sum, {bytes_per_s}) => sum + bytes_per_s, 0);
   const lost = topics.reduce((sum, {dropped}) => sum + dropped, 0);
   return [
-    {name: 'Published', value: `${(all / MEGABIT).toFixed(2)} Mbit/s`, says: 'All topics, each message counted once. Each subscriber of a topic is sent its own copy.'},
+    {name: 'Published', value: megabits(all, 2), says: 'All topics, each message counted once. Each subscriber of a topic is sent its own copy.'},
     ...topics.slice(0, MOST_TOPICS).map(({topic, per_s, bytes_per_s}) => ({
-      name: topic, part: true, value: `${(bytes_per_s / MEGABIT).toFixed(2)} Mbit/s`, says: `${per_s.toFixed(1)} messages/s`,
+      name: topic, part: true, value: megabits(bytes_per_s, 2), says: `${per_s.toFixed(1)} messages/s`,
     })),
     {name: 'Dropped', value: `${(lost / seconds).toFixed(0)} /s`, level: lost > 0 ? 'warn' : 'good',
      says: 'Messages that a newer one replaced before a slow subscriber had them, over all subscribers.'},
   ];
 }
 
-/** How each subscriber is served. */
+/** How each subscriber is served; a second row for one whose line something else uses. */
 export function subscriberRows(stats: ServerStats | undefined): Row[] {
-  return (stats?.subscribers ?? []).map(({name, address, sent, dropped, byDatagram}) => ({
-    name: name.replace(/^telepalp-/, ''),
-    value: `${sent} sent, ${dropped} dropped`,
-    says: `Messages since connecting. ${address}, ${byDatagram ? 'images by encrypted UDP datagrams' : 'all messages over one TCP connection'}`,
-  }));
+  return (stats?.subscribers ?? []).flatMap(({name, address, sent, dropped, byDatagram, shareBPerS}): Row[] => {
+    const row: Row = {
+      name: name.replace(/^telepalp-/, ''),
+      value: `${sent} sent, ${dropped} dropped`,
+      says: `Messages since connecting. ${address}, ${byDatagram ? 'images by encrypted UDP datagrams' : 'all messages over one TCP connection'}`,
+    };
+    return shareBPerS === undefined ? [row] : [row, {
+      name: 'its line', part: true, value: `${megabits(shareBPerS)} left`, level: 'warn',
+      says: 'Something else uses this line, such as a download. The images share it, and are made smaller where they do not fit.',
+    }];
+  });
 }
