@@ -3,10 +3,11 @@
 set(TELEPALP_DATADIR ${CMAKE_INSTALL_DATADIR}/telepalp)  # laid out as the repository: see support/program/shipped.h
 
 # The programs of each package. A thin client installs telepalp-clients alone: no PCL, no driver of a camera.
-set(TELEPALP_CLIENTS telepalp-view telepalp-record telepalp-report telepalp-export telepalp-replay telepalp-link)
-set(TELEPALP_SERVER telepalp-server telepalp-keys)
+set(TELEPALP_CLIENTS telepalp-view telepalp-record telepalp-report telepalp-export telepalp-replay telepalp-link
+  telepalp-mixed)
+set(TELEPALP_SERVER telepalp-server telepalp-keys telepalp-meet)
 set(TELEPALP_STATION telepalp-station)
-set(TELEPALP_TOOLS telepalp-codec telepalp-probe)
+set(TELEPALP_TOOLS telepalp-codec telepalp-probe telepalp-study)
 
 # A build directory elsewhere finds the repository's data by this file, not by a path within a program.
 file(WRITE ${PROJECT_BINARY_DIR}/telepalp_source.txt "${PROJECT_SOURCE_DIR}\n")
@@ -20,7 +21,7 @@ install(FILES README.md CHANGELOG.md LICENSE proto/WIRE.md clients/viewer/THIRD_
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
 install(FILES deploy/service/telepalp.sysusers.conf DESTINATION lib/sysusers.d COMPONENT data RENAME telepalp.conf)
 install(PROGRAMS deploy/demo DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT demo RENAME telepalp-demo)
-install(FILES deploy/service/telepalp-server.service DESTINATION lib/systemd/system COMPONENT server)
+install(FILES deploy/service/telepalp-server.service deploy/service/telepalp-meet.service DESTINATION lib/systemd/system COMPONENT server)
 install(FILES deploy/service/telepalp-station.service DESTINATION lib/systemd/system COMPONENT station)
 
 # pam_limits reads /etc alone, so a package (prefix /usr) puts the file there; another prefix has its own etc.
@@ -65,8 +66,12 @@ foreach(program ${programs})
   endif()
 endforeach()
 
-# Scripts that run when a package is installed or removed. That of a service stops the service of its package alone.
+# Scripts that run when a package is installed or removed. Before a removal, the script of a package with services
+# stops these services.
+set(units_server "telepalp-server.service telepalp-meet.service")
+set(units_station telepalp-station.service)
 foreach(unit server station)
+  set(units ${units_${unit}})
   set(scripts_${unit} ${PROJECT_BINARY_DIR}/package_scripts/${unit})
   configure_file(deploy/service/prerm ${scripts_${unit}}/prerm @ONLY)
   configure_file(deploy/service/postinst ${scripts_${unit}}/postinst COPYONLY)

@@ -12,10 +12,12 @@
 #include "tests/bench/hand/hand_bench.h"
 #include "tests/bench/link/link_bench.h"
 #include "tests/bench/link/subscribers_bench.h"
+#include "tests/bench/mixed/mixed_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/replay_bench.h"
 #include "tests/bench/session/session_bench.h"
+#include "tests/bench/site/site_bench.h"
 #include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"
@@ -35,9 +37,11 @@ constexpr std::array kBenches{
     bench::Bench{"hand", "error of the force at the hand, on moving patients", bench::run_hand},
     bench::Bench{"link", "frames in time over bad networks, compared with UDP, TCP, SRT", bench::run_link},
     bench::Bench{"subscribers", "the server: cost of a subscriber, fairness among 200, stalls", bench::run_subscribers},
+    bench::Bench{"mixed", "mixed reality: calibration, masks, background, hand at the tool", bench::run_mixed},
     bench::Bench{"pipeline", "latency from camera to hand, timing of the 2 kHz loop", bench::run_pipeline},
     bench::Bench{"replay", "speed of telepalp-replay, and agreement with real sockets", bench::run_replay},
     bench::Bench{"session", "time to seek in a session of 2 GB, and the cost of recording", bench::run_session},
+    bench::Bench{"site", "two sites in network namespaces, beside other traffic", bench::run_site},
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
     bench::Bench{"surface", "touch of a noisy, moving surface: time, error and steadiness", bench::run_surface},
@@ -49,20 +53,18 @@ program::Usage usage() {
       .program = "telepalp-bench",
       .purpose = "measures one part of telepalp and compares it with its budget",
       .positional = {},
-      .options =
-          {{"json", "", "print JSON instead of a table"},
-           {"list", "", "print the benchmarks' names and exit"},
-           {"input", "FILE|DIR",
-            "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
-           {"held-out", "SET,SET…",
-            "depth: also the mean compression ratio of these inputs, as for --input, which training did not use"},
-           {"part", "NAME", "accuracy, users: only this part; a wrong name lists them"},
-           {"write", "DIR", "accuracy, hand: also write accuracy.md or reached.tsv to DIR"},
-           {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
-           {"row", "PART,PART…", "hand: only the studies whose names contain a PART"},
-           {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
-           {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
-           {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
+      .options = {{"json", "", "print JSON instead of a table"},
+                  {"list", "", "print the benchmarks' names and exit"},
+                  {"input", "FILE|DIR",
+                   "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
+                  {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
+                  {"part", "NAME", "accuracy, mixed, site, users: only this part"},
+                  {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
+                  {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+                  {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
+                  {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
+                  {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
+                  {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
       .example = "telepalp-bench pipeline --json",
       .commands = {},
       .needs_command = true};

@@ -70,12 +70,14 @@ Result<RunKeys> make_keys(const fs::path& folder) {
   const auto server = authority->server_key({.name = "server", .now = now}, {"127.0.0.1"});
   const auto station = authority->client_key({.name = "station", .role = keys::Role::Doctor, .now = now});
   const auto listener = authority->client_key({.name = "listener", .role = keys::Role::Viewer, .now = now});
-  for (const Result<std::string>* key : {&server, &station, &listener})
+  const auto revoked = authority->revocation_list({}, now);
+  for (const Result<std::string>* key : {&server, &station, &listener, &revoked})
     if (!*key) return key->error();
   const Result<keys::KeyFile> read = keys::read_key(*listener, "listener.key");
   if (!read) return read.error();
   RunKeys made{folder / "server.key", folder / "station.key", std::make_shared<const keys::KeyFile>(*read)};
-  for (const auto& [file, text] : {std::pair{made.server, *server}, {made.station, *station}}) {
+  for (const auto& [file, text] :
+       {std::pair{made.server, *server}, {made.station, *station}, {folder / "revoked.crl", *revoked}}) {
     std::ofstream(file) << text;
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
   }

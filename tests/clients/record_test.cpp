@@ -226,7 +226,7 @@ TEST_F(Recorder, AskedWronglyItExitsWithTwo) {
 }
 
 TEST_F(Recorder, AKeyThatCannotBeUsedIsAFailureAndNotAWrongCommandLine) {
-  EXPECT_EQ(run({"--out", session(), "--key", in("none.key")}), 1);
+  EXPECT_EQ(run({"--out", session(), "--key", in("none.key"), "--consent", "signed form"}), 1);
   EXPECT_NE(log().find("none.key: the key cannot be read"), std::string::npos) << log();
 }
 

@@ -9,13 +9,14 @@ fail() { echo "FAILED: $1" >&2; exit 1; }
 prefix=$work/prefix
 "$cmake" --install "$build" --prefix "$prefix" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "cmake --install"; }
 
-for program in server station record report view export codec probe keys link replay demo; do
+programs="server station record report view export codec probe keys link replay mixed meet study demo"
+for program in $programs; do
   [ -x "$prefix/bin/telepalp-$program" ] || fail "telepalp-$program is not installed"
   [ -s "$prefix/share/man/man1/telepalp-$program.1" ] || fail "telepalp-$program has no man page"
   grep -q " telepalp-$program\$" "$prefix/share/bash-completion/completions/telepalp-$program" ||
     fail "telepalp-$program has no completion"
 done
-[ "$(ls "$prefix/bin" | wc -l)" = 12 ] || fail "programs that are not users' are installed: $(ls "$prefix/bin")"
+[ "$(ls "$prefix/bin" | wc -l)" = "$(wc -w <<<"$programs")" ] || fail "programs that are not users' are installed: $(ls "$prefix/bin")"
 for unit in server station; do
   grep -q '^ProtectSystem=strict' "$prefix/lib/systemd/system/telepalp-$unit.service" || fail "no hardened unit for the $unit"
 done

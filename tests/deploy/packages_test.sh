@@ -26,10 +26,10 @@ holds() { # PACKAGE PROGRAM...
   done
   [ "$(files "$name" | grep -c '^./usr/bin/')" = $# ] || fail "$name holds other programs, too"
 }
-holds telepalp-clients view record report export replay link
-holds telepalp-server server keys
+holds telepalp-clients view record report export replay link mixed
+holds telepalp-server server keys meet
 holds telepalp-station station
-holds telepalp-tools codec probe
+holds telepalp-tools codec probe study
 holds telepalp demo
 files telepalp-server | grep -q 'telepalp/viewer/index.html' || fail "the server has no web page"
 

@@ -73,6 +73,7 @@ test('a doctor signs in by the form of a server with keys, after a mistyped toke
     const {page} = browser;
     const signIn = async (typed) => {
       await page.fill('input[name=token]', typed);
+      await page.check('input[name=consent]');
       await page.keyboard.press('Enter');
     };
     await page.goto(`https://127.0.0.1:${http_port}/?view=qa`);

@@ -51,9 +51,9 @@ start blocked telepalp-link --listen 127.0.0.1:0 --connect "127.0.0.1:$port" --c
 start station telepalp-station --connect "127.0.0.1:$(port_of lte)" --key keys/anna.key --realtime prefer
 wait_for "the station's datagrams" "$work/station.log" "the images come by sealed datagrams"
 wait_for "the station touches" "$work/station.log" "touchable; the control loop"
-telepalp-record --connect "127.0.0.1:$(port_of ill)" --key keys/tom.key --out ill.mcap --seconds 6 >"$work/ill_record.log" 2>&1 || fail "recording over loss" "$work/ill_record.log"
+telepalp-record --connect "127.0.0.1:$(port_of ill)" --key keys/tom.key --consent test --out ill.mcap --seconds 6 >"$work/ill_record.log" 2>&1 || fail "recording over loss" "$work/ill_record.log"
 grep -q "the images come by sealed datagrams" "$work/ill_record.log" || fail "the recorder gets no datagram" "$work/ill_record.log"
-telepalp-record --connect "127.0.0.1:$(port_of blocked)" --key keys/tom.key --out blocked.mcap --seconds 4 >"$work/blocked_record.log" 2>&1 || fail "recording without UDP" "$work/blocked_record.log"
+telepalp-record --connect "127.0.0.1:$(port_of blocked)" --key keys/tom.key --consent test --out blocked.mcap --seconds 4 >"$work/blocked_record.log" 2>&1 || fail "recording without UDP" "$work/blocked_record.log"
 grep -q "no UDP datagram arrives: the images come over TCP" "$work/blocked_record.log" || fail "the recorder does not say that UDP is blocked" "$work/blocked_record.log"
 grep -q "telepalp-record at .*: images go over TCP" <(sed 's/no UDP datagram arrives: //' "$work/server.log") || fail "the server does not say that UDP is blocked" "$work/server.log"
 

@@ -34,7 +34,7 @@ say() { echo "examples: $*"; }
 
 helps() { # each example of a --help
   local program command
-  for program in telepalp-server telepalp-station telepalp-record telepalp-report telepalp-view telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-bench; do
+  for program in telepalp-server telepalp-station telepalp-record telepalp-report telepalp-view telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-study telepalp-mixed telepalp-bench; do
     "$program" --help | sed -n 's/^example: //p'
     for command in $("$program" --help | awk '/^commands \(/ {inside = 1; next} /^$/ {inside = 0} inside && /^  [a-z]/ {print $1}'); do
       "$program" "$command" --help | sed -n 's/^example: //p'
@@ -43,8 +43,8 @@ helps() { # each example of a --help
   "$source_dir/deploy/demo" --help | sed -n 's/^example: //p'
 }
 documents() { # each command in a fenced block
-  # docs/two-sites.md needs two machines: two_sites_test.sh follows it
-  find "$source_dir"/docs -maxdepth 1 -name '*.md' ! -name two-sites.md -print0 | sort -z |
+  # docs/two-sites.md and meeting-point.md need several machines: two_sites_test.sh and meeting_point_test.sh follow them
+  find "$source_dir"/docs -maxdepth 1 -name '*.md' ! -name two-sites.md ! -name meeting-point.md -print0 | sort -z |
     xargs -0 awk 'FNR == 1 {inside = 0} /^```/ {inside = !inside; next} inside' | sed 's/  *#.*$//' |
     grep -E '^(telepalp-|deploy/|build/release/bin/)'
 }

@@ -54,7 +54,7 @@ export class Workplace {
       return existsSync(ready);
     });
     const ports = Object.fromEntries(readFileSync(ready, 'utf8').trim().split('\n').map((line) => line.split('=')));
-    return {child, port: Number(ports.port), http_port: Number(ports.http_port)};
+    return {child, port: Number(ports.port), http_port: Number(ports.http_port), health_port: Number(ports.health_port)};
   }
 
   async end() {

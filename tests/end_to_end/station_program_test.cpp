@@ -241,7 +241,8 @@ TEST_F(StationProgram, EndsAtOnceAtCtrlCWhileTheLayersSurfacesAreMade) {
 
 TEST_F(StationProgram, EndsWhenNoServerAnswersForAsLongAsItIsAskedToWait) {
   EXPECT_EQ(run({"--connect", "127.0.0.1:9", "--seconds", "1", "--patience", "0.5"}), 1) << text_of(log());
-  EXPECT_NE(text_of(log()).find("error: 127.0.0.1:9: does not answer. fix: start telepalp-server"), std::string::npos)
+  EXPECT_NE(text_of(log()).find("error: 127.0.0.1:9: does not answer (Connection refused). fix: start telepalp-server"),
+            std::string::npos)
       << text_of(log());
 }
 

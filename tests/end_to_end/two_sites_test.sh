@@ -6,47 +6,21 @@ source_dir=$1 bin=$2
 page=$source_dir/docs/two-sites.md
 export PATH=$bin:$PATH
 patient=tp_patient_$$ doctor=tp_doctor_$$ net=tp_net_$$
-work=$(mktemp -d)
-failures=0
-background=()
-fail() { echo "FAILED: $1"; [ -n "${2:-}" ] && tail -n 20 "$2"; failures=$((failures + 1)); }
-leave() {
-  for pid in "${background[@]}"; do kill -INT "$pid" 2>/dev/null; done
-  for pid in "${background[@]}"; do wait "$pid" 2>/dev/null; done
-  for space in "$patient" "$doctor" "$net"; do ip netns delete "$space" 2>/dev/null; done
-  rm -rf "$work"
-}
-trap leave EXIT
-if ! command -v ip >/dev/null || ! ip netns add "$net" 2>/dev/null; then
-  echo "skipped: network namespaces are not permitted here"
-  exit 77
-fi
-mkdir "$work/patient" "$work/doctor" "$work/run"
-chmod 700 "$work/run"
-export HOME=$work XDG_RUNTIME_DIR=$work/run
+middle=$net spaces=("$patient" "$doctor" "$net")
+# shellcheck source=tests/end_to_end/followed_page.sh
+. "$(dirname "$0")/followed_page.sh"
+mkdir "$work/patient" "$work/doctor"
 
 # The doctor's site sees the server at 10.0.0.5: a router there forwards to the patient's site.
-join() { # SPACE ADDRESS ROUTER_ADDRESS NAME
-  ip netns add "$1" && ip link add "$4a" netns "$1" type veth peer name "$4b" netns "$net" &&
-    ip -n "$1" addr add "$2/24" dev "$4a" && ip -n "$net" addr add "$3/24" dev "$4b" &&
-    ip -n "$1" link set "$4a" up && ip -n "$net" link set "$4b" up && ip -n "$1" link set lo up
-}
-join "$patient" 10.0.1.5 10.0.1.1 pat && join "$doctor" 10.0.0.9 10.0.0.5 doc || { echo "skipped: no veth here"; exit 77; }
+join "$patient" 10.0.1.5 10.0.1.1 pat
+join "$doctor" 10.0.0.9 10.0.0.5 doc
 
-blocks() { # KIND: the commands of the page's blocks of this kind and after it those of each later one, in order
-  awk '/^```/ {inside = !inside; kind = substr($0, 4); next} inside {print kind "\t" $0}' "$page"
-}
 start() { # SITE NAME COMMAND…
-  local space=$1 log=$work/$2.log
+  local space=$1 name=$2
   shift 2
-  (cd "$work/$(site_of "$space")" && exec ip netns exec "$space" "$@") >"$log" 2>&1 &
-  background+=($!)
+  start_in "$work/$(site_of "$space")" "$space" "$work/$name.log" "$@"
 }
 site_of() { [ "$1" = "$patient" ] && echo patient || echo doctor; }
-wait_for() { # WHAT FILE TEXT
-  for _ in $(seq 300); do grep -q "$3" "$2" 2>/dev/null && return 0; sleep 0.1; done
-  fail "$1: not within 30 s" "$2"
-}
 
 for port in 7400 8765; do
   ip netns exec "$net" telepalp-link --listen 10.0.0.5:$port --connect 10.0.1.5:$port --profile lte --seed 1 --quiet >"$work/link_$port.log" 2>&1 &
@@ -62,7 +36,7 @@ while IFS=$'\t' read -r -u 3 kind line; do
     "patient background")
       # shellcheck disable=SC2086
       start "$patient" server $line
-      wait_for "the server" "$work/server.log" "viewer at https://" ;;
+      wait_for "the server, with an address to give away" "$work/server.log" "viewer at https://10.0.0.5:8765/" ;;
     "doctor background")
       # shellcheck disable=SC2086
       start "$doctor" station $line
@@ -86,7 +60,7 @@ wait_for "the revoked station ends" "$work/station.log" "is revoked"
 for event in took-touch records; do
   grep -q "event=$event who=doctor anna" "$work/patient/keys/audit.log" || fail "the audit log does not name $event" "$work/patient/keys/audit.log"
 done
-stolen=$(cd "$work/doctor" && timeout 30 ip netns exec "$doctor" telepalp-record --connect 10.0.0.5 --key anna.key --out stolen.mcap --seconds 2 2>&1) && fail "a revoked key still records"
+stolen=$(cd "$work/doctor" && timeout 30 ip netns exec "$doctor" telepalp-record --connect 10.0.0.5 --key anna.key --consent test --out stolen.mcap --seconds 2 2>&1) && fail "a revoked key still records"
 grep -q 'revoked' <<<"$stolen" || fail "a revoked key is not told so: $stolen"
 plain=$(cd "$work/doctor" && timeout 30 ip netns exec "$doctor" telepalp-record --connect 10.0.0.5 --out plain.mcap --seconds 2 2>&1) && fail "no key, and yet it records"
 grep -q 'no key is given' <<<"$plain" || fail "without a key it is not told so: $plain"

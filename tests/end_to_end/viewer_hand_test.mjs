@@ -72,6 +72,29 @@ test('the pointer meets the skin, presses, and when it leaves the page the stati
   }
 });
 
+test('a colleague\'s hand over the place is skin once the doctor says so in the page', async () => {
+  const workplace = new Workplace('viewer_hand_object');
+  let browser;
+  try {
+    const {port, http_port} = await workplace.server(server, ['--source', 'synthetic:torso,hand=on', '--viewer', viewer]);
+    workplace.start(station, ['--connect', `127.0.0.1:${port}`, '--tracker', 'browser']);
+    browser = await openBrowser(workplace.folder, {width: 700, height: 520});
+    const {page, problems} = browser;
+    await page.goto(`http://127.0.0.1:${http_port}/`);
+    await untilStatus(page, 'the mesh is drawn', (now) => now.connected && now.meshVertices > 200);
+    await page.click('#hold-hand');
+    await page.mouse.move(350, 270);
+    await page.waitForSelector('#accept-object:visible', {timeout: 60_000});  // the hand comes every 24 s
+    assert.equal(await page.textContent('#banner-title'), 'Something lies over the place');
+    await page.evaluate(() => document.getElementById('accept-object').click());
+    await page.waitForSelector('#accept-object:visible', {state: 'hidden', timeout: 4000});  // the colleague stays for longer
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser?.context.close();
+    await workplace.end();
+  }
+});
+
 test('keys and a gamepad steer the hand as a mouse does, and the gamepad shakes with the force', async () => {
   const workplace = new Workplace('viewer_hand_steered');
   let browser;

@@ -17,6 +17,14 @@ async function startStage(workplace, port = 0) {
 
 const banner = (page) => page.textContent('#banner:not([hidden])', {timeout: 60_000});
 
+/** Waits until the banner's text matches `says`. The error after a time-out quotes the banner's last text. */
+async function untilBanner(page, says) {
+  let last;
+  await until('the banner', async () => says.test(last = await page.textContent('#banner'))).catch((error) => {
+    throw new Error(`${error.message}: it says '${last}' and not ${says}`);
+  });
+}
+
 test('the viewer draws the patient, follows the hand, and says when what it shows is old', async () => {
   const workplace = new Workplace('viewer');
   let browser;
@@ -114,8 +122,7 @@ test('a device that swings is told, and the press is let go until the button is 
     await until('the hand presses', async () => await height_m(hover_m) < -0.07);
     assert.equal((await status(page)).unsteady, undefined);
     child.stdin.write('swing on\n');
-    await until('the banner says so', async () =>
-      /The device swings.*by 6 mm, 4 times a second, and the hand rests\. Your press is let go/.test(await banner(page)));
+    await untilBanner(page, /The device swings.*by 6 mm, 4 times a second, and the hand rests\. Your press is let go/);
     await until('the hand has risen, with the button down', async () => Math.abs(await height_m(hover_m)) < 0.02);
     child.stdin.write('swing off\n');
     await untilStatus(page, 'the device is steady', (now) => now.unsteady === undefined);

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "proto/keys/audit_anchor.h"
 #include "proto/keys/openssl.h"
 #include "proto/keys/token.h"
 #include "proto/words/demand.h"
@@ -15,6 +16,7 @@
 #include "server/gateway/request/request_headers.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in.h"
+#include "server/gateway/sign_in/fragment_count.h"
 
 namespace {
 
@@ -64,6 +66,18 @@ void request(std::string_view bytes) {
     (void)gateway::foxglove::choose_subprotocol(view(asked[http::field::sec_websocket_protocol]));
 }
 
+/// Reads `bytes` as WebSocket frames of a stranger, and as a line and an anchor of an audit log from a damaged disk.
+void lines(std::string_view bytes) {
+  gateway::FragmentCount at_once, one_by_one;
+  const auto* frames = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  bool taken = true;
+  for (std::size_t at = 0; at < bytes.size() && taken; ++at) taken = one_by_one.take(frames + at, 1);
+  demand(at_once.take(frames, bytes.size()) == taken, "fragments are counted however the bytes arrive");
+  keys::AuditVerifier verifier;
+  (void)verifier.add(bytes);
+  demand(!keys::read_anchor(bytes, "").ok(), "nobody signs an anchor without a key");
+}
+
 void data(std::string_view bytes) {
   const auto read = gateway::foxglove::read_client_data(bytes);
   if (read) demand(read->payload.size() + 5 == bytes.size(), "the payload follows the header of 5 bytes");
@@ -77,5 +91,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (bytes[0] == 0) request(rest);
   if (bytes[0] == 1) (void)gateway::foxglove::read_request(std::string(rest));
   if (bytes[0] == 2) data(rest);
+  if (bytes[0] == 3) lines(rest);
   return 0;
 }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include "proto/keys/audit_chain.h"
 #include "proto/keys/authority.h"
 #include "proto/keys/key_file.h"
+#include "proto/keys/known_list.h"
 #include "proto/keys/openssl.h"
 #include "proto/keys/revocations.h"
 #include "proto/keys/tls_context.h"
@@ -113,7 +115,7 @@ bool accepts_server_as(const std::string& host) {
   const KeyFile server_key =
       *read_key(*by.server_key({.name = "s", .now = kNow}, {"10.0.0.5", "patient.example"}), "server.key");
   const KeyFile client_key = *read_key(*by.client_key({.name = "a", .role = Role::Doctor, .now = kNow}), "a.key");
-  const Result<TlsContextPtr> servers = server_context(server_key, [](const std::string&) { return false; });
+  const Result<TlsContextPtr> servers = server_context(server_key, [](const Identity&) { return false; });
   const Result<TlsContextPtr> clients = client_context(client_key);
   SSL* const server = SSL_new(servers->get());
   SSL* const client = SSL_new(clients->get());
@@ -152,6 +154,14 @@ TEST(KeyFiles, AreReadOnlyIfNobodyButTheirOwnerHasAccess) {
   for (const mode_t mode : {0604, 0602, 0601, 0660, 0620, 0610, 0644, 0666})
     EXPECT_NE(refusal(file, mode).find("than its owner"), std::string::npos) << std::oct << mode;
   EXPECT_NE(refusal(file, 0644).find("mode is 0644"), std::string::npos) << refusal(file, 0644);
+}
+
+TEST(KeyFiles, AProgramThatReadsOneCannotBeDumped) {
+  const support::TemporaryFolder folder;
+  ::prctl(PR_SET_DUMPABLE, 1);
+  ASSERT_EQ(::prctl(PR_GET_DUMPABLE), 1);
+  EXPECT_FALSE(load_key(folder.path() / "none.key", kNow).ok());
+  EXPECT_EQ(::prctl(PR_GET_DUMPABLE), 0) << "before the key is in the memory";
 }
 
 TEST(KeyFiles, AnotherFileThatOthersMayReadIsNotToBeHidden) {
@@ -204,6 +214,24 @@ TEST(Tokens, NoAlteredCharacterIsTaken) {
   EXPECT_FALSE(read_by(by, "tp1." + std::string(100'000, 'A') + ".A").ok());
 }
 
+TEST(Tokens, AProgramsProofHoldsInItsOwnSessionAlone) {
+  const Authority by = authority();
+  const std::string token = token_of(by);
+  std::array<std::byte, 32> session{}, other{};
+  other[7] = std::byte{1};
+  const ProvedToken proved = prove_token(token, session);
+  EXPECT_TRUE(token.starts_with(proved.token + ".")) << "the secret is not sent";
+  const auto read = [&](const std::string& sent, const std::string& proof, const std::array<std::byte, 32>& in) {
+    return read_token(sent, by.certificate(), kNow, {.signature = proof, .exporter = in}).ok();
+  };
+  EXPECT_TRUE(read(proved.token, proved.proof, session));
+  EXPECT_FALSE(read(proved.token, proved.proof, other)) << "who overhears it can use it nowhere";
+  EXPECT_FALSE(read(proved.token, "", session));
+  EXPECT_FALSE(read_by(by, proved.token).ok()) << "without its secret and without a proof";
+  EXPECT_FALSE(read(proved.token, prove_token(token_of(by), session).proof, session)) << "the proof of another token";
+  EXPECT_TRUE(read_by(by, token).ok()) << "whoever has the secret may also show it: a person at a browser does";
+}
+
 TEST(Tokens, EndWhenTheyExpire) {
   const Authority by = authority();
   const std::string token = token_of(by, days(1));
@@ -211,6 +239,60 @@ TEST(Tokens, EndWhenTheyExpire) {
   const Result<Identity> late = read_by(by, token, kNow + std::chrono::hours(25));
   ASSERT_FALSE(late.ok());
   EXPECT_NE(late.error().what.find("expired"), std::string::npos);
+}
+
+TEST(Revocations, HaveANumber) {
+  const Authority by = authority();
+  for (const std::uint64_t number : {std::uint64_t{1}, std::uint64_t{300}, std::uint64_t{1} << 40U}) {
+    const auto read = Revocations::read(*by.revocation_list({}, kNow, number), by.certificate(), "revoked.crl");
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(read->number(), number);
+  }
+}
+
+/// The key of anna, as it is read from a file in `folder`.
+KeyFile key_in(const support::TemporaryFolder& folder, const Authority& by) {
+  KeyFile key = *read_key(*by.client_key({.name = "anna", .role = Role::Doctor, .now = kNow}), "anna.key");
+  key.path = folder.path() / "anna.key";
+  return key;
+}
+
+TEST(KnownList, AServerCanNeitherLeaveItOutNorShowAnOlderOneAlsoAfterARestartOfTheClient) {
+  const support::TemporaryFolder folder;
+  const Authority by = authority();
+  const KeyFile key = key_in(folder, by);
+  const ServerCertificate server{.serial = "07", .promises_list = true};
+  const auto list = [&](std::uint64_t number) { return *by.revocation_list({}, kNow, number); };
+  {
+    KnownList known(key);
+    EXPECT_FALSE(known.check(server, false).ok()) << "its certificate promises a list";
+    EXPECT_TRUE(known.take(list(5)).ok());
+    EXPECT_TRUE(known.take(list(5)).ok());
+    EXPECT_TRUE(known.check(server, true).ok());
+  }
+  KnownList known(key);
+  const Result<void> older = known.take(list(4));
+  ASSERT_FALSE(older.ok());
+  EXPECT_NE(older.error().what.find("is older (number 4) than one that was shown before (5)"), std::string::npos);
+  EXPECT_FALSE(known.take(*authority().revocation_list({}, kNow, 9)).ok()) << "of another authority";
+  EXPECT_FALSE(known.check({.serial = "07", .promises_list = false}, false).ok()) << "an earlier server showed one";
+  EXPECT_TRUE(known.take(list(6)).ok());
+}
+
+TEST(KnownList, AServerWhoseKeyItNamesIsRefusedAlsoWhenAnotherServerShowedIt) {
+  const support::TemporaryFolder folder;
+  const Authority by = authority();
+  const std::string stolen = "0123456789abcdef0123";
+  ASSERT_TRUE(KnownList(key_in(folder, by)).take(*by.revocation_list({{stolen, kNow}}, kNow, 2)).ok());
+  const KnownList known(key_in(folder, by));
+  const Result<void> refused = known.check({.serial = stolen, .promises_list = true}, true);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().what.find("the server's key is revoked"), std::string::npos);
+}
+
+TEST(KnownList, AServerOfAnOlderVersionIsTakenByAClientThatHasSeenNoListYet) {
+  const support::TemporaryFolder folder;
+  EXPECT_TRUE(KnownList(key_in(folder, authority())).check({.serial = "07", .promises_list = false}, false).ok());
 }
 
 TEST(Revocations, NameWhatWasRevokedAndComeFromTheAuthorityAlone) {

@@ -27,6 +27,14 @@ class DatagramRelay {
   [[nodiscard]] const std::vector<std::string>& from_client() const { return from_client_; }
 
   bool blocks_udp = false;
+  std::uint64_t sent_for_third_B = 0;     // bytes that the server got with the address of a third machine as sender
+  std::uint64_t received_by_third_B = 0;  // bytes that the server sent to this machine
+
+  /// From now on, the client's datagrams name a third machine as their sender, so the server's answers go to it.
+  void name_a_third_machine_as_sender() {
+    rebind();
+    third_machine_ = true;
+  }
 
   /// The NAT forgets its mapping: from now on the server sees another port.
   void rebind() {
@@ -57,6 +65,7 @@ class DatagramRelay {
                                   [this](const boost::system::error_code& code, std::size_t bytes) {
                                     if (code == boost::asio::error::operation_aborted) return;
                                     if (!code && !blocks_udp) {
+                                      if (third_machine_) sent_for_third_B += bytes;
                                       from_client_.emplace_back(up_.data(), bytes);
                                       overheard_.append(up_.data(), bytes);
                                       to_server_->send_to(boost::asio::buffer(up_, bytes), server_);
@@ -68,7 +77,8 @@ class DatagramRelay {
     to_server_->async_receive(boost::asio::buffer(down_),
                               [this, of = socket_number_](const boost::system::error_code& code, std::size_t bytes) {
                                 if (code == boost::asio::error::operation_aborted || of != socket_number_) return;
-                                if (!code && !blocks_udp) {
+                                if (third_machine_ && !code) received_by_third_B += bytes;
+                                if (!code && !blocks_udp && !third_machine_) {
                                   overheard_.append(down_.data(), bytes);
                                   boost::system::error_code lost;
                                   to_client_.send_to(boost::asio::buffer(down_, bytes), client_, 0, lost);
@@ -83,6 +93,7 @@ class DatagramRelay {
   std::unique_ptr<udp::socket> to_server_;
   udp::endpoint client_;
   int socket_number_ = 0;
+  bool third_machine_ = false;
   std::array<char, 2048> up_{};
   std::array<char, 2048> down_{};
   std::vector<std::string> from_client_;

@@ -64,6 +64,28 @@ TEST(DatagramSite, ImagesGoByDatagramAndEverythingElseOverTcp) {
             site.notes.end());
 }
 
+TEST(DatagramSite, AMachineThatAnswersNoChallengeGetsAtMostThreeTimesTheBytesThatBoreItsAddress) {
+  RelayedSite site;
+  ASSERT_TRUE(site.up());
+  ASSERT_TRUE(site.images_arrive());
+  site.relay.name_a_third_machine_as_sender();
+  for (int image = 0; image < 40; ++image) (void)site.image_arrives(50ms);
+  EXPECT_GT(site.relay.sent_for_third_B, 0U);
+  EXPECT_GT(site.relay.received_by_third_B, 0U) << "it gets the challenges";
+  EXPECT_LE(site.relay.received_by_third_B, 3 * site.relay.sent_for_third_B);
+}
+
+TEST(DatagramSite, AClientOnANewPortIsProvedAgainAndItsImagesGoOn) {
+  RelayedSite site;
+  ASSERT_TRUE(site.up());
+  ASSERT_TRUE(site.images_arrive());
+  site.relay.rebind();
+  site.run_until([] { return false; }, 300ms);  // the client reports each 100 ms, and answers the challenge
+  const std::size_t udp_before = site.relay.udp_overheard().size();
+  ASSERT_TRUE(site.images_arrive());
+  EXPECT_GT(site.relay.udp_overheard().size() - udp_before, 50'000U) << "by datagram, to the new port";
+}
+
 /// A doctor's station behind a relay, and a viewer that watches its state.
 struct StationSite : KeyedSite {
   DatagramRelay relay{io, listener->port()};

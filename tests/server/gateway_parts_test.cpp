@@ -11,6 +11,7 @@
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/http_reply.h"
 #include "server/gateway/request_policy.h"
+#include "server/gateway/sign_in/fragment_count.h"
 #include "server/gateway/static_files.h"
 
 namespace telepalp::server {
@@ -186,7 +187,8 @@ struct OriginCase {
 };
 const OriginCase kOrigins[] = {
     {"our own page", "http://127.0.0.1:8080", "127.0.0.1:8080", true, true},
-    {"our own page over TLS", "https://10.0.0.5", "10.0.0.5", false, true},
+    {"our own host by another scheme than ours", "https://10.0.0.5", "10.0.0.5", false, false},
+    {"our own host by no scheme of the web", "x://127.0.0.1:8080", "127.0.0.1:8080", true, false},
     {"our own page by name", "http://localhost:8080", "localhost:8080", true, true},
     {"our own page, IPv6", "http://[::1]:8080", "[::1]:8080", true, true},
     {"a foreign page", "http://evil.example", "127.0.0.1:8080", true, false},
@@ -215,6 +217,12 @@ TEST(RequestPolicy, OnlyOurOwnPagesAndTrustedProgramsMayOpenTheStream) {
         << one.behaviour;
 }
 
+TEST(RequestPolicy, AServerWithKeysTakesItsPagesByHttpsAlone) {
+  const gateway::RequestPolicy policy{.allowed_hosts = {}, .scheme = "https", .allowed_origins = {}};
+  EXPECT_TRUE(gateway::origin_is_allowed(policy, "https://10.0.0.5:8765", "10.0.0.5:8765", false));
+  EXPECT_FALSE(gateway::origin_is_allowed(policy, "http://10.0.0.5:8765", "10.0.0.5:8765", false));
+}
+
 TEST(RequestPolicy, AHostNameMustBeAllowedByName) {
   const gateway::RequestPolicy policy{.allowed_hosts = {"theatre-3.hospital"}, .allowed_origins = {}};
   EXPECT_TRUE(gateway::host_is_ours(policy, "theatre-3.hospital:8080"));
@@ -222,6 +230,43 @@ TEST(RequestPolicy, AHostNameMustBeAllowedByName) {
   EXPECT_TRUE(gateway::host_is_ours(policy, "192.168.1.7"));
   EXPECT_FALSE(gateway::host_is_ours(policy, "[::1"));
   EXPECT_FALSE(gateway::host_is_ours(policy, "[]"));
+}
+
+/// A masked frame with `size` bytes of payload.
+std::string frame(std::uint8_t first, std::size_t size) {
+  std::string bytes(1, static_cast<char>(first));
+  if (size < 126) {
+    bytes += static_cast<char>(0x80U | size);
+  } else {
+    bytes += '\xfe';
+    bytes += static_cast<char>(size >> 8U);
+    bytes += static_cast<char>(size & 255U);
+  }
+  return bytes + std::string(4 + size, '\x01');
+}
+
+/// Whether FragmentCount takes `bytes`, `at_once` of them at a time.
+bool takes(const std::string& bytes, std::size_t at_once) {
+  gateway::FragmentCount count;
+  for (std::size_t at = 0; at < bytes.size(); at += at_once)
+    if (!count.take(reinterpret_cast<const std::uint8_t*>(bytes.data()) + at, std::min(at_once, bytes.size() - at)))
+      return false;
+  return true;
+}
+
+TEST(FragmentCount, CountsTheFragmentsOfOneMessageHoweverItsBytesArrive) {
+  constexpr std::uint8_t kText = 0x01, kNext = 0x00, kLast = 0x80, kWhole = 0x81, kPing = 0x89;
+  std::string whole, joined;
+  for (int message = 0; message < 200; ++message) whole += frame(kWhole, message % 2 == 0 ? 20 : 300) + frame(kPing, 3);
+  for (int message = 0; message < 200; ++message)
+    joined += frame(kText, 2) + frame(kNext, 200) + frame(kPing, 0) + frame(kLast, 0);
+  std::string endless = frame(kText, 0);
+  for (int fragment = 0; fragment < 70; ++fragment) endless += frame(kNext, 0) + frame(kPing, 0);
+  for (const std::size_t at_once : {1u, 7u, 100'000u}) {
+    EXPECT_TRUE(takes(whole, at_once)) << at_once;
+    EXPECT_TRUE(takes(joined, at_once)) << at_once;
+    EXPECT_FALSE(takes(endless, at_once)) << at_once;
+  }
 }
 
 TEST(FoxgloveProtocol, ASubprotocolThatBothSpeakIsChosenInTheClientsOrder) {

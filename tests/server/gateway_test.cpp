@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "messages/recording.pb.h"
+#include "server/gateway/monitoring/health_port.h"
 #include "server/views/view_topics.h"
 
 namespace telepalp::server {
@@ -283,6 +284,24 @@ TEST(Gateway, AMessageThatIsTooLongClosesWith1009) {
   EXPECT_TRUE(server.comes_to(0));
 }
 
+TEST(Gateway, AMessageOfEmptyFragmentsWithoutEndIsRefused) {
+  Running server;
+  asio::io_context io;
+  tcp::socket socket = connected(io, server.port());
+  asio::write(socket, asio::buffer("GET / HTTP/1.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+                                   "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+                                   "Sec-WebSocket-Protocol: foxglove.websocket.v1\r\nHost: 127.0.0.1:" +
+                                   std::to_string(server.port()) + "\r\n\r\n"));
+  std::string answer;
+  asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n\r\n");
+  const std::string first("\x01\x80\0\0\0\0", 6), next("\0\x80\0\0\0\0", 6);  // masked, without a payload
+  std::string flood = first;
+  for (int fragment = 0; fragment < 200'000; ++fragment) flood += next;
+  beast::error_code cut_off;
+  asio::write(socket, asio::buffer(flood), cut_off);
+  EXPECT_TRUE(server.comes_to(0)) << "the viewer is still connected after 200 000 fragments";
+}
+
 TEST(Gateway, InvalidMessagesAreAnsweredAndBoundedWhileOthersAreServed) {
   Running server;
   Viewer hostile(server.port());
@@ -343,6 +362,55 @@ TEST(Gateway, BeyondItsLimitNewConnectionsGetAReasonAndSubscribersAreKept) {
             std::string::npos);
   server.publish(wire::kClock, "kept");
   EXPECT_EQ(one.read().substr(13), "kept");
+}
+
+/// A connection from the local address `from`, which sends nothing.
+tcp::socket silent_from(const std::string& from, asio::io_context& io, std::uint16_t port) {
+  tcp::socket socket(io);
+  socket.open(tcp::v4());
+  socket.bind({asio::ip::make_address(from), 0});
+  socket.connect({asio::ip::make_address("127.0.0.1"), port});
+  return socket;
+}
+
+TEST(Gateway, SilentConnectionsOfOneAddressKeepNobodyElseOut) {
+  Running server({.max_connections = 8});
+  asio::io_context io;
+  std::vector<tcp::socket> silent;
+  for (int number = 0; number < 64; ++number) silent.push_back(silent_from("127.0.3.1", io, server.port()));
+  ASSERT_TRUE(server.comes_to(8));
+  for (int time = 0; time < 32; ++time)
+    ASSERT_EQ(
+        answer_to(server.port(), "GET /health HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n").substr(0, 15),
+        "HTTP/1.1 200 OK");
+}
+
+/// The replies to `target` at a port for monitoring while 64 silent connections hold it.
+std::string reply_of_crowded_health_port(const std::string& target, const std::string& problem = "") {
+  asio::io_context io;
+  auto opened = gateway::HealthPort::open(
+      io, {.problem = [problem] { return problem; }, .metrics = [] { return std::string("count 7"); }});
+  demand(opened.ok(), "the port for monitoring opens");
+  asio::io_context outside;
+  std::vector<tcp::socket> silent;
+  for (int number = 0; number < 64; ++number) silent.push_back(connected(outside, (*opened)->port()));
+  std::thread running([&] { io.run_for(10s); });
+  const std::string reply = answer_to((*opened)->port(), "GET " + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+  io.stop();
+  running.join();
+  return reply;
+}
+
+TEST(HealthPort, AnswersWhileSilentConnectionsHoldIt) {
+  EXPECT_TRUE(reply_of_crowded_health_port("/health").starts_with("HTTP/1.1 200 OK"));
+  EXPECT_NE(reply_of_crowded_health_port("/metrics").find("count 7"), std::string::npos);
+  EXPECT_TRUE(reply_of_crowded_health_port("/").starts_with("HTTP/1.1 404"));
+}
+
+TEST(HealthPort, SaysWhatIsWrong) {
+  const std::string reply = reply_of_crowded_health_port("/health", "the camera is silent");
+  EXPECT_TRUE(reply.starts_with("HTTP/1.1 503"));
+  EXPECT_NE(reply.find("the camera is silent"), std::string::npos);
 }
 
 TEST(Gateway, AViewerThatSubscribedToNothingGivesItsPlaceToANewcomer) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "server/hub/hub.h"
+#include "server/hub/server_stats.h"
 
 namespace telepalp::server {
 namespace {
@@ -44,6 +45,18 @@ TEST(Hub, AStalledSubscriberLosesOnlyItsOwnOldImagesAndTheyAreCountedByTopic) {
   }
   EXPECT_EQ(events, 10);
   EXPECT_EQ(newest, "9");
+}
+
+TEST(Hub, ServerStatsTellWhatOtherFlowsLeaveOfASubscribersLineUntilTheyEnd) {
+  hub::Hub hub;
+  const hub::SubscriberId crowded = hub.join("crowded", "", [] {});
+  (void)hub.join("alone", "", [] {});
+  const auto row = [&hub](int index) { return hub::server_stats(hub, {}, session_time(1)).subscribers(index); };
+  hub.note_share(crowded, 1.2e6);
+  EXPECT_EQ(row(0).share_b_per_s(), 1.2e6);
+  EXPECT_FALSE(row(1).has_share_b_per_s());
+  hub.note_share(crowded, std::nullopt);
+  EXPECT_FALSE(row(0).has_share_b_per_s());
 }
 
 TEST(Hub, MessagesThatWaitWhenTheirSubscriberLeavesAreCountedAsDroppedForTcpAndForDatagrams) {

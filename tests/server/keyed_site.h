@@ -19,6 +19,9 @@ struct KeyRing {
   support::TemporaryFolder folder;
   keys::WallTime now = std::chrono::system_clock::now();
   keys::Authority authority = std::move(keys::Authority::create("site", now, std::chrono::days(30)).value());
+  mutable std::uint64_t lists = 0;  // number of the newest revocation list
+
+  KeyRing() { write_list({}); }
 
   std::filesystem::path write(const std::string& name, const Result<std::string>& text) const {
     EXPECT_TRUE(text.ok());
@@ -40,8 +43,9 @@ struct KeyRing {
   std::shared_ptr<const keys::KeyFile> token(const std::string& name, keys::Role role) const {
     return read(authority.token({.name = name, .role = role, .now = now, .valid = std::chrono::days(1)}));
   }
-  void revoke(const std::string& serial) const {
-    write("revoked.crl", authority.revocation_list({{serial, now}}, now));
+  void revoke(const std::string& serial) const { write_list({{serial, now}}); }
+  void write_list(const std::map<std::string, keys::WallTime>& revoked) const {
+    write("revoked.crl", authority.revocation_list(revoked, now, ++lists));
   }
   static std::shared_ptr<const keys::KeyFile> read(const Result<std::string>& text) {
     return std::make_shared<const keys::KeyFile>(*keys::read_key(*text, "key"));

@@ -78,6 +78,7 @@ TEST(Places, ASilentPublisherIsDisconnected) {
 
 TEST(Places, ConnectionsThatNeverGreetDoNotKeepOutAPeerThatDoes) {
   Site site;
+  site.listener = site.listen(0, {.strangers = 32});
   std::vector<std::unique_ptr<boost::asio::ip::tcp::socket>> mute;
   for (int number = 0; number < 64; ++number) {
     mute.push_back(std::make_unique<boost::asio::ip::tcp::socket>(site.io));
@@ -87,6 +88,40 @@ TEST(Places, ConnectionsThatNeverGreetDoNotKeepOutAPeerThatDoes) {
   EXPECT_LE(site.listener->peers(), 32u);
   Client doctor(site, {"/camera/*"}, "station", 0, "doctor");
   EXPECT_TRUE(site.run_until([&] { return doctor.connected(); }, 2s));
+}
+
+using Socket = boost::asio::ip::tcp::socket;
+
+/// A connection from the local address `from` to `port`, which sends nothing.
+std::unique_ptr<Socket> silent_from(const std::string& from, boost::asio::io_context& io, std::uint16_t port) {
+  auto socket = std::make_unique<Socket>(io);
+  socket->open(boost::asio::ip::tcp::v4());
+  socket->bind({boost::asio::ip::make_address(from), 0});
+  socket->connect({boost::asio::ip::make_address("127.0.0.1"), port});
+  return socket;
+}
+
+bool is_closed(Socket& socket) {
+  socket.non_blocking(true);
+  std::array<char, 4096> bytes{};
+  boost::system::error_code failed;
+  while (!failed) socket.read_some(boost::asio::buffer(bytes), failed);
+  return failed != boost::asio::error::would_block;
+}
+
+TEST(Places, ManySilentConnectionsFromOneNetworkLoseTheirOwnPlacesAndNobodyElses) {
+  Site site;
+  site.listener = site.listen(0, {.strangers = 8});
+  boost::asio::io_context io;
+  const auto slow = silent_from("127.0.9.1", io, site.listener->port());  // a program on a slow path, before its Hello
+  std::vector<std::unique_ptr<Socket>> flood;
+  for (int number = 0; number < 200; ++number) {
+    flood.push_back(silent_from("127.0.2." + std::to_string(1 + number % 4), io, site.listener->port()));
+    const auto accepted = static_cast<std::uint64_t>(number) + 2;
+    ASSERT_TRUE(site.run_until([&] { return site.listener->counts().accepted == accepted; }));
+  }
+  EXPECT_LE(site.listener->peers(), 8u);
+  EXPECT_FALSE(is_closed(*slow));
 }
 
 TEST(UpstreamRate, AFloodOfEventsIsHeldToItsRateAndTheStationsStateIsNot) {

@@ -193,6 +193,41 @@ TEST(Server, TemporalDepthBeginsWithAKeyFrameForEveryoneAndNobodyCanMakeEachFram
   io.run_for(2s);
 }
 
+TEST(CameraPipeline, ImagesShrinkWhileALineIsSharedAndDepthStaysExact) {
+  const wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
+  StillSource source(7, 0ms, clock);
+  std::vector<codec::DepthMode> modes;
+  std::vector<std::size_t> color_B;
+  std::size_t level = 0;
+  const DepthImage truth = small_frame(1, {}).depth;
+  pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Fast}}, clock,
+                                    {.publish =
+                                         [&](const wire::Message& message) {
+                                           if (message.topic.name == wire::kCameraColor.name)
+                                             color_B.push_back(message.payload->size());
+                                           if (message.topic.name != wire::kCameraDepth.name) return true;
+                                           msg::DepthImage depth;
+                                           EXPECT_TRUE(depth.ParseFromString(*message.payload));
+                                           codec::DepthReader reader;
+                                           const auto decoded = reader.read(std::as_bytes(std::span(depth.data())));
+                                           EXPECT_TRUE(decoded);
+                                           if (!decoded) return true;
+                                           EXPECT_EQ(decoded->image.samples, truth.samples);
+                                           modes.push_back(decoded->mode);
+                                           return true;
+                                         },
+                                     .take_key_frame_request = [] { return false; },
+                                     .content_level = [&] { return level; }});
+  for (level = 0; level <= 2; ++level) (void)pipeline.step();
+  EXPECT_EQ(modes, (std::vector{codec::DepthMode::Fast, codec::DepthMode::Intra, codec::DepthMode::Intra}));
+  ASSERT_EQ(color_B.size(), 3u);
+  EXPECT_LT(color_B[1], color_B[0]);
+  EXPECT_LT(color_B[2], color_B[1]);
+  for (level = 3; modes.size() < 6;) (void)pipeline.step();
+  EXPECT_EQ(pipeline.frames(), 7u) << "at level 3, one of four images is left out";
+  EXPECT_EQ(color_B.size(), 6u);
+}
+
 TEST(CameraPipeline, EachDepthImageIsAKeyFrameWhileALostOneCannotBeRepairedInTime) {
   const wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
   StillSource source(30, 0ms, clock);

@@ -9,7 +9,7 @@
 
 namespace telepalp::server {
 
-/// A frame whose depth is a ramp and whose colour is grey.
+/// A frame whose depth is a ramp and whose colour has a fine pattern.
 inline RgbdFrame small_frame(std::uint64_t sequence, SessionTime captured) {
   RgbdFrame frame;
   frame.captured = captured;
@@ -18,7 +18,8 @@ inline RgbdFrame small_frame(std::uint64_t sequence, SessionTime captured) {
   frame.camera.color = frame.camera.depth;
   frame.depth = {.width = 64, .height = 48, .unit_m = 0.001, .samples = {}};
   for (int i = 0; i < 64 * 48; ++i) frame.depth.samples.push_back(static_cast<std::uint16_t>(500 + i));
-  frame.color = {.width = 64, .height = 48, .rgb = std::vector<std::uint8_t>(3 * 64 * 48, 128)};
+  frame.color = {.width = 64, .height = 48, .rgb = {}};
+  for (int i = 0; i < 3 * 64 * 48; ++i) frame.color.rgb.push_back(static_cast<std::uint8_t>(37 * i));
   return frame;
 }
 

@@ -96,7 +96,7 @@ TEST(ViewerCommands, LettingGoIsHeardOnItsOwnChannelOnly) {
 
 using namespace std::chrono_literals;
 
-TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
+TEST(HandHolder, AHandIsHeldUntilItsViewerLetsGo) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
   EXPECT_TRUE(holder.moves(1, began));
@@ -106,6 +106,36 @@ TEST(HandHolder, AHandIsHeldThroughAnySilenceUntilItsViewerLetsGo) {
   holder.let_go(1);
   EXPECT_TRUE(holder.moves(2, began + 2h + 1ms));
   EXPECT_FALSE(holder.moves(1, began + 2h + 2ms));
+}
+
+TEST(HandHolder, OnlyADoctorsOwnViewerMovesTheStationUnlessItHandsTheHandOver) {
+  gateway::HandHolder holder;
+  const SessionTime began = session_time(1'000);
+  EXPECT_FALSE(holder.moves(2, began, false)) << "the hand is free, and the station another doctor's";
+  EXPECT_FALSE(holder.may_command(2, false));
+  EXPECT_TRUE(holder.moves(1, began, true));
+  EXPECT_FALSE(holder.moves(2, began, false));
+  EXPECT_TRUE(holder.hand_over(1, 2, began));
+  EXPECT_TRUE(holder.moves(2, began, false)) << "it was handed over";
+  EXPECT_TRUE(holder.may_command(2, false));
+  holder.let_go(2);
+  EXPECT_FALSE(holder.moves(2, began, false));
+  EXPECT_TRUE(holder.moves(3, began, true));
+  EXPECT_FALSE(holder.moves(3, began, false)) << "another doctor's station took the touch meanwhile";
+  EXPECT_FALSE(holder.holds(3));
+}
+
+TEST(HandHolder, ASilentViewerLosesTheHandAfterTwoSeconds) {
+  gateway::HandHolder holder;
+  const SessionTime began = session_time(1'000);
+  EXPECT_TRUE(holder.moves(1, began));
+  EXPECT_TRUE(holder.moves(1, began + 1s));
+  holder.end_if_silent(began + 2900ms);
+  EXPECT_FALSE(holder.moves(2, began + 2900ms)) << "1.9 s of silence";
+  holder.end_if_silent(began + 3100ms);
+  EXPECT_FALSE(holder.holds(1));
+  EXPECT_EQ(holder.news(began + 3100ms)->viewer(), 0u);
+  EXPECT_TRUE(holder.moves(2, began + 3200ms));
 }
 
 TEST(HandHolder, TheHolderHandsOverToAViewerThatAsksAndToNobodyElse) {
@@ -149,12 +179,27 @@ TEST(ViewerCommands, ReArmingIsAMessageOfItsOwn) {
   EXPECT_FALSE(wire::read_viewer_hand(*(*heard)->payload)->rearm()) << "a hand never re-arms";
 }
 
-TEST(HandHolder, OnlyTheHolderReArmsWhileThereIsOne) {
+TEST(ViewerCommands, AcceptingAnObjectIsAMessageOfItsOwn) {
+  gateway::ViewerCommands viewer = voice();
+  msg::ViewerHand hand;
+  hand.set_accept_object(true);
+  EXPECT_TRUE(wire::read_viewer_hand(hand.SerializeAsString())) << "the station reads it without a position";
+  EXPECT_TRUE(viewer.accepts_object(data(hand.SerializeAsString())));
+  EXPECT_FALSE(viewer.asks_to_rearm(data(hand.SerializeAsString())));
+  EXPECT_FALSE(viewer.accepts_object(data(hand.SerializeAsString(), std::string("\x01\x06\0\0\0", 5))));
+  EXPECT_FALSE(viewer.accepts_object(data(hand_at(0, 0, 1))));
+  hand.mutable_hand_camera()->set_z(0.8);
+  const auto heard = viewer.hear(data(hand.SerializeAsString()), 3, session_time(1'000));
+  ASSERT_TRUE(heard && *heard);
+  EXPECT_FALSE(wire::read_viewer_hand(*(*heard)->payload)->accept_object()) << "a moving hand never accepts";
+}
+
+TEST(HandHolder, OnlyTheHolderCommandsTheStationWhileThereIsOne) {
   gateway::HandHolder holder;
-  EXPECT_TRUE(holder.may_rearm(2));
+  EXPECT_TRUE(holder.may_command(2));
   EXPECT_TRUE(holder.moves(1, session_time(0)));
-  EXPECT_TRUE(holder.may_rearm(1));
-  EXPECT_FALSE(holder.may_rearm(2));
+  EXPECT_TRUE(holder.may_command(1));
+  EXPECT_FALSE(holder.may_command(2));
 }
 
 TEST(HandHolder, ARequestIsPublishedOnceAndForgottenAfterThreeSeconds) {

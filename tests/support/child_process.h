@@ -13,7 +13,7 @@ namespace telepalp::support {
 /// A telepalp program that a test or benchmark starts; it ends with this object.
 class ChildProcess {
  public:
-  /// Starts `program` (a path) with `arguments`; its stderr goes to `log` if given, else to this process's stderr.
+  /// Starts `program` (a path) with `arguments`; what it prints goes to `log` if given, else where this process prints.
   ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                const std::filesystem::path& log = {});
   ~ChildProcess();  // asks it to end, and kills it after 5 s

@@ -1,5 +1,8 @@
 #include <fstream>
+#include <map>
+#include <optional>
 
+#include "proto/keys/audit_anchor.h"
 #include "proto/keys/audit_chain.h"
 #include "proto/words/counted.h"
 #include "tools/keys/commands.h"
@@ -24,27 +27,71 @@ Result<std::string> show(const Asked& asked) {
                   : "");
 }
 
-Result<std::string> verify_audit(const Asked& asked) {
-  std::ifstream log(asked.file, std::ios::binary);
-  if (!log)
-    return Error{
-        .what = "the log cannot be read", .where = asked.file, .fix = "check its name, and that you may read it"};
-  keys::AuditVerifier verifier;
-  for (std::string line; std::getline(log, line);) {
-    const Result<void> follows =
-        log.eof() ? Error{.what =
-                              "the last line is cut off: the server was ended while it wrote this line, or bytes were "
-                              "removed",
-                          .where = "line " + std::to_string(verifier.position().lines + 1),
-                          .fix = "compare the log with an earlier copy; the hashes of the lines before this line match"}
-                  : verifier.add(line);
-    if (!follows)
-      return Error{
-          .what = follows.error().what, .where = asked.file + ", " + follows.error().where, .fix = follows.error().fix};
+namespace {
+
+/// The anchors in `file`, by their number of lines. In the file, the certificate of the server that signed an anchor
+/// stands before it.
+Result<std::map<std::uint64_t, keys::AuditAnchor>> anchors_in(const std::string& file) {
+  std::map<std::uint64_t, keys::AuditAnchor> anchors;
+  std::ifstream stream(file, std::ios::binary);
+  std::string certificate;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t at = line.find("anchor time=");  // a line of the server's log has words before it
+    if (at == std::string::npos) {
+      if (line.starts_with("-----BEGIN")) certificate.clear();
+      certificate += line + "\n";
+      continue;
+    }
+    const Result<keys::AuditAnchor> anchor = keys::read_anchor(std::string_view(line).substr(at), certificate);
+    if (!anchor) return anchor.error();
+    anchors[anchor->end.lines] = *anchor;
   }
-  return asked.file + ": " + counted(verifier.position().lines, "line", "lines") +
-         ", none altered\nlast hash:  " + verifier.position().hash +
-         "\nTo check that no lines were removed at the end, search the file for a last hash that you noted earlier.\n";
+  if (!anchors.empty()) return anchors;
+  return Error{.what = "this file has no anchor of an audit log",
+               .where = file,
+               .fix = "give a copy of LOG.anchors, or the server's certificate and lines 'anchor time=…' of its log"};
+}
+
+Error differs_from(const keys::AuditAnchor& anchor, const std::string& log, const char* how) {
+  return {.what = std::string("the log ") + how + ": at " + anchor.time + " it had " +
+                  std::to_string(anchor.end.lines) + " lines, the last one with the hash " + anchor.end.hash,
+          .where = log,
+          .fix = "the log was cut or computed anew after that time; look for a copy of it"};
+}
+
+}  // namespace
+
+Result<std::string> verify_audit(const Asked& asked) {
+  std::map<std::uint64_t, keys::AuditAnchor> anchors;
+  if (!asked.anchors.empty()) {
+    Result<std::map<std::uint64_t, keys::AuditAnchor>> read = anchors_in(asked.anchors);
+    if (!read) return read.error();
+    anchors = std::move(read).value();
+  }
+  std::vector<std::filesystem::path> files = keys::audit_files(asked.file);
+  if (files.empty()) files.emplace_back(asked.file);
+  keys::AuditVerifier verifier;
+  std::optional<keys::AuditAnchor> altered;
+  const auto look = [&](std::string_view) {
+    const auto anchor = anchors.find(verifier.position().lines);
+    if (anchor != anchors.end() && anchor->second.end.hash != verifier.position().hash) altered = anchor->second;
+  };
+  for (const std::filesystem::path& file : files)
+    if (const Result<void> follows = verifier.add_file(file, look); !follows) return follows.error();
+  if (altered) return differs_from(*altered, asked.file, "has another line");
+  if (!anchors.empty() && anchors.rbegin()->first > verifier.position().lines)
+    return differs_from(anchors.rbegin()->second, asked.file, "is shorter");
+  const std::uint64_t before = verifier.lines_before();
+  return asked.file + (files.size() > 1 ? " and " + counted(files.size() - 1, "older file", "older files") : "") +
+         ": " + counted(verifier.position().lines - before, "line", "lines") + ", none altered\n" +
+         (before == 0
+              ? ""
+              : "The " + std::to_string(before) + " lines before them are in older files, which are not here.\n") +
+         "last hash:  " + verifier.position().hash + "\n" +
+         (anchors.empty()
+              ? "To check that no lines were removed at the end, give the server's anchors, kept elsewhere: "
+                "--anchors FILE\n"
+              : counted(anchors.size(), "anchor", "anchors") + " of the server match\n");
 }
 
 }  // namespace telepalp::keys_tool

@@ -18,6 +18,7 @@ struct Asked {
   std::string name;
   std::string role;
   std::vector<std::string> hosts;
+  std::string anchors;  ///< a file with copied anchors of the audit log; empty: none
   std::optional<std::chrono::days> valid;
   keys::WallTime now{};
 };

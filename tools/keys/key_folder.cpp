@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "proto/keys/revocations.h"
 #include "support/program/files/whole_file.h"
 
 namespace telepalp::keys_tool {
@@ -54,7 +53,7 @@ Result<KeyFolder> KeyFolder::create(const fs::path& folder, const std::string& n
   Result<void> done = program::make_folder(folder, Readers::Group);
   if (done) done = program::write_whole_file(folder / kPublic, made.authority_.certificate(), Readers::Anyone);
   if (done) done = program::write_whole_file(folder / kAuthority, made.authority_.file_text(), Readers::Group);
-  if (done) done = made.write_revoked({}, now);
+  if (done) done = made.write_revoked({}, 1, now);
   if (!done) return done.error();
   return made;
 }
@@ -91,33 +90,31 @@ Result<void> KeyFolder::keep(const std::string& key_text, const fs::path& file, 
   return program::write_whole_file(file, key_text, Readers::Group);
 }
 
-Result<std::map<std::string, keys::WallTime>> KeyFolder::revoked() const {
-  if (!fs::exists(path(kRevoked))) return std::map<std::string, keys::WallTime>{};
+Result<keys::Revocations> KeyFolder::revoked() const {
+  if (!fs::exists(path(kRevoked))) return keys::Revocations{};
   const Result<std::string> text = read_file(path(kRevoked), kMaxListBytes);
   if (!text) return text.error();
-  const Result<keys::Revocations> read =
-      keys::Revocations::read(*text, authority_.certificate(), path(kRevoked).string());
-  if (!read) return read.error();
-  return read->all();
+  return keys::Revocations::read(*text, authority_.certificate(), path(kRevoked).string());
 }
 
-Result<void> KeyFolder::write_revoked(const std::map<std::string, keys::WallTime>& all, keys::WallTime now) const {
-  const Result<std::string> list = authority_.revocation_list(all, now);
+Result<void> KeyFolder::write_revoked(const std::map<std::string, keys::WallTime>& all, std::uint64_t number,
+                                      keys::WallTime now) const {
+  const Result<std::string> list = authority_.revocation_list(all, now, number);
   if (!list) return list.error();
   return program::write_whole_file(path(kRevoked), *list, Readers::Group);
 }
 
 Result<std::size_t> KeyFolder::revoke(const std::string& serial, keys::WallTime now) const {
-  Result<std::map<std::string, keys::WallTime>> all = revoked();
-  if (!all) return all.error();
-  all->emplace(serial, now);
-  const std::size_t count = all->size();
-  if (const Result<void> written = write_revoked(*all, now); !written) return written.error();
-  return count;
+  const Result<keys::Revocations> before = revoked();
+  if (!before) return before.error();
+  std::map<std::string, keys::WallTime> all = before->all();
+  all.emplace(serial, now);
+  if (const Result<void> written = write_revoked(all, before->number() + 1, now); !written) return written.error();
+  return all.size();
 }
 
 Result<std::string> KeyFolder::list() const {
-  const Result<std::map<std::string, keys::WallTime>> gone = revoked();
+  const Result<keys::Revocations> gone = revoked();
   if (!gone) return gone.error();
   std::string text;
   std::ifstream issued(path(kIssued));

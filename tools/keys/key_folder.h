@@ -6,6 +6,7 @@
 
 #include "proto/keys/authority.h"
 #include "proto/keys/key_file.h"
+#include "proto/keys/revocations.h"
 
 namespace telepalp::keys_tool {
 
@@ -24,7 +25,7 @@ class KeyFolder {
   /// Writes a new key to `file` and notes it in issued.txt. Error: `file` exists and `replace` is false.
   [[nodiscard]] Result<void> keep(const std::string& key_text, const std::filesystem::path& file, bool replace) const;
 
-  /// Adds `serial` to revoked.crl; returns the number of serials in revoked.crl.
+  /// Adds `serial` to revoked.crl, which gets the next number; returns the number of serials in revoked.crl.
   [[nodiscard]] Result<std::size_t> revoke(const std::string& serial, keys::WallTime now) const;
 
   /// The text of issued.txt, with "REVOKED" after each revoked entry.
@@ -33,8 +34,9 @@ class KeyFolder {
  private:
   KeyFolder(std::filesystem::path folder, keys::Authority authority)
       : folder_(std::move(folder)), authority_(std::move(authority)) {}
-  [[nodiscard]] Result<std::map<std::string, keys::WallTime>> revoked() const;
-  [[nodiscard]] Result<void> write_revoked(const std::map<std::string, keys::WallTime>& all, keys::WallTime now) const;
+  [[nodiscard]] Result<keys::Revocations> revoked() const;
+  [[nodiscard]] Result<void> write_revoked(const std::map<std::string, keys::WallTime>& all, std::uint64_t number,
+                                           keys::WallTime now) const;
 
   std::filesystem::path folder_;
   keys::Authority authority_;

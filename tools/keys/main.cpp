@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 
+#include "proto/keys/key_file.h"
 #include "support/program/options.h"
 #include "tools/keys/commands.h"
 
@@ -26,6 +27,8 @@ program::Usage usage() {
                        .argument = "HOST",
                        .help = "server: a name or address that clients connect to; may be repeated",
                        .repeatable = true},
+                      {"anchors", "FILE",
+                       "audit-verify: lines 'anchor …' of the server, kept elsewhere, after its certificate"},
                       {"days", "N", "days of validity; default: authority 3650, keys 365, tokens 30"}},
           .example = "telepalp-keys authority && telepalp-keys server --host 10.0.0.5",
           .commands = {{"authority", "", "make a folder with a new certificate authority"},
@@ -37,7 +40,8 @@ program::Usage usage() {
                        {"revoke", "FILE|SERIAL", "revoke a key or token"},
                        {"list", "", "print all keys and tokens that were issued"},
                        {"show", "FILE", "print whose key FILE is, what it allows, until when"},
-                       {"audit-verify", "FILE", "check that no line of a server's audit log was altered"}},
+                       {"audit-verify", "FILE",
+                        "check that no line of a server's audit log was altered, or removed since an anchor"}},
           .needs_command = true};
 }
 
@@ -79,6 +83,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
               .name = arguments.text("name"),
               .role = arguments.text("role"),
               .hosts = arguments.all("host"),
+              .anchors = arguments.text("anchors"),
               .valid = {},
               .now = std::chrono::system_clock::now()};
   if (!arguments.has("days")) return asked;
@@ -97,6 +102,7 @@ int run_asked(const program::Arguments& arguments) {
     if (const Result<void> complete = check(*asked); !complete)
       return program::fail(complete.error(), program::kAskedWrongly);
   ::umask(0077);  // a key is its owner's alone: 0600
+  keys::forbid_dumps();
   const Result<std::string> said = (*command)->run(*asked);
   if (!said) return program::fail(said.error());
   return program::print(*said);

@@ -6,6 +6,7 @@
 
 #include "support/program/version.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/choice.h"
 
 namespace telepalp::bench {
 namespace {
@@ -19,29 +20,16 @@ struct Part {
   std::string_view name;
   Result<Section> (*measure)();
 };
-constexpr Part kParts[] = {{"surface", surface_section},   {"slopes", slopes_section},
-                           {"patients", patients_section}, {"prediction", prediction_section},
-                           {"organ", organ_section},       {"solids", solids_section},
-                           {"price", price_section},       {"settings", settings_section},
-                           {"z-width", z_width_section},   {"depth", depth_section}};
-
-/// All parts, or the part named on the command line.
-Result<std::vector<Part>> parts_of(const program::Arguments& arguments) {
-  if (!arguments.has("part")) return std::vector<Part>(std::begin(kParts), std::end(kParts));
-  std::string names;
-  for (const Part& part : kParts) {
-    if (part.name == arguments.text("part")) return std::vector<Part>{part};
-    names += (names.empty() ? "" : ", ") + std::string(part.name);
-  }
-  return Error{.what = "'" + arguments.text("part") + "' is not a part of telepalp-bench accuracy",
-               .where = "--part",
-               .fix = "give one of: " + names};
-}
+const std::vector<Part> kParts{{"surface", surface_section},   {"slopes", slopes_section},
+                               {"patients", patients_section}, {"prediction", prediction_section},
+                               {"organ", organ_section},       {"solids", solids_section},
+                               {"price", price_section},       {"settings", settings_section},
+                               {"z-width", z_width_section},   {"depth", depth_section}};
 
 }  // namespace
 
 Result<Report> run_accuracy(const program::Arguments& arguments) {
-  const Result<std::vector<Part>> parts = parts_of(arguments);
+  const Result<std::vector<Part>> parts = chosen_sections(kParts, arguments, "accuracy");
   if (!parts) return parts.error();
   Section all;
   for (const Part& part : *parts) {

@@ -32,7 +32,8 @@ struct Section {
 /// What further settings cost and gain: JPEG quality, camera, disparity levels, the skin's anchor, the radius of a
 /// mark, ultrasound size, the viewer's levels of detail.
 [[nodiscard]] Result<Section> settings_section();
-/// The stiffest wall that the simulated device can show, over sampling rate and damping.
+/// The stiffest wall that the simulated device can show, over sampling rate and damping, then over loop delay and
+/// encoder step.
 [[nodiscard]] Result<Section> z_width_section();
 /// The depth codec's modes, and the force error that Bounded causes.
 [[nodiscard]] Result<Section> depth_section();

@@ -14,7 +14,36 @@ constexpr double kDampings[] = {0.25, 0.5, 1.0, 2.0, 4.0};  // [N s/m]
 constexpr std::string_view kColors[] = {plot::kSky, plot::kBlue, plot::kGreen, plot::kOrange, plot::kVermilion};
 constexpr double kUsualDamping = 1.0;
 
+constexpr double kStationRate_hz = 2000.0;
+constexpr double kDelays_s[] = {0.0, 0.0005, 0.001, 0.002, 0.004};
+constexpr double kEncoders_m[] = {0.13e-6, 5e-6, 20e-6, 55e-6, 100e-6};
+
 std::string damping_name(double damping) { return cell(damping) + " N s/m"; }
+
+/// A table of the stiffest stable wall, by the device's loop delay and its encoder's step, beside the limit of the
+/// stiffness that the station sets at this delay.
+void add_delays(Section& section) {
+  PageTable table{.head = {"loop delay, ms"}, .rows = {}};
+  for (const double step_m : kEncoders_m) table.head.push_back(cell(1e6 * step_m) + " um");
+  table.head.push_back("b / (T/2 + delay)");
+  table.head.push_back("the station's limit");
+  for (const double delay_s : kDelays_s) {
+    const double theory = kUsualDamping / (0.5 / kStationRate_hz + delay_s);
+    table.rows.push_back({cell(1e3 * delay_s)});
+    for (const double step_m : kEncoders_m) {
+      const double shown = trials::largest_stable_stiffness_N_per_m(
+          kStationRate_hz, {.damping_N_s_per_m = kUsualDamping, .encoder_step_m = step_m}, delay_s);
+      table.rows.back().push_back(cell(shown));
+      section.rows.push_back(measured("Z-width at a loop delay of " + cell(1e3 * delay_s) + " ms, encoders of " +
+                                          cell(1e6 * step_m) +
+                                          " um: stiffest wall at rest, divided by b / (T/2 + delay)",
+                                      shown / theory, ""));
+    }
+    table.rows.back().push_back(cell(theory));
+    table.rows.back().push_back(cell(control::stiffest_shown_N_per_m({.loop_delay_s = delay_s})));
+  }
+  section.parts.push_back({"z-width-delay", to_markdown(table)});
+}
 
 }  // namespace
 
@@ -57,6 +86,7 @@ Result<Section> z_width_section() {
   section.rows.push_back(
       measured("stiffest scene without virtual coupling, " + damping_name(kUsualDamping), coupled, "N/m"));
   section.parts = {{"z-width", to_markdown(table)}};
+  add_delays(section);
   section.pictures = {{"accuracy/z_width.svg", plot::to_svg(chart)}};
   return section;
 }

@@ -104,6 +104,9 @@ Played play(const Drawn& drawn, bool visited) {
              .builder = {}});
   StationSettings settings = with_skin(drawn.anchor);
   settings.seed = drawn.seed;
+  // Without the colleague, 5 N for 20 s would warm the motors, whose limit then yields 4 N to the hand; with the
+  // colleague they stay cool. That is no effect of the visit on the skin.
+  settings.control.limits.continuous_N = settings.control.limits.peak_N;
   BenchStation station(settings, haptic_from_camera(*drawn.patient, drawn.spot), drawn.person());
   Played played;
   ForceSteps steps;

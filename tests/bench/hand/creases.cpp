@@ -8,6 +8,7 @@
 
 #include "haptic_station/solids/polish.h"
 #include "haptic_station/solids/solid_proxy.h"
+#include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
 // A hand slides over creases, corners, edges and blends. Measures whether the force follows the hand without steps, and
@@ -22,7 +23,6 @@ using solids::SolidProxy;
 using solids::SolidTree;
 
 constexpr double kStiffness_N_per_m = 1200.0;
-constexpr double kTick_s = 0.0005;
 constexpr double kFastest_m_per_s = 0.3;
 
 std::shared_ptr<const SolidTree> tree_of(const std::string& text) {
@@ -75,7 +75,8 @@ struct Room {
   }
 };
 
-/// `planes` walls around an axis, open by `opening_rad` from one side to the other. In a point, or up to 4 mm from it.
+/// `planes` walls around an axis; `opening_rad`: angle between opposite walls. They meet in a point, or each is moved
+/// by up to 4 mm.
 Room room_of(int planes, double opening_rad, bool in_a_point, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const Matrix3d turn = Eigen::Quaterniond(Eigen::Vector4d(unit(random), unit(random), unit(random), unit(random)))

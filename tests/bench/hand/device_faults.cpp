@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/bench/hand/force_step.h"
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
@@ -109,8 +110,51 @@ std::vector<Row> measure_silence(const Options& options) {
                   all[0].touched && all[1].touched ? 1e3 * fell_m : NAN, "mm", 3.0)};
 }
 
+/// Presses, rubs, leaves the skin, waits above it and presses again.
+device::Intention visit_twice(double time_s) {
+  const double high_m = 0.05, deep_m = -0.015;
+  const double in = eased(time_s - 1.0) - eased((time_s - 3.5) / 0.6) + eased(time_s - 5.5);
+  const double rubs_m = 0.01 * std::sin(2.0 * std::numbers::pi * time_s);
+  return {{{rubs_m, high_m + (deep_m - high_m) * in, 0.0}}, {}};
+}
+
+/// Largest change of the force in one tick [N], less K times (device's motion + encoder step), where K is the skin's
+/// stiffness. NaN: the device was too short a time in the skin, or above it.
+double encoder_step_N(effects::SkinAnchor anchor, double encoder_m) {
+  const auto patient = torso();
+  Feed feed({.patient = patient, .pose = [](double) { return capture::PatientPose{}; }, .link = {}, .builder = {}});
+  BenchStation station(
+      with_skin(anchor), haptic_from_camera(*patient, spots()[0]),
+      std::make_unique<ArmHand>(300.0, visit_twice, device::SimulatedDeviceSettings{.encoder_step_m = encoder_m}));
+  ForceSteps steps;
+  int lifted = 0, felt = 0;
+  run(feed, station, 7.5, [&](const Tick& tick) {
+    steps.add(tick);
+    lifted += tick.control.phase == control::Phase::OutBody ? 1 : 0;
+    felt += tick.displayed ? 1 : 0;
+  });
+  return lifted > 400 && felt > 2000 ? steps.worst_N() - kSkin_N_per_m * encoder_m : NAN;
+}
+
+std::vector<Row> measure_encoders(const Options& options) {
+  constexpr std::array kEncoders_m{0.13e-6, 5e-6, 20e-6, 55e-6, 100e-6};
+  std::array<double, kAnchors.size() * kEncoders_m.size()> all{};
+  for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    all[at] = encoder_step_N(kAnchors[at % kAnchors.size()], kEncoders_m[at / kAnchors.size()]);
+  });
+  double worst_N = 0.0;
+  for (const double step_N : all) worst_N = std::isnan(step_N) ? NAN : std::max(worst_N, step_N);
+  return {
+      at_most("encoders of 0.13 to 100 um, in and out of contact: force step a tick beyond K (motion + encoder step), "
+              "worst",
+              worst_N, "N", 0.05)};
+}
+
 }  // namespace
 
-std::vector<Study> device_faults() { return {{"glitch", measure_glitch}, {"tracker silent", measure_silence}}; }
+std::vector<Study> device_faults() {
+  return {{"glitch", measure_glitch}, {"tracker silent", measure_silence}, {"encoders", measure_encoders}};
+}
 
 }  // namespace telepalp::bench::hand

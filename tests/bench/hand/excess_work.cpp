@@ -82,24 +82,6 @@ struct Drawn {
   effects::SkinAnchor anchor;
 };
 
-/// Where the patient lies in the device's frame H.
-struct Placed {
-  explicit Placed(const Drawn& drawn)
-      : haptic_from_camera(hand::haptic_from_camera(*drawn.patient, drawn.spot)),
-        camera_from_haptic(haptic_from_camera.inverse()) {}
-  /// Sets the normal and the depth of `tick` for its device and the skin of the patient at `pose`.
-  void touch(const Drawn& drawn, const capture::PatientPose& pose, Tick& tick) const {
-    const Point<DepthCamera> device = camera_from_haptic * Point<HapticBase>{tick.device_m};
-    const auto foot = drawn.patient->surface_of(pose).closest_to(device);
-    tick.true_known = foot && foot->on_body;
-    if (!foot) return;
-    tick.normal = (haptic_from_camera * foot->normal).v;
-    tick.true_depth_m = tick.normal.dot((haptic_from_camera * foot->at).m - tick.device_m);
-  }
-  Transform<HapticBase, DepthCamera> haptic_from_camera;
-  Transform<DepthCamera, HapticBase> camera_from_haptic;
-};
-
 /// An image that became touchable.
 struct Arrival {
   double at_s;
@@ -113,8 +95,8 @@ std::vector<Contact> play(const Drawn& drawn, std::vector<Arrival>& arrivals) {
              .damage = [&](double t, DepthImage&) { return !drawn.bad.outage || !drawn.shifts.near(t); },
              .link = {.one_way_s = drawn.one_way_s, .seed = drawn.seed},
              .builder = {}});
-  const Placed placed(drawn);
-  BenchStation station(with_skin(drawn.anchor), placed.haptic_from_camera, drawn.person());
+  const auto placed = haptic_from_camera(*drawn.patient, drawn.spot);
+  BenchStation station(with_skin(drawn.anchor), placed, drawn.person());
   ContactWork work;
   for (std::int64_t i = 0; i < std::llround(kLasts_s / kTick_s); ++i) {
     const double t = static_cast<double>(i) * kTick_s;
@@ -125,7 +107,7 @@ std::vector<Contact> play(const Drawn& drawn, std::vector<Arrival>& arrivals) {
     Tick newest = tick;  // of the skin as the newest image shows it
     if (!arrivals.empty()) {
       const double captured_s = arrivals.back().captured_s;
-      placed.touch(drawn, drawn.pose(captured_s, drawn.shifts.rise_m(captured_s)), newest);
+      touch(feed.truth(captured_s), placed, newest);
     }
     work.add(tick, newest.law_N() * newest.normal);
   }
@@ -140,7 +122,10 @@ enum class Knows {
 
 /// The contacts at a display that applies the force law to what it knows, without delay.
 std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& arrivals, Knows knows) {
-  const Placed placed(drawn);
+  const auto placed = haptic_from_camera(*drawn.patient, drawn.spot);
+  const auto touch_at = [&](double breath_s, double shift_s, Tick& tick) {
+    touch(drawn.patient->surface_of(drawn.pose(breath_s, drawn.shifts.rise_m(shift_s))), placed, tick);
+  };
   const std::unique_ptr<Person> person = drawn.person();
   auto next = arrivals.begin();
   double captured_s = 0.0;
@@ -153,8 +138,8 @@ std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& 
     tick.moved_m = tick.device_m - before_m;
     before_m = tick.device_m;
     Tick displayed = tick;
-    placed.touch(drawn, drawn.pose(breath_s, drawn.shifts.rise_m(captured_s)), displayed);
-    placed.touch(drawn, drawn.pose(tick.time_s, drawn.shifts.rise_m(tick.time_s)), tick);
+    touch_at(breath_s, captured_s, displayed);
+    touch_at(tick.time_s, tick.time_s, tick);
     tick.force_N = displayed.law_N() * displayed.normal;
     tick.displayed = displayed.law_N() > 0.0;
     work.add(tick, tick.force_N);

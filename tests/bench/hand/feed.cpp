@@ -6,12 +6,6 @@
 #include "haptic_station/core/virtual_driver.h"
 
 namespace telepalp::bench::hand {
-namespace {
-
-constexpr double kBurst_frames = 4.0;
-
-}  // namespace
-
 Feed::Feed(Settings settings)
     : settings_(std::move(settings)),
       stage_(
@@ -19,7 +13,7 @@ Feed::Feed(Settings settings)
           [place = settings_.haptic_from_camera](const DepthImage&, const Intrinsics&) { return place; },
           settings_.effects),
       random_(settings_.link.seed),
-      loss_(settings_.link.loss, kBurst_frames) {}
+      loss_(settings_.link.loss, settings_.link.burst_frames) {}
 
 void Feed::capture(double time_s) {
   const Link& link = settings_.link;

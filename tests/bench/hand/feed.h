@@ -12,12 +12,13 @@
 
 namespace telepalp::bench::hand {
 
-/// Delay, jitter and loss of the network. Losses come in bursts of four frames on average (Gilbert and Elliott).
+/// Delay and jitter of the network, and its losses, which come in bursts (Gilbert and Elliott).
 struct Link {
   double one_way_s = 0.05;
   double jitter_s = 0.03;  ///< uniform, in both directions; never more than the delay
   double loss = 0.1;
   std::uint64_t seed = 1;
+  double burst_frames = 4.0;  ///< mean number of frames that are lost in a row; 1: independent losses
 };
 
 using PoseScript = std::function<capture::PatientPose(double time_s)>;

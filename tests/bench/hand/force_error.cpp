@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tests/bench/hand/delays.h"
 #include "tests/bench/hand/force_step.h"
-#include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
 // A hand is held in the skin of a patient who moves. Measures the difference between the force and the true skin's
@@ -16,14 +16,12 @@ namespace {
 constexpr double kFrom_s = 14.0;  // the breathing model has locked on by then
 constexpr double kUntil_s = 54.0;
 constexpr double kDepth_m = 0.003;  // depth below the skin at full exhale
-constexpr double kJitter_s = 0.03;
-constexpr std::array kDelays_s{0.05, 0.1, 0.2};
 constexpr std::array kReach_N{0.09, 0.10, 0.14};
 constexpr double kRegularReach_N = 0.065;
 
 /// Errors by delay; the larger one of both anchors.
 struct Errors {
-  std::array<double, kDelays_s.size()> rmse_N{};
+  OfDelays rmse_N{};
   double step_N = 0.0;
   double law_step_N = 0.0;  ///< largest change of the law's force on the true skin in one tick of contact
   std::vector<std::vector<float>> off_N{};  ///< the error over time, by anchor and then by delay
@@ -53,22 +51,11 @@ surface::SurfaceSettings builder(bool predict, bool breathing) {
   return settings;
 }
 
-/// The skin's height in H at the spot, without the breath. The hand follows a patient who shifts or sits up.
-double ridden_m(const capture::SyntheticPatient& patient, capture::PatientPose pose,
-                const Transform<HapticBase, DepthCamera>& placed) {
-  if (!pose.slides() && !pose.rises()) return 0.0;
-  pose.breath = {};
-  const Transform<DepthCamera, HapticBase> camera_from_haptic = placed.inverse();
-  const auto height = patient.surface_of(pose).height_along(
-      camera_from_haptic * Point<HapticBase>{}, camera_from_haptic * Vector<HapticBase>{Eigen::Vector3d::UnitY()});
-  return height ? height->m : 0.0;
-}
-
 struct Scene {
   std::shared_ptr<const capture::SyntheticPatient> patient;
   PoseScript pose;
   Spot spot;
-  Link link{.one_way_s = kJitter_s, .jitter_s = kJitter_s, .loss = 0.1, .seed = 5};
+  Link link = link_before_delays();
   bool delayed = true;  ///< false: no delay beyond the link's
 };
 
@@ -76,8 +63,8 @@ Errors play(const Scene& scene, const surface::SurfaceSettings& builder_settings
   Feed feed({.patient = scene.patient, .pose = scene.pose, .link = scene.link, .builder = builder_settings});
   const auto placed = haptic_from_camera(*scene.patient, scene.spot);
   const auto path = [&](double t, const control::ControlOutput&) {
-    const double height_m = 0.06 - (0.06 + kDepth_m) * eased((t - 1.0) / 1.5);
-    return Point<HapticBase>{{0.0, height_m + ridden_m(*scene.patient, scene.pose(t), placed), 0.0}};
+    return Point<HapticBase>{
+        {0.0, reaching_m(t, kDepth_m) + rest_height_m(*scene.patient, scene.pose(t), placed), 0.0}};
   };
   struct Judged {
     BenchStation station;
@@ -166,8 +153,7 @@ std::vector<Row> measure(const std::string& name, capture::Motion motion, const 
                      motion == capture::Motion::Drift || motion == capture::Motion::Regular;
   std::vector<Row> rows;
   for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
-    const std::string row =
-        name + ": force RMSE at a delay of " + std::to_string(std::lround(1e3 * kDelays_s[delay])) + " ms, worst";
+    const std::string row = name + ": force RMSE at a delay of " + delay_name(delay) + ", worst";
     const double reach_N = motion == capture::Motion::Regular ? kRegularReach_N : kReach_N[delay];
     rows.push_back(asked ? at_most(row, worst.rmse_N[delay], "N", reach_N) : measured(row, worst.rmse_N[delay], "N"));
   }

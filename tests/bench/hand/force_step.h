@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "tests/bench/hand/run.h"
 
@@ -15,7 +16,7 @@ class ForceSteps {
     if (inside != inside_) changed_s_ = tick.time_s;
     inside_ = inside;
     const double explained_N = stiffness_N_per_m * tick.moved_m.norm();
-    const double step_N = (tick.force_N - before_N_).norm() - explained_N;
+    const double step_N = before_N_ ? (tick.force_N - *before_N_).norm() - explained_N : 0.0;
     before_N_ = tick.force_N;
     constexpr double kAfter_s = 0.01;
     if (tick.time_s - changed_s_ < kAfter_s || tick.time_s < kSettles_s) return;
@@ -25,7 +26,7 @@ class ForceSteps {
 
  private:
   static constexpr double kSettles_s = 0.1;
-  Eigen::Vector3d before_N_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> before_N_;  ///< nullopt: before the first tick
   double changed_s_ = -1.0;
   double worst_N_ = 0.0;
   bool inside_ = false;

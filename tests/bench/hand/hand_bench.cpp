@@ -3,8 +3,9 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <sstream>
 
+#include "tests/bench/choice.h"
+#include "tests/bench/hand/patient.h"
 #include "tests/bench/hand/reached.h"
 #include "tests/bench/hand/studies.h"
 
@@ -19,14 +20,6 @@ void say_progress(const std::string& study, int done, int of) {
   std::fflush(stderr);
 }
 
-/// True if `name` contains one of the comma-separated `patterns`, or if there is no pattern.
-bool is_wanted(const std::string& name, const std::string& patterns) {
-  std::istringstream stream(patterns);
-  for (std::string one; std::getline(stream, one, ',');)
-    if (name.find(one) != std::string::npos) return true;
-  return patterns.empty();
-}
-
 std::string names_of(const std::vector<Study>& studies) {
   std::string names;
   for (const Study& study : studies) names += (names.empty() ? "" : ", ") + study.name;
@@ -39,9 +32,10 @@ namespace hand {
 
 std::vector<Study> all_studies() {
   std::vector<Study> all;
-  for (const auto& group :
-       {skin_felt_again(), colleague(), step_response(), excess_work(), anchor_drift(), re_entry(), force_error(),
-        inner_objects(), creases(), device_faults(), hand_prediction(), paper_trials(), cost()})
+  for (const auto& group : {skin_felt_again(), colleague(),    step_response(),   excess_work(),  anchor_drift(),
+                            re_entry(),        force_error(),  beside_ideal(),    under_half(),   stiffness(),
+                            coughs(),          lies_down(),    inner_objects(),   creases(),      device_faults(),
+                            device_loop(),     browser_hand(), hand_prediction(), paper_trials(), cost()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -51,11 +45,12 @@ std::vector<Study> all_studies() {
 Result<Report> run_hand(const program::Arguments& arguments) {
   const Result<double> seeds = arguments.number("seeds", 1.0, 100'000.0);
   if (!seeds) return seeds.error();
+  if (const auto torso = hand::torso_is_there(); !torso) return torso.error();
   const std::string wanted = arguments.has("row") ? arguments.text("row") : "";
   Report report{.bench = "hand", .rows = {}, .notes = {}};
   const std::vector<Study> studies = hand::all_studies();
   for (const Study& study : studies) {
-    if (!is_wanted(study.name, wanted)) continue;
+    if (!contains_one_of(study.name, wanted)) continue;
     Options options{.seeds = static_cast<int>(*seeds)};
     if (isatty(STDERR_FILENO) != 0) options.progress = [&](int done, int of) { say_progress(study.name, done, of); };
     for (Row& row : study.measure(options)) report.rows.push_back(std::move(row));

@@ -11,11 +11,21 @@ namespace {
 
 constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 48.0}, {"chest", 75.0, -10.0}};
 
-/// Aborts if the torso is missing, because it is part of the source tree.
+constexpr const char* kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
+
+Result<capture::TriangleMesh> read_torso() {
+  const auto file = program::shipped_file(kTorso);
+  if (!file)
+    return Error{.what = "the synthetic torso is missing",
+                 .where = kTorso,
+                 .fix = "run telepalp-bench from its build folder, or set TELEPALP_HOME to the repository's folder"};
+  return capture::read_mesh(*file);
+}
+
+/// Aborts if the torso is missing: the bench checks torso_is_there() first.
 std::shared_ptr<const capture::SyntheticPatient> make(Sensor sensor, capture::Motion motion, std::uint64_t seed,
                                                       double camera_above_m) {
-  const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
-  const Result<capture::TriangleMesh> mesh = capture::read_mesh(file.value());
+  const Result<capture::TriangleMesh> mesh = read_torso();
   capture::SyntheticSettings settings;
   settings.camera = {.width = 320, .height = 240, .fx = 525.0, .fy = 525.0, .cx = 159.5, .cy = 119.5};
   settings.camera_above_body_m = camera_above_m;
@@ -61,6 +71,21 @@ Vector<HapticBase> normal_at(const capture::SyntheticPatient& patient, const Spo
   const Intrinsics& camera = patient.settings().camera;
   return haptic_from_camera(patient, spot) *
          patient.surface_of({}).at_pixel(camera.cx + spot.u, camera.cy + spot.v).normal;
+}
+
+double rest_height_m(const capture::SyntheticPatient& patient, capture::PatientPose pose,
+                     const Transform<HapticBase, DepthCamera>& haptic_from_camera) {
+  if (!pose.slides() && !pose.rises()) return 0.0;
+  pose.breath = {};
+  const Transform<DepthCamera, HapticBase> camera_from_haptic = haptic_from_camera.inverse();
+  const auto height = patient.surface_of(pose).height_along(
+      camera_from_haptic * Point<HapticBase>{}, camera_from_haptic * Vector<HapticBase>{Eigen::Vector3d::UnitY()});
+  return height ? height->m : 0.0;
+}
+
+Result<void> torso_is_there() {
+  if (const auto mesh = read_torso(); !mesh) return mesh.error();
+  return {};
 }
 
 }  // namespace telepalp::bench::hand

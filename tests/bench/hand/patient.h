@@ -4,6 +4,7 @@
 #include <span>
 
 #include "proto/words/frames.h"
+#include "proto/words/result.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 
 namespace telepalp::bench::hand {
@@ -40,5 +41,13 @@ struct Spot {
 
 /// The skin's unit normal at `spot`, at rest, in H.
 [[nodiscard]] Vector<HapticBase> normal_at(const capture::SyntheticPatient& patient, const Spot& spot);
+
+/// The skin's height in H above the origin, without the breath [m]. A hand rides at this height when it follows a
+/// patient who shifts or sits up. 0: the patient does neither.
+[[nodiscard]] double rest_height_m(const capture::SyntheticPatient& patient, capture::PatientPose pose,
+                                   const Transform<HapticBase, DepthCamera>& haptic_from_camera);
+
+/// Error: the torso's file cannot be found or read.
+[[nodiscard]] Result<void> torso_is_there();
 
 }  // namespace telepalp::bench::hand

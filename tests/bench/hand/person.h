@@ -44,7 +44,8 @@ class RigidHand final : public Person {
 class ArmHand final : public Person {
  public:
   using Aim = std::function<device::Intention(double time_s)>;
-  ArmHand(double arm_N_per_m, Aim aim) : pair_({}, {.stiffness_N_per_m = arm_N_per_m}), aim_(std::move(aim)) {
+  ArmHand(double arm_N_per_m, Aim aim, const device::SimulatedDeviceSettings& device = {})
+      : pair_(device, {.stiffness_N_per_m = arm_N_per_m}), aim_(std::move(aim)) {
     pair_.place(aim_(0.0).at, aim_(0.0).at);
   }
   [[nodiscard]] ports::DeviceReading read() const noexcept override {

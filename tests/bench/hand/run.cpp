@@ -10,6 +10,14 @@ StationSettings with_skin(effects::SkinAnchor anchor, double stiffness_N_per_m) 
   return settings;
 }
 
+void touch(const capture::TrueSurface& skin, const Transform<HapticBase, DepthCamera>& haptic_from_camera, Tick& tick) {
+  const auto foot = skin.closest_to(haptic_from_camera.inverse() * Point<HapticBase>{tick.device_m});
+  tick.true_known = foot && foot->on_body;
+  if (!foot) return;
+  tick.normal = (haptic_from_camera * foot->normal).v;
+  tick.true_depth_m = tick.normal.dot((haptic_from_camera * foot->at).m - tick.device_m);
+}
+
 BenchStation::BenchStation(const StationSettings& settings,
                            const Transform<HapticBase, DepthCamera>& haptic_from_camera, std::unique_ptr<Person> person)
     : settings_(settings),
@@ -63,11 +71,7 @@ Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
   tick.surface_age_s = act.contact.age_s;
   tick.displayed = act.contact.valid && act.contact.in_body &&
                    (control::is_inside(act.control.phase) || act.control.phase == control::Phase::BodyToPlane);
-  if (const auto foot = truth.closest_to(device_camera())) {
-    tick.true_known = foot->on_body;
-    tick.normal = (haptic_from_camera_ * foot->normal).v;
-    tick.true_depth_m = tick.normal.dot((haptic_from_camera_ * foot->at).m - tick.device_m);
-  }
+  touch(truth, haptic_from_camera_, tick);
   person_->apply(act, time_s, kTick_s);
   return tick;
 }
@@ -88,6 +92,10 @@ void run_while(Feed& feed, BenchStation& station, const std::function<bool(const
     station.receive(feed.step(time_s, station.device_camera()), time_s);
     goes_on = judge(station.step(time_s, feed.truth(time_s)));
   }
+}
+
+double reaching_m(double time_s, double depth_m) noexcept {
+  return 0.06 - (0.06 + depth_m) * eased((time_s - 1.0) / 1.5);
 }
 
 double eased(double x) noexcept {

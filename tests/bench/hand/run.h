@@ -24,6 +24,9 @@ struct StationSettings {
   std::function<bool(double time_s)> tracker_silent = [](double) { return false; };
   std::function<void(double time_s, ports::DeviceReading&)> spoil = [](double, ports::DeviceReading&) {};
 };
+/// The height of a device that comes down from 60 mm above the skin, and from 2.5 s on is `depth_m` below it [m].
+[[nodiscard]] double reaching_m(double time_s, double depth_m) noexcept;
+
 [[nodiscard]] StationSettings with_skin(effects::SkinAnchor anchor, double stiffness_N_per_m = kSkin_N_per_m);
 
 /// One tick, against the true skin of the same instant. All vectors in H.
@@ -45,6 +48,9 @@ struct Tick {
     return true_known && true_depth_m > 0.0 ? std::min(10.0, stiffness_N_per_m * true_depth_m) : 0.0;
   }
 };
+
+/// Sets the normal and the depth of `tick`, and whether they are known: those of its device at the skin `skin`.
+void touch(const capture::TrueSurface& skin, const Transform<HapticBase, DepthCamera>& haptic_from_camera, Tick& tick);
 
 /// One station's tick with a person at it, fed by a feed that it may share with others.
 class BenchStation {

@@ -22,9 +22,16 @@ struct Study {
 [[nodiscard]] std::vector<Study> anchor_drift();
 [[nodiscard]] std::vector<Study> re_entry();
 [[nodiscard]] std::vector<Study> force_error();
+[[nodiscard]] std::vector<Study> beside_ideal();
+[[nodiscard]] std::vector<Study> under_half();
+[[nodiscard]] std::vector<Study> stiffness();
+[[nodiscard]] std::vector<Study> coughs();
+[[nodiscard]] std::vector<Study> lies_down();
 [[nodiscard]] std::vector<Study> inner_objects();
 [[nodiscard]] std::vector<Study> creases();
 [[nodiscard]] std::vector<Study> device_faults();
+[[nodiscard]] std::vector<Study> browser_hand();
+[[nodiscard]] std::vector<Study> device_loop();
 [[nodiscard]] std::vector<Study> hand_prediction();
 [[nodiscard]] std::vector<Study> paper_trials();
 [[nodiscard]] std::vector<Study> cost();

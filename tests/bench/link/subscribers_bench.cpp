@@ -5,13 +5,13 @@
 #include <boost/asio/write.hpp>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <numeric>
 
 #include "proto/wire/client/client_link.h"
 #include "server/hub/peer_listener.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/link/drained_sockets.h"
+#include "tests/bench/process_load.h"
 
 namespace telepalp::bench {
 namespace {
@@ -32,13 +32,6 @@ double thread_seconds() {
   timespec spent{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
   return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
-}
-
-double resident_MiB() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
-  return 0.0;
 }
 
 std::string control_bytes(const msg::Control& control) {
@@ -223,9 +216,9 @@ void listen_beside(Others others, Waited& into) {
     boost::asio::write(deaf.back(), boost::asio::buffer(subscriber_words()));
   }
   server.await_subscribers(1 + kOthers);
-  const double before_MiB = resident_MiB();
+  const double before_MiB = resident_MiB(::getpid());
   server.publish_images();
-  into.grown_MiB = std::max(into.grown_MiB, resident_MiB() - before_MiB);
+  into.grown_MiB = std::max(into.grown_MiB, resident_MiB(::getpid()) - before_MiB);
   honest.stop();
   server.io().run_for(50ms);
 }

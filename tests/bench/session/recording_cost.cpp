@@ -1,17 +1,14 @@
 #include "tests/bench/session/recording_cost.h"
 
-#include <unistd.h>
-
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <csignal>
-#include <fstream>
-#include <sstream>
 
 #include "messages/station.pb.h"
 #include "proto/wire/client/client_link.h"
 #include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/process_load.h"
 #include "tests/support/child_process.h"
 
 namespace telepalp::bench {
@@ -20,19 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-
-/// Processor time of `process` so far [s].
-double cpu_s(pid_t process) {
-  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
-  std::string line;
-  std::getline(stat, line);
-  std::istringstream after_name(line.substr(line.rfind(')') + 2));
-  std::string skipped;
-  for (int field = 0; field < 11; ++field) after_name >> skipped;
-  double user = 0.0, system = 0.0;
-  after_name >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
 
 constexpr const char* kBuild = "; to build all programs: ninja telepalp_programs";
 

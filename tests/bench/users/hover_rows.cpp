@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/bench/users/hover_sweep.h"
+#include "tests/bench/hand/pointer_session.h"
 
 namespace telepalp::bench {
 namespace {
@@ -48,13 +48,13 @@ double lasts_s(const Sweep& sweep) {
 }
 
 /// Counts a fault once, and re-arms.
-void end_fault(HoverSweep& run, Account& account) {
+void end_fault(PointerSession& run, Account& account) {
   if (!run.seen().faulted) return;
   ++account.faults;
   run.rearm();
 }
 
-void hover(HoverSweep& run, const Sweep& sweep, Account& account) {
+void hover(PointerSession& run, const Sweep& sweep, Account& account) {
   const double began_s = run.time_s();
   bool entered = false, arrived = false;
   while (!arrived && run.time_s() - began_s < lasts_s(sweep) + kLongest_s) {
@@ -71,7 +71,7 @@ void hover(HoverSweep& run, const Sweep& sweep, Account& account) {
 }
 
 /// Presses where the pointer is, and lets go until the device is out of the body.
-void press(HoverSweep& run, const Pixel& pointer, Account& account) {
+void press(PointerSession& run, const Pixel& pointer, Account& account) {
   bool met = false;
   for (const double until_s = run.time_s() + 4.0; run.time_s() < until_s && !met;) {
     run.tick(pointer, true);
@@ -88,9 +88,9 @@ void press(HoverSweep& run, const Pixel& pointer, Account& account) {
 }  // namespace
 
 Result<std::vector<Row>> hover_rows() {
-  const Result<std::unique_ptr<HoverSweep>> made = HoverSweep::make();
+  const Result<std::unique_ptr<PointerSession>> made = PointerSession::make({});
   if (!made) return made.error();
-  HoverSweep& run = **made;
+  PointerSession& run = **made;
   for (int tick = 0; tick < 4000; ++tick) run.tick(kSweeps[0].from, false);
   Account account;
   for (const Sweep& sweep : kSweeps) {

@@ -1,5 +1,6 @@
 #include "tests/bench/users/users_bench.h"
 
+#include "tests/bench/choice.h"
 #include "tests/bench/users/sections.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -20,22 +21,10 @@ const std::vector<UsersSection> kSections{
     {"hover", "a pointer without a button never pushes the device into the body", run_hover_section},
 };
 
-Result<std::vector<UsersSection>> sections_of(const program::Arguments& arguments) {
-  if (!arguments.has("part")) return kSections;
-  std::string names;
-  for (const UsersSection& section : kSections) {
-    if (section.name == arguments.text("part")) return std::vector<UsersSection>{section};
-    names += (names.empty() ? "" : ", ") + std::string(section.name);
-  }
-  return Error{.what = "'" + arguments.text("part") + "' is not a part of telepalp-bench users",
-               .where = "--part",
-               .fix = "give one of " + names};
-}
-
 }  // namespace
 
 Result<Report> run_users(const program::Arguments& arguments) {
-  const Result<std::vector<UsersSection>> sections = sections_of(arguments);
+  const Result<std::vector<UsersSection>> sections = chosen_sections(kSections, arguments, "users");
   if (!sections) return sections.error();
   Report report{.bench = "users", .rows = {}, .notes = {}};
   for (const UsersSection& section : *sections) {

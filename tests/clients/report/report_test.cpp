@@ -291,6 +291,23 @@ TEST(ImageCounts, SayThatTcpCameBeforeUdp) {
   EXPECT_EQ(carriers_in_words(session, summary), "TCP for the whole session");
 }
 
+TEST(ImageCounts, SayForHowLongSomethingElseUsedTheLineAndWhatItLeft) {
+  Session session;
+  for (int second = 0; second < 5; ++second) {
+    msg::ServerStats stats;
+    auto& subscriber = *stats.add_subscribers();
+    subscriber.set_name("telepalp-station");
+    if (second >= 2) subscriber.set_share_b_per_s(second == 3 ? 1.2e6 : 2e6);
+    add(session, wire::make_message(wire::kServerStats, session_time(kMadeStart_ns + second * 1'000'000'000LL), stats));
+  }
+  for (const wire::Message& message : made_messages({})) add(session, message);
+  EXPECT_EQ(
+      shared_line_in_words(summarise(session).shared_line),
+      " For 3 s something else used the station's line, such as a download; at least 9.6 Mbit/s were left for the "
+      "images.");
+  EXPECT_EQ(shared_line_in_words({}), "");
+}
+
 TEST(Events, ChangesOfStateAreFoldedAndTheFirstOneIsNoChange) {
   Session session = session_of({.seconds = 1.0});
   for (int change = 0; change < 600; ++change) {

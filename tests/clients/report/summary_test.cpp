@@ -233,9 +233,10 @@ TEST(IdleTimer, ExplainsLateTicksThatAreTheComputersAndSaysWhatToDo) {
 TEST(IdleTimer, DoesNotExcuseTicksThatTheRunItselfMadeLate) {
   const Verdict verdict = with_late_ticks(80, 1);
   EXPECT_TRUE(verdict.headline.starts_with("Check this run: the force came late")) << verdict.headline;
-  EXPECT_TRUE(verdict.causes.at(0).what.starts_with(
-      "the force came late in more than one of a thousand ticks, not counting the wake-ups that the timer of the "
-      "station's computer misses even without work (1 of 2000"))
+  EXPECT_TRUE(
+      verdict.causes.at(0).what.starts_with("the force came late: 80 of 8000 deadlines were missed, more than one in "
+                                            "a thousand, not counting the wake-ups that the timer of the "
+                                            "station's computer misses even without work (1 of 2000"))
       << verdict.causes[0].what;
   EXPECT_NE(verdict.account.find("about 4 of them"), std::string::npos) << verdict.account;
 }

@@ -57,6 +57,8 @@ test('an object over the touched place is said before that nothing is felt there
   const covered = banner({objectOverPlace: true, surfaceStale: true});
   assert.equal(covered.title, 'Something lies over the place');
   assert.match(covered.text, /remembered/);
+  assert.match(covered.text, /lift 3 cm clear/);
+  assert.equal(covered.acceptsObject, undefined, 'beside a device, nobody at this page sees its hand');
   assert.equal(banner({objectOverPlace: true, station_ms: 2000}).title, 'Station silent', 'an old word is no warning');
 });
 
@@ -99,4 +101,20 @@ test('a device that swings, and a drive at its limit, are told to whom they conc
   assert.match(banner({unsteady: swing, holdsHand: true}).text, /Your press is let go: release the button/);
   assert.equal(banner({unsteady: 'full drive'}).title, 'Drive at its limit');
   assert.equal(banner({unsteady: swing, stale: true, silence_ms: 300}).title, 'Stale picture');
+});
+
+test('who moves the hand in the page accepts an object there as skin; others lift clear of it', () => {
+  const moves = {objectOverPlace: true, holdsHand: true};
+  assert.equal(banner(moves).acceptsObject, true);
+  assert.match(banner(moves).text, /This is skin now/);
+  for (const other of [{...moves, untaken: true}, {...moves, role: 'qa'}])
+    assert.equal(banner(other).acceptsObject, undefined, JSON.stringify(other));
+});
+
+test('other traffic on the line is said with what it leaves, after everything that is worse', () => {
+  const shared = banner({lineLeft_B_per_s: 1.2e6});
+  assert.equal(shared.title, 'Something else uses this line');
+  assert.match(shared.text, /^About 9\.6 Mbit\/s are left for the station\./);
+  assert.equal(banner({lineLeft_B_per_s: 1.2e6, phase: 9}).title, 'Station faulted');
+  assert.equal(banner({lineLeft_B_per_s: 1.2e6, handShown: false}).title, 'No hand');
 });

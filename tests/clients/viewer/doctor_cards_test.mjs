@@ -91,3 +91,13 @@ test('no two rows of the page have one name', () => {
   assert.deepEqual(names.filter((name, at) => names.indexOf(name) !== at), []);
   assert.ok(names.includes('Network to station') && names.includes('Network to here'));
 });
+
+test('the delay of the device\'s loop is told where it is measured, and warned of where it softens the patient', () => {
+  const still = {stampNs: 0n, support: 1, slewedM: 0, dampingN: 0, objects: [], stiffnessLimitNPerM: 400, effectsNPerM: 300};
+  const row = (more) => compensationRows({...still, ...more}, undefined).find(({name}) => name === 'Device: loop delay');
+  assert.equal(row({}), undefined);
+  assert.deepEqual([row({loopDelayS: 0.001}).value, row({loopDelayS: 0.001}).level], ['1.0 ms', undefined]);
+  const softened = row({loopDelayS: 0.001, effectsNPerM: 1200});
+  assert.deepEqual([softened.value, softened.level], ['1.0 ms, at most 400 N/m', 'warn']);
+  assert.match(softened.says, /asks for 1200 N\/m/);
+});

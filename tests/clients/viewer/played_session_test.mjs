@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import {bundled} from './bundled.mjs';
 
-const {commanded, joined, networkRows, placeOf, readNetwork, SLIDERS, textOf} = await bundled('playback/network_state.ts');
+const {joined, networkRows, placeOf, readNetwork, SLIDERS, textOf} = await bundled('playback/network_state.ts');
 const {keyOf, noteInAddress, readNotes} = await bundled('playback/session_notes.ts');
 const {addressOfMoment} = await bundled('playback/moment.ts');
 const {shownMoment} = await bundled('playback/shown_moment.ts');
@@ -16,11 +16,6 @@ const STATE = {
 };
 const state = (changes = {}) => readNetwork({...STATE, ...changes});
 const slider = (field) => SLIDERS.find((one) => one.field === field);
-
-test('a slider shows what was commanded until the server says what is in effect', () => {
-  const now = commanded(state({delayMs: 25}), {delay_ms: 600});
-  assert.deepEqual([now.delay_ms, now.jitter_ms], [600, state().jitter_ms]);
-});
 
 test('the notes of another session are other notes, though they have the same numbers', () => {
   const note = {number: 1, at_s: 1, text: 'x', who: 'Ada', written: '2026-03-01T12:00:00Z'};

@@ -57,6 +57,18 @@ test('a state from before the last command is not shown after it, whichever come
   assert.equal(resource.state, 'faster than the answer');
 });
 
+test('a control is not told to show the state from before its command once the command is answered', async () => {
+  const {resource, answer} = slow();
+  resource.take(at(1n, 'before'));
+  let told = 0;
+  resource.onChange(() => ++told);
+  void resource.command({delay: 600});
+  await answer(ok(9n));
+  assert.deepEqual([told, resource.state], [0, 'before']);
+  resource.take(at(9n, 'after'));
+  assert.deepEqual([told, resource.state], [1, 'after']);
+});
+
 test('while a command is on its way, later ones become one', async () => {
   const {resource, asked, answer} = slow({join: (first, then) => ({...first, ...then})});
   const first = resource.command({delay: 1});

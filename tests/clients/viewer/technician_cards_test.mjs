@@ -6,7 +6,7 @@ import {bundled} from './bundled.mjs';
 
 const {summarise, HISTOGRAM_BIN_M} = await bundled('depth/depth_summary.ts');
 const {pictureRows} = await bundled('panel/technician/picture_problems.ts');
-const {NetworkRates} = await bundled('panel/technician/network_rows.ts');
+const {NetworkRates, subscriberRows} = await bundled('panel/technician/network_rows.ts');
 const {lightOf} = await bundled('present/light_meter.ts');
 const {depthColor} = await bundled('scene/depth_color.ts');
 const {sourceSays} = await bundled('panel/technician/source_card.ts');
@@ -107,4 +107,27 @@ test('a slider reaches both ends of the camera\'s range, and each place leads ba
     for (let place = 0; place <= 100; ++place) assert.equal(placeAt(valueAt(place, least, most), least, most), place, `${place} of ${least} to ${most}`);
     assert.ok(Math.abs(valueAt(100, least, most) / most - 1) < 0.01);
   }
+});
+
+test('a subscriber whose line something else uses has a row with what is left', () => {
+  const station = {name: 'telepalp-station', address: '10.0.0.2:5000', sent: 9n, dropped: 0n, byDatagram: true};
+  assert.equal(subscriberRows({subscribers: [station]}).length, 1);
+  const [, line] = subscriberRows({subscribers: [{...station, shareBPerS: 1.2e6}]});
+  assert.deepEqual([line.name, line.value, line.level], ['its line', '9.6 Mbit/s left', 'warn']);
+  assert.match(line.says, /^Something else uses this line/);
+});
+
+test('who sees the patient is one row for each key, whatever number of streams it has', async () => {
+  const {peopleSay, readPeople} = await bundled('panel/technician/people_card.ts');
+  const stream = (name, key, program) => ({name, role: 'viewer', key, program, from: '10.0.0.7:4711', since: '2026-11-27T10:00:00Z'});
+  const state = readPeople({
+    people: [stream('vera', '07', 'browser'), stream('vera', '07', 'telepalp-view'), stream('walt', '08', 'browser')],
+    holdsTouch: 'anna', sentOut: [{...stream('eve', '09', ''), from: '', since: ''}], anchor: 'anchor time=…', alarm: '',
+  });
+  assert.deepEqual(state.present.map(({who, key}) => [who, key]), [['viewer vera (2)', '07'], ['viewer walt', '08']]);
+  assert.match(state.present[0].says, /^browser from 10\.0\.0\.7:4711 since .*\ntelepalp-view from /);
+  assert.deepEqual(state.sentOut.map(({who, key}) => [who, key]), [['viewer eve', '09']]);
+  assert.equal(peopleSay(state), 'Doctor anna holds the touch.');
+  assert.equal(peopleSay({...state, holdsTouch: ''}), 'Nobody holds the touch.');
+  assert.equal(peopleSay({...state, alarm: 'the audit log was cut'}), 'Alarm: the audit log was cut');
 });

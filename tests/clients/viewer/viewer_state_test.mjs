@@ -163,3 +163,19 @@ test('a picture is stale that is a second older than its path always needs, howe
   const lossy = page({leastAge_ms: 330, silenceLimit_ms: 850});
   assert.deepEqual([lossy.read(2550).stale, lossy.read(2650).stale], [false, true]);
 });
+
+test('a swing is told as wide as it was, and as quick as it is: the first rate comes from half a window', () => {
+  const state = new ViewerState();
+  state.pointerRests = true;
+  state.shown({...instantAt(1000), station: stationAt(1002), hand: 'new'}, 1020);
+  const toldOf = (width_m, hertz, at_ms) => {
+    state.news = {...heard, motion: {swing: {width_m, hertz, hand_m: 0}, driveIsFull: false}};
+    return state.read(at_ms).unsteady;
+  };
+  assert.deepEqual(toldOf(0.006, 2.5, 1000), {swing_mm: 6, hertz: 2.5});
+  assert.deepEqual(toldOf(0.0059, 4.2, 1100), {swing_mm: 6, hertz: 4.2});
+  state.news = {...heard, motion: {swing: undefined, driveIsFull: true}};
+  assert.deepEqual(state.read(1200).unsteady, {swing_mm: 6, hertz: 4.2}, 'the swing brings the drive to its limit');
+  state.news = {...heard, motion: {swing: undefined, driveIsFull: false}};
+  assert.equal(state.read(4000).unsteady, undefined);
+});

@@ -36,10 +36,10 @@ class FileTest : public ::testing::Test {
   }
   /// Records the session to `file` until `enough`, and then sends `signal`. Returns the recorder's exit code.
   static int record(const fs::path& file, int signal, const std::function<bool()>& enough) {
-    support::ChildProcess recorder(
-        kPrograms / "telepalp-record",
-        {"--connect", "127.0.0.1:" + std::to_string(session().port()), "--key", key().string(), "--out", file.string()},
-        session().file("record.log"));
+    support::ChildProcess recorder(kPrograms / "telepalp-record",
+                                   {"--connect", "127.0.0.1:" + std::to_string(session().port()), "--key",
+                                    key().string(), "--consent", "signed-form", "--out", file.string()},
+                                   session().file("record.log"));
     for (int tenth = 0; tenth < 200 && !enough(); ++tenth) std::this_thread::sleep_for(100ms);
     recorder.signal(signal);
     return recorder.wait(20s).value_or(-1);
@@ -99,11 +99,12 @@ TEST_F(BadInput30, WhenTheDiskIsFullServerAndRecorderRaiseAnAlarmAndTheDoctorsSe
     visit();
     EXPECT_TRUE(comes(log, "ALARM: the audit log")) << text_of(log);
     // Each file of the recorder can grow to 1 MB, as on a disk that is nearly full.
-    support::ChildProcess recorder("/bin/bash",
-                                   {"-c", "ulimit -f 1000; exec " + (kPrograms / "telepalp-record").string() +
-                                              " --connect 127.0.0.1:" + std::to_string(session().port()) + " --key " +
-                                              key().string() + " --out " + session().file("full.mcap").string()},
-                                   session().file("record.log"));
+    support::ChildProcess recorder(
+        "/bin/bash",
+        {"-c", "ulimit -f 1000; exec " + (kPrograms / "telepalp-record").string() +
+                   " --connect 127.0.0.1:" + std::to_string(session().port()) + " --consent signed-form --key " +
+                   key().string() + " --out " + session().file("full.mcap").string()},
+        session().file("record.log"));
     EXPECT_TRUE(comes(session().file("record.log"), "the recording goes on in", 20s));
     recorder.signal(SIGINT);
     EXPECT_EQ(recorder.wait(20s), 1) << "messages were lost";

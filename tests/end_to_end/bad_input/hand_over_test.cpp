@@ -49,7 +49,8 @@ TEST(HandOver, OneCommandOffersTheTouchAndOneCommandAcceptsIt) {
   EXPECT_TRUE(comes(session.file("bert.log"), "doctor anna offers you the touch", 20s));
   EXPECT_EQ(session.audit().find("event=gave-touch"), std::string::npos) << "an offer alone takes nothing away";
   EXPECT_EQ(hand_over(bert, "--accept"),
-            "ok: this station takes the touch (the permission to palpate) as soon as another doctor offers it\n");
+            "ok: this station takes the touch (the permission to palpate) as soon as it is free, or another doctor "
+            "offers it\n");
   EXPECT_TRUE(comes(session.file("bert.log"), "control loop runs at 2 kHz", 30s)) << text_of(session.file("bert.log"));
   EXPECT_TRUE(comes(session.file("station.log"), "the touch is handed over to doctor bert", 20s))
       << text_of(session.file("station.log"));

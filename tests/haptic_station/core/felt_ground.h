@@ -21,8 +21,9 @@ struct FeltGroundSettings {
   std::function<double(const Eigen::Vector3d&)> height_at = [](const Eigen::Vector3d&) { return 0.0; };
 };
 
-/// An effect that knows the tissue only by the local models of a slow stage. A new model raises the ground at 50 mm/s
-/// or slower, and lowers it at once. Without a new model for 0.1 s there is no ground.
+/// An effect that knows the tissue only by the local models of a slow stage. A new model that is higher raises the
+/// ground by at most 50 mm/s; a lower one lowers it at once. If no model has come for 0.1 s, the ground sinks to the
+/// device and gives no force.
 class FeltGround {
  public:
   static constexpr const char* kName = "felt_ground";

@@ -10,6 +10,7 @@
 
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/journal/journal_replay.h"
+#include "haptic_station/core/journal/journal_words.h"
 #include "haptic_station/station/parts/core_threads.h"
 #include "haptic_station/station/rigs/journaled_scene.h"
 #include "haptic_station/station/rigs/placement.h"
@@ -150,6 +151,86 @@ std::string changed(const std::string& bytes,
   while (auto block = reader->next())
     if (const auto kept = change(std::move(*block))) writer.add(*kept);
   return out.str();
+}
+
+/// A level patient, on whom a towel of 80 x 80 pixels and 60 mm lies from the tenth image on.
+DepthImage under_a_towel(int number) {
+  DepthImage depth = level_patient(0);
+  for (int v = 20; number >= 10 && v < 100; ++v)
+    for (int u = 40; u < 120; ++u) depth.samples[static_cast<std::size_t>(v * kWidth + u)] = 840;
+  return depth;
+}
+
+/// What the surface thread reports of `images` images, with the device 10 mm above the towel. The doctor accepts the
+/// towel before image 20. Each run goes into `journal`.
+std::vector<bool> live_reports(station::JournalThread& journal, int images) {
+  LatestValue<loop::TouchableSurface> surfaces;
+  LatestValue<Point<HapticBase>> device;
+  device.put({{0.0, 0.0, 0.83}});
+  std::atomic<int> reported{0};
+  std::vector<bool> over_place(static_cast<std::size_t>(images));
+  station::SurfaceWorker worker(
+      *surface::surface_settings("fast"),
+      [](const DepthImage&, const Intrinsics&) { return Transform<HapticBase, DepthCamera>{}; },
+      {.now = steady_now,
+       .on_report =
+           [&](const msg::SurfaceReport& report) {
+             over_place[static_cast<std::size_t>(reported)] = report.object_over_place();
+             ++reported;
+           },
+       .on_bad_frame = [](const Error& error) { ADD_FAILURE() << to_string(error); },
+       .request_key_frame = [](const wire::Message&) {}},
+      surfaces, device, effects::EffectBank());
+  worker.write_to(journal);
+  codec::DepthEncoder encoder({.mode = codec::DepthMode::Intra, .key_every = 1});
+  for (int i = 0; i < images; ++i) {
+    if (i == 20) worker.accept_object();
+    const SessionTime captured = kFirstImage + i * kFrame;
+    msg::DepthImage message;
+    message.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(captured)));
+    message.set_sequence(static_cast<std::uint64_t>(i));
+    message.set_width(kWidth);
+    message.set_height(kHeight);
+    codec::EncodedDepth encoded = encoder.encode(under_a_towel(i));
+    message.set_data(std::move(encoded.bytes));
+    worker.offer({.depth = wire::make_message(wire::kCameraDepth, captured, message, encoded.key_frame),
+                  .camera = kCamera,
+                  .received = captured});
+    for (int tries = 0; tries < 10'000 && reported <= i; ++tries) std::this_thread::sleep_for(1ms);
+  }
+  return over_place;
+}
+
+/// The same reports from the journal's runs; `keeps_acceptance`: false takes the doctor's word out of them.
+std::vector<bool> replayed_reports(const std::filesystem::path& file, bool keeps_acceptance) {
+  std::ifstream in(file, std::ios::binary);
+  Result<JournalReader> reader = JournalReader::open(in, "the test's journal");
+  EXPECT_TRUE(reader.ok());
+  SurfaceStage stage = fast_stage();
+  std::vector<bool> over_place;
+  while (auto block = reader->next()) {
+    if (!block->has_surface_run()) continue;
+    if (!keeps_acceptance) block->mutable_surface_run()->clear_accept_object();
+    const StepTimes times = times_of(block->surface_run());
+    const auto result = stage.run(job_of(block->surface_run()), [&](StageStep step) { return times.of(step); });
+    over_place.push_back(result.report.object_over_place());
+  }
+  return over_place;
+}
+
+TEST(Journal, AnObjectThatTheDoctorAcceptsIsSkinOnTheSurfaceThreadAndInTheReplay) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "run.journal";
+  auto journal = station::JournalThread::open(
+      file, station::journal_header(scene_named("skin"), "a.scene.textproto", *surface::surface_settings("fast")));
+  ASSERT_TRUE(journal.ok());
+  const std::vector<bool> live = live_reports(**journal, 30);
+  ASSERT_TRUE((*journal)->close().ok());
+  EXPECT_TRUE(live[19]) << "the towel lies over the place";
+  EXPECT_FALSE(live[21]) << "it is skin";
+  EXPECT_FALSE(live[29]) << "and stays skin";
+  EXPECT_EQ(replayed_reports(file, true), live);
+  EXPECT_NE(replayed_reports(file, false), live) << "without the doctor's word, it stays an object";
 }
 
 TEST(Journal, ADevicePositionThatDiffersByAPicometreIsSeen) {

@@ -51,6 +51,21 @@ TEST(Scene, ThePalpationSceneIsThePapers) {
   EXPECT_DOUBLE_EQ(scene->control.transitions.dwell_s, 0.3);
 }
 
+TEST(Scene, ThePrintedPapersSceneHasItsPrintedLawAndItsCylinder) {
+  const Result<Scene> scene = read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/paper_printed.scene.textproto");
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  const effects::SkinSettings* skin = scene->skin();
+  ASSERT_NE(skin, nullptr);
+  const double stiffness_N_per_m =
+      skin->law.constant_N_per_m + skin->law.slope_N_per_m2 * 0.06 + skin->law.curve_N_per_m3 * 0.06 * 0.06;
+  EXPECT_NEAR(stiffness_N_per_m, 95.4, 0.01) << "S1 eq. (7) with alpha 1500 at 0.06 m";
+  EXPECT_TRUE(skin->law.by_axis);
+  EXPECT_EQ(skin->anchor, effects::SkinAnchor::Fixed);
+  const effects::EffectBank bank = core::bank_of(scene->effects);
+  ASSERT_EQ(bank.bill().size(), 2U);
+  EXPECT_STREQ(bank.bill()[1].name, "cylinder");
+}
+
 TEST(Scene, AnUnknownFieldIsAnErrorWithLineAndColumn) {
   EXPECT_NE(complaint("plane { hight_m: 0.02 }").find("bad.scene.textproto:2:16"), std::string::npos)
       << complaint("plane { hight_m: 0.02 }");

@@ -3,6 +3,7 @@
 #include "haptic_station/station/bill/scene_bill.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <array>
 
@@ -211,9 +212,13 @@ TEST(Bill, ReceivingAnImageCostsMoreTheMoreBytesItHas) {
   std::vector<wire::Message> halves(images.begin(), images.end());
   for (wire::Message& half : halves)
     half.payload = std::make_shared<const std::string>(half.payload->substr(0, half.payload->size() / 2));
-  const double whole_us = receiving_us(images);
+  double whole_us = receiving_us(images), half_us = receiving_us(halves);
+  for (int again = 0; again < 2; ++again) {  // other programs only add time
+    whole_us = std::min(whole_us, receiving_us(images));
+    half_us = std::min(half_us, receiving_us(halves));
+  }
   EXPECT_GT(whole_us, 20.0) << "some 70 datagrams are read and decrypted";
-  EXPECT_LT(receiving_us(halves), 0.8 * whole_us);
+  EXPECT_LT(half_us, 0.8 * whole_us);
 }
 
 TEST(Bill, TheErrorIsThatOfAMovingHandOnAMovingPatient) {

@@ -185,6 +185,38 @@ TEST(StaticModel, APartInsideAnotherIsNotTouchedEvenWhenTheMeshIsOpen) {
   EXPECT_NEAR(felt_radius_m(*model->snapshot, {0, 0, 1}), 0.1, 5e-4);
 }
 
+/// A slab of 60 mm x 60 mm around `middle`, closed, with faces outwards.
+models::PointModel slab(double thick_m, const Vector3d& middle) {
+  models::PointModel mesh;
+  for (const double z : {-0.5 * thick_m, 0.5 * thick_m})
+    for (const double y : {-0.03, 0.03})
+      for (const double x : {-0.03, 0.03}) mesh.points.push_back((middle + Vector3d(x, y, z)).cast<float>());
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+TEST(ThinWalls, AreSaidWithTheirShareThicknessAndPlace) {
+  const auto thin = make_static_model(slab(0.0032, {0.5, 0, 0}), {.spacing_m = 0.002, .anyway = true});
+  ASSERT_TRUE(thin.ok()) << to_string(thin.error());
+  const std::string& said = thin->sampling;
+  const std::size_t at = said.find(" % of the surface has walls thinner than two spacings");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_GT(std::stod(said.substr(said.rfind(' ', at - 1))), 85.0) << said;  // both sides, not the rim
+  EXPECT_NE(said.find("under 3.5 mm at (0.", at), std::string::npos) << said;
+  const auto thick = make_static_model(slab(0.0032, {0.5, 0, 0}), {.spacing_m = 0.001, .anyway = true});
+  ASSERT_TRUE(thick.ok()) << to_string(thick.error());
+  EXPECT_EQ(thick->sampling.find("thinner than two spacings"), std::string::npos) << thick->sampling;
+}
+
+TEST(ThinWalls, AnOpenSheetHasNone) {
+  models::PointModel sheet = slab(0.003, {0, 0, 0});
+  sheet.triangles = {{4, 5, 6}, {5, 7, 6}};
+  const auto made = make_static_model(sheet, {.spacing_m = 0.002, .anyway = true});
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_EQ(made->sampling.find("thinner than two spacings"), std::string::npos) << made->sampling;
+}
+
 TEST(WindingNumber, IsOneInsideZeroOutsideAndTwoWhereBodiesOverlap) {
   models::PointModel two = ball(0.1, {0, 0, 1}, false);
   const models::PointModel other = ball(0.1, {0.1, 0, 1}, false);
@@ -303,6 +335,52 @@ TEST(CloudOrientation, AFewReversedNormalsOfAnOpenCloudAreReversedBack) {
   const auto made = make_static_model(cloud, {.viewpoint_m = {0, 0, 3}});
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   EXPECT_NE(made->remarks.find("5.0 % of the normals contradicted"), std::string::npos) << made->remarks;
+  for (const CloudPoint& point : made->snapshot->cloud()) ASSERT_GT(point.normal.z(), 0.0F);
+}
+
+/// A floor with a fin upright on it, 60 mm long and 30 mm high, whose two walls meet at twice `half_angle_deg`. All
+/// normals point outwards.
+models::PointModel fin_on_floor(double half_angle_deg) {
+  const double half = half_angle_deg * M_PI / 180.0;
+  models::PointModel cloud;
+  const auto add = [&](const Vector3d& at, const Vector3d& normal) {
+    cloud.points.push_back(at.cast<float>());
+    cloud.normals.push_back(normal.cast<float>());
+  };
+  for (int i = -40; i <= 40; ++i)
+    for (int j = -40; j <= 40; ++j) {
+      const double y = 0.002 * j;
+      const bool below_fin = std::abs(i) <= 15 && std::abs(y) < 0.03 * std::tan(half);
+      if (!below_fin) add({0.002 * i, y, 0.0}, Vector3d::UnitZ());
+    }
+  for (int i = -15; i <= 15; ++i)
+    for (double down_m = 0.001; down_m < 0.03; down_m += 0.002)
+      for (const double side : {-1.0, 1.0})
+        add({0.002 * i, side * down_m * std::tan(half), 0.03 - down_m}, {0.0, side * std::cos(half), std::sin(half)});
+  return cloud;
+}
+
+TEST(CloudOrientation, NormalsOfTheFileAreKeptOnBothWallsOfAThinFin) {
+  for (const double half_angle_deg : {5.0, 8.0, 12.0}) {
+    const models::PointModel cloud = fin_on_floor(half_angle_deg);
+    const auto made = make_static_model(cloud, {.anyway = true, .viewpoint_m = {0, 0, 3}});
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const std::vector<CloudPoint>& kept = made->snapshot->cloud();
+    ASSERT_EQ(kept.size(), cloud.normals.size());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      ASSERT_GT(kept[i].normal.dot(cloud.normals[i]), 0.9F) << half_angle_deg << ": " << made->remarks;
+    EXPECT_EQ(made->remarks, "") << half_angle_deg;
+  }
+}
+
+TEST(CloudOrientation, AReversedPatchOfASmoothCloudIsReversedBack) {
+  models::PointModel cloud = dome();
+  for (std::size_t i = 0; i < cloud.normals.size(); ++i)
+    if ((cloud.points[i] - cloud.points[cloud.points.size() / 3]).norm() < 0.02F) cloud.normals[i] = -cloud.normals[i];
+  const auto made = make_static_model(cloud, {.viewpoint_m = {0, 0, 3}});
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_NE(made->remarks.find("of the normals contradicted their neighbours: they are reversed"), std::string::npos)
+      << made->remarks;
   for (const CloudPoint& point : made->snapshot->cloud()) ASSERT_GT(point.normal.z(), 0.0F);
 }
 

@@ -162,6 +162,18 @@ AssertionResult no_number_for_long() {
   return all_of({below_N("step", last.step_N, 0.1), {!last.felt.faulted, "felt again, without re-arming"}});
 }
 
+/// The first number after the gap is 30 mm off, and so are all that follow.
+AssertionResult no_number_then_an_offset() {
+  const WrongEncoders seen = with_encoders(
+      [](double now_s) {
+        if (now_s < kGlitch_s) return 0.0;
+        return now_s < kGlitch_s + 0.5 * LoopScene::kTick_s ? std::nan("") : -0.03;
+      },
+      3.5);
+  return all_of({{seen.felt.last.fault == control::FaultCause::DeviceImplausible, "a fault, latched"},
+                 below_N("step", seen.step_N, 0.25)});
+}
+
 /// A probe whose tip is 50 mm beside the device point presses on a membrane of 500 N/m, 20 mm under a soft skin. The
 /// device states that it gives `most_N_m`.
 struct Probing {
@@ -247,6 +259,65 @@ AssertionResult torque_above_the_devices() {
                  {!seen.felt.faulted && seen.finite, "contact holds"}});
 }
 
+/// Encoders with steps of `step_m`, and the velocity that a device with a low-pass at 150 Hz reports from them.
+class CoarseEncoders {
+ public:
+  explicit CoarseEncoders(double step_m) : step_m_(step_m) {}
+  void operator()(double, ports::DeviceReading& reading) {
+    constexpr double kShare = 0.376;  // of a new difference in the reported velocity: 1 - exp(-2 pi 150 Hz * 0.5 ms)
+    reading.at.m = (reading.at.m / step_m_).array().round().matrix() * step_m_;
+    if (begun_) speed_ += kShare * ((reading.at.m - before_m_) / LoopScene::kTick_s - speed_);
+    before_m_ = reading.at.m;
+    begun_ = true;
+    reading.velocity.v = speed_;
+  }
+
+ private:
+  double step_m_;
+  Eigen::Vector3d before_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d speed_ = Eigen::Vector3d::Zero();
+  bool begun_ = false;
+};
+
+/// Largest change of force in a tick of Body to plane outside the skin, 10 ms after a change of contact apart [N]. The
+/// hand follows the lift and resists it. NaN: the lift was seen for less than a tenth of a second.
+double lift_step_N(double encoder_step_m) {
+  LoopScene scene;
+  scene.effects = the_skin({.law = effects::linear_law(500.0)});
+  scene.seconds = 6.0;
+  scene.person = [](const device::TrialView& view) {
+    device::Intention aim = presses_to(0.01)(view);
+    if (view.time_s > 2.0) aim.at.m.y() = std::min(0.06, -0.01 + 0.03 * (view.time_s - 2.0));
+    return aim;
+  };
+  scene.encoders = CoarseEncoders(encoder_step_m);
+  double worst_N = 0.0, changed_s = 0.0;
+  int lifted = 0;
+  bool lifts = false;
+  Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
+  scene.watch = [&](const loop::TickOut& act, double now_s, const auto&, const auto&) {
+    const bool now = act.control.phase == Phase::BodyToPlane && !act.contact.in_body;
+    if (now != lifts) changed_s = now_s;
+    lifts = now;
+    if (lifts && now_s - changed_s > 0.01) {
+      worst_N = std::max(worst_N, (act.force.N - before_N).norm());
+      ++lifted;
+    }
+    before_N = act.force.N;
+  };
+  (void)feel(scene);
+  return lifted >= 200 ? worst_N : std::nan("");
+}
+
+AssertionResult coarse_encoders_in_the_lift() {
+  const double fine_N = lift_step_N(0.13e-6);
+  const double usual_N = std::max(lift_step_N(5e-6), lift_step_N(20e-6));
+  const double coarse_N = lift_step_N(55e-6);
+  const double coarsest_N = lift_step_N(100e-6);
+  return all_of({below_N("step at 0.13 um", fine_N, 0.05), below_N("at 5 and 20 um", usual_N, 0.05),
+                 below_N("at 55 um", coarse_N, 0.05), below_N("at 100 um", coarsest_N, 0.05)});
+}
+
 }  // namespace
 
 std::vector<HardCase> device_rows() {
@@ -264,6 +335,10 @@ std::vector<HardCase> device_rows() {
        torque_above_the_devices},
       {"readings are no numbers for 16 ticks", "NaN spreads", "bridged: step 0.05 N", no_number_for_16_ticks},
       {"readings are no numbers for longer", "the place is unknown", "let go, resumes by itself", no_number_for_long},
+      {"a reading is no number, the next is 30 mm off", "6.6 N within 10 ms", "held, then a fault",
+       no_number_then_an_offset},
+      {"encoders of 0.13 to 100 um under the lift", "a damper on a speed of steps", "step 0.05 N",
+       coarse_encoders_in_the_lift},
       {"a number in the controller is NaN", "NaN spreads", "fault, finite force", device_that_is_no_number},
   };
 }

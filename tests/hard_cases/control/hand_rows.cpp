@@ -24,6 +24,21 @@ AssertionResult drawn_away() {
                  below_N("step within the slew", felt.worst_step_N, 1.0)});
 }
 
+/// A browser's hand hovers over an end-effector that coasted into the body while the station gave no force.
+AssertionResult let_go_below_a_hovering_hand() {
+  ControllerScene scene;
+  scene.seconds = 6.0;
+  scene.device.m.y() = -0.06;
+  scene.person = waits_at(0.12);
+  bool entered = false;
+  scene.spoil = [](control::ControlInput& in, double) { in.wait_at_m = 0.04; };
+  scene.watch = [&](const control::ControlOutput& out, double) { entered = entered || is_inside(out.phase); };
+  const Felt felt = feel(scene);
+  return all_of({{!entered, "is lifted out of the body without a contact"},
+                 {felt.last.phase == Phase::OutBody, "ends waiting above the skin"},
+                 below_N("step within the slew", felt.worst_step_N, 1.0)});
+}
+
 /// Figures of a contact from `lost_s` on.
 struct LettingGo {
   Felt felt;
@@ -336,6 +351,8 @@ std::vector<HardCase> hand_rows() {
   return {
       {"hand drawn away in contact", "no hand resists the skin's push", "does not fly off, waits on the plane",
        drawn_away},
+      {"browser's hand hovers over a device let go below the skin", "the lift takes it through the skin from below",
+       "lifted out without a contact", let_go_below_a_hovering_hand},
       {"hand leaves the skin by 1 mm to 500 mm", "S1 goes on only within d_thr of the skin",
        "the next phase on the same tick at any distance", leaves_at_any_distance},
       {"hand comes back as Out body begins", "the dwell would last 0.3 s", "felt within 2 ms and 2 mm",

@@ -239,6 +239,14 @@ AssertionResult thin_clip() {
                  near("a hand at 50 m/s too", struck.at.y(), 0.01, 2e-6)});
 }
 
+AssertionResult sheet_beside_a_wall() {
+  const auto tree = tree_of("+ plane 0 1 0 0 tr 0 0.002 0 box 0.05 0.00005 0.05");  // a sheet 2 mm over a wall
+  SolidProxy proxy;
+  (void)driven(proxy, *tree, {0.0, 0.001, 0.0}, {0.0, 0.0, 0.0}, 20);
+  const ProxyAt at = proxy.step(*tree, {0.0, 0.003, 0.0});
+  return all_of({near("the sheet holds it from below", at.at.y(), 0.00195, 2e-6)});
+}
+
 AssertionResult deep_tree() {
   std::string text;
   for (int i = 0; i < 50; ++i) text += "blend 0.002 ro 3 0 0 1 ";
@@ -301,6 +309,8 @@ const HardCase kRows[] = {
     {"a solid less itself", "a sheet without thickness would stay", "nothing is felt", nothing_left},
     {"60 scales of a millionth, nested", "their product is zero", "refused when it is read", no_finite_value},
     {"a sheet of 0.1 mm", "a tick crosses it", "stay on the side of entry", thin_clip},
+    {"a sheet 2 mm from the touched wall", "a tick leaves the wall and crosses it", "stay between them",
+     sheet_beside_a_wall},
     {"100 levels of operators", "recursion could overflow", "evaluated; more is refused", deep_tree},
     {"blend of a solid with itself", "the blend's width is full everywhere", "a stated swelling, no cusp",
      coincident_blend},

@@ -6,11 +6,11 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kMostStep_N = 0.05;  // a tick, at 500 N/m
-constexpr double kBeyond_N = 0.3;     // an object adds no more than this to the skin's force
-constexpr double kMeans_N = 0.6;      // the same, where the image's noise of 1 mm a pixel adds to it
+constexpr double kBeyond_N = 0.3;     // most by which the force may exceed that without the object
+constexpr double kMeans_N = 0.6;      // the same while the body rises under the object
 
 /// An object of 60 × 60 pixels (90 mm) at the depth `z_m`, with an arm 40 pixels wide to the image's edge, comes from
-/// the right at 0.3 m/s, reaches the device at 2 s, stays for `stays_s` and leaves as it came.
+/// the right at 0.3 m/s, is over the device at 2 s, stays for `stays_s` and leaves as it came.
 SeenPatient visited(double z_m, double stays_s) {
   SeenPatient patient;
   patient.over_m = [=](int u, int v, double t) {
@@ -69,19 +69,18 @@ AssertionResult remembered_skin_fades() {
 AssertionResult patient_sits_up() {
   SeenPatient patient;
   patient.depth_m = 0.004;
-  patient.over_m = [](int u, int v, double t) {
+  patient.over_m = [](int u, int /*v*/, double t) {
     const double up = 0.26 * smooth_step((t - 2.0) / 2.0);
     const double from_hips_m = 0.0015 * (u - 20.0);
-    (void)v;
     return t < 2.0 || u < 20 ? std::nan("") : 0.8 - up * from_hips_m;
   };
-  patient.well_again_s = 2.0 + 0.8;  // the skin is 15 mm higher at the device
+  patient.well_again_s = 2.0 + 0.8;  // the skin is 8 mm higher at the device
   const Returned got = press_on(patient);
   return all_of({{got.touched_before && got.never_lost, "felt all the time"},
                  above("felt at its new place, 8 mm higher", got.last_N, 5.0, 1.0, "N")});
 }
 
-/// A towel is laid on the skin. The doctor lifts the hand 60 mm over it, and presses it.
+/// A towel is laid on the skin. The doctor lifts the hand 70 mm over it, and presses it.
 AssertionResult towel_is_pressed_anew() {
   SeenPatient patient;
   patient.over_m = [](int u, int v, double t) {
@@ -93,6 +92,60 @@ AssertionResult towel_is_pressed_anew() {
   const Returned got = press_on(patient);
   return all_of(
       {above("the towel is felt", got.last_N, 4.5, 1.0, "N"), below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
+/// A towel is laid on the skin under a hand that rests on it, and accepted at once. The hand is lifted by 40 mm, so
+/// that it is never clear of the towel, and comes down again.
+Returned towel_is_accepted(bool accepts) {
+  SeenPatient patient;
+  patient.over_m = [](int u, int v, double t) {
+    return t > 2.0 && std::abs(u - 80) < 40 && std::abs(v - 60) < 40 ? 0.77 : std::nan("");
+  };
+  patient.depth_m = 0.0;
+  patient.accepts = [accepts](double t) { return accepts && t > 2.2 && t < 2.24; };
+  patient.raised_m = [](double t) { return 0.05 * smooth_step((t - 3.0) / 0.5) - 0.03 * smooth_step((t - 4.0) / 1.0); };
+  patient.well_again_s = 6.0;  // the device rests 10 mm below the towel's surface
+  return press_on(patient);
+}
+
+AssertionResult towel_is_accepted_by_the_button() {
+  const Returned without = towel_is_accepted(false);
+  const Returned got = towel_is_accepted(true);
+  return all_of({below_N("not accepted", without.last_N, kBeyond_N),
+                 above("the towel is felt", got.last_N, 4.5, 1.0, "N"),
+                 below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
+/// An accepted object does not push the device that is below it.
+AssertionResult hand_is_accepted_over_the_finger() {
+  SeenPatient patient = visited(0.74, 5.0);
+  patient.accepts = [](double t) { return t > 2.5 && t < 2.54; };
+  return adds_no_force(patient);
+}
+
+/// A body of 120 x 120 pixels on a bed 150 mm deeper. What jumps comes 30 mm nearer at 2 s, between two images.
+Returned jumped(bool bed_too) {
+  SeenPatient patient;
+  patient.depth_m = 0.004;
+  patient.lift_m = [](double t) { return t < 2.0 ? 0.0 : 0.03; };
+  patient.over_m = [bed_too](int u, int /*v*/, double t) {
+    return u < 120 ? std::nan("") : 0.95 - (bed_too && t >= 2.0 ? 0.03 : 0.0);
+  };
+  patient.well_again_s = 2.6;
+  return press_on(patient);
+}
+
+AssertionResult camera_is_pushed() {
+  const Returned got = jumped(true);
+  return all_of({{got.touched_before && !got.never_lost, "the contact ends"},
+                 below_N("0.6 s after it", got.last_N, kBeyond_N),
+                 below("felt again", got.felt_after_s, 1.0, 1.0, "s")});
+}
+
+AssertionResult patient_jumps_on_a_resting_bed() {
+  const Returned got = jumped(false);
+  return all_of({{got.touched_before && got.never_lost, "felt all the time"},
+                 above("felt at its new place", got.last_N, 5.0, 1.0, "N")});
 }
 
 }  // namespace
@@ -112,9 +165,18 @@ std::vector<HardCase> object_rows() {
        body_rises_under_the_hand},
       {"another's hand stays", "the skin is not seen for long", "felt for 1 s, no force after 3 s",
        remembered_skin_fades},
-      {"patient sits up into the hand", "skin comes nearer by 100 mm on half of the image", "is felt", patient_sits_up},
+      {"patient sits up into the hand", "skin comes nearer by up to 54 mm on half of the image", "is felt",
+       patient_sits_up},
       {"towel on the skin is pressed", "it looks like another's hand", "felt, once the hand was clear of it",
        towel_is_pressed_anew},
+      {"towel on the skin is accepted", "it looks like another's hand", "felt as soon as the hand is above it",
+       towel_is_accepted_by_the_button},
+      {"another's hand is accepted over a finger", "its surface lies 60 mm over the finger", harmless,
+       hand_is_accepted_over_the_finger},
+      {"the camera is pushed", "bed and body jump together", "lets go, then feels the skin where it is seen now",
+       camera_is_pushed},
+      {"patient jumps on a resting bed", "all of the body jumps between two images", "is felt",
+       patient_jumps_on_a_resting_bed},
   };
 }
 

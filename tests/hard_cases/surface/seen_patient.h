@@ -17,6 +17,7 @@ struct SeenPatient {
   /// Depth of an object that hides the skin at a pixel [m]; NaN: none; 0: no measurement.
   std::function<double(int, int, double)> over_m = [](int, int, double) { return std::nan(""); };
   std::function<bool(double)> frame_arrives = [](double) { return true; };
+  std::function<bool(double)> accepts = [](double) { return false; };  ///< the doctor accepts an object as skin
   std::function<double(double)> device_x_m = [](double) { return 0.0; };
   std::function<double(double)> raised_m = [](double) { return 0.0; };  ///< of the device over its usual path
   double depth_m = 0.02;                                                ///< of the device below the skin at rest
@@ -90,6 +91,7 @@ inline Returned press_on(const SeenPatient& patient) {
     const double t = tick * kTick_s;
     if (t >= next_frame * patient.frame_s) {
       ++next_frame;
+      if (patient.accepts(t)) builder.accept_object();
       Snapshot built =
           patient.frame_arrives(t)
               ? builder.add(image_of(patient, t, random), small_camera(), at_s(t),

@@ -105,6 +105,38 @@ TEST(Frames, RepairsOnRequestCompleteABlock) {
   EXPECT_EQ(receiver.take()->bytes, sent.bytes);
 }
 
+TEST(Frames, AShardThatWaitsForRoomIsNotRepaired) {
+  FrameSender sender(kDeadline);
+  PathEstimate path;
+  sender.offer(frame(1, 100'000));
+  FrameReceiver receiver(kDeadline);
+  std::size_t sent = 10;
+  for (std::size_t i = 0; i < sent; ++i) add(receiver, *next_payload(sender, kStart, path));
+  const std::vector<Missing> missing = receiver.missing(kStart + 10ms);
+  ASSERT_EQ(missing.size(), 1U);
+  sender.on_missing(missing, kStart + 20ms, path);
+  while (next_payload(sender, kStart + 20ms, path)) ++sent;
+  EXPECT_EQ(sent, fragments(frame(1, 100'000)).size());
+  EXPECT_EQ(sender.statistics().requested_shards, 0U);
+}
+
+TEST(Frames, AFrameIsKeptWhileItsFragmentsCome) {
+  FrameReceiver receiver(kDeadline);
+  const Payloads slow = fragments(frame(1, 100'000));
+  for (std::size_t i = 0; i < slow.size(); ++i) {
+    const SessionTime at = kStart + i * 2ms;
+    receiver.step(at);
+    add(receiver, slow[i], at);
+  }
+  EXPECT_TRUE(receiver.take());
+  for (int i = 0; i < 40; ++i) {
+    receiver.step(kStart + 1s + i * 20ms);
+    EXPECT_LE(receiver.assembling_B(), 201'000U);
+    add(receiver, fragments(frame(2, 200'000))[static_cast<std::size_t>(i)], kStart + 1s + i * 20ms);
+  }
+  EXPECT_GE(receiver.statistics().incomplete, 2U) << "a trickle is not kept for ever";
+}
+
 TEST(Frames, ARequestAfterTheDeadlineIsNotAnswered) {
   FrameSender sender(kDeadline);
   PathEstimate path;

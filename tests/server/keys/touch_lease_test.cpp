@@ -23,6 +23,12 @@ TEST(KeyedLink, OneDoctorHoldsTheTouchAndTheNextOneWaitsUntilItIsGiven) {
   EXPECT_FALSE(bert.refused()) << "it is no matter of the key: the station waits";
   EXPECT_NE(site.ring.audit().find("doctor anna holds the touch"), std::string::npos) << site.ring.audit();
   anna->link.stop("the examination is over");
+  ASSERT_TRUE(site.run_until([&] {
+    return bert.link.not_served_because() && bert.link.not_served_because()->what.starts_with("the touch is free");
+  }));
+  site.run_until([&] { return bert.connected(); }, 2500ms);
+  EXPECT_FALSE(bert.connected()) << "no device begins to move in an empty room";
+  bert.link.accept_touch();
   EXPECT_TRUE(site.run_until([&] { return bert.connected(); }));
   EXPECT_NE(site.ring.audit().find("event=gave-touch who=doctor anna"), std::string::npos) << site.ring.audit();
   EXPECT_NE(site.ring.audit().find("event=took-touch who=doctor bert"), std::string::npos) << site.ring.audit();
@@ -84,6 +90,7 @@ TEST(HandOver, TheHolderOffersTheOtherAcceptsAndTheAuditLogHasBoth) {
   two.site.run_until([&] { return two.anna->connected(); }, 1500ms);
   EXPECT_FALSE(two.anna->connected()) << "anna waits while bert holds the touch";
   two.bert->link.stop("the examination is over");
+  two.anna->link.accept_touch();
   EXPECT_TRUE(two.site.run_until([&] { return two.anna->connected(); }));
 }
 
@@ -132,72 +139,173 @@ TEST(TouchLease, AnOfferIsTakenByItsDoctorAloneAndEndsByTimeOrWithTheLease) {
   const auto start = std::chrono::steady_clock::now();
   const auto offered = [&] {
     access::TouchLease lease;
-    EXPECT_TRUE(lease.take(1, "a", "anna", start));
+    EXPECT_TRUE(lease.take({.peer = 1, .serial = "a", .name = "anna"}, start));
     EXPECT_FALSE(lease.offer(2, "bert", start)) << "peer 2 holds nothing";
     EXPECT_TRUE(lease.offer(1, "bert", start));
     return lease;
   };
   access::TouchLease lease = offered();
-  EXPECT_FALSE(lease.take(2, "b", "bert", start + 1s)) << "an offer alone takes nothing away";
-  EXPECT_FALSE(lease.accept(3, "c", "carla", start + 1s));
-  EXPECT_EQ(lease.accept(2, "b", "bert", start + 1s), 1u);
+  EXPECT_FALSE(lease.take({.peer = 2, .serial = "b", .name = "bert"}, start + 1s))
+      << "an offer alone takes nothing away";
+  EXPECT_FALSE(lease.accept({.peer = 3, .serial = "c", .name = "carla"}, start + 1s));
+  EXPECT_EQ(lease.accept({.peer = 2, .serial = "b", .name = "bert"}, start + 1s), 1u);
   EXPECT_FALSE(lease.renew(1, start + 1s));
-  EXPECT_FALSE(lease.accept(2, "b", "bert", start + 1s)) << "it is taken once";
+  EXPECT_FALSE(lease.accept({.peer = 2, .serial = "b", .name = "bert"}, start + 1s)) << "it is taken once";
 
   access::TouchLease late = offered();
   for (auto now = start; now < start + 61s; now += 5s) EXPECT_TRUE(late.renew(1, now));
-  EXPECT_FALSE(late.accept(2, "b", "bert", start + 61s)) << "an offer stands for 60 s";
+  EXPECT_FALSE(late.accept({.peer = 2, .serial = "b", .name = "bert"}, start + 61s)) << "an offer stands for 60 s";
 
   access::TouchLease silent = offered();
   EXPECT_FALSE(silent.offered_to(start + 11s)) << "the offer ends with the holder's lease";
-  EXPECT_TRUE(silent.take(3, "c", "carla", start + 11s)) << "then any doctor may take the touch";
+  EXPECT_TRUE(silent.take({.peer = 3, .serial = "c", .name = "carla"}, start + 11s))
+      << "then any doctor may take the touch";
 
   access::TouchLease left = offered();
   left.leave(1, true, start + 1s);
-  EXPECT_FALSE(left.take(3, "c", "carla", start + 2s)) << "anna left the touch to bert";
-  EXPECT_FALSE(left.take(1, "a", "anna", start + 2s));
-  EXPECT_TRUE(left.take(2, "b", "bert", start + 2s));
+  EXPECT_FALSE(left.take({.peer = 3, .serial = "c", .name = "carla"}, start + 2s)) << "anna left the touch to bert";
+  EXPECT_FALSE(left.take({.peer = 1, .serial = "a", .name = "anna"}, start + 2s));
+  EXPECT_TRUE(left.take({.peer = 2, .serial = "b", .name = "bert"}, start + 2s));
 }
 
 TEST(TouchLease, AnOfferSurvivesABrokenConnectionOfTheHolder) {
   const auto start = std::chrono::steady_clock::now();
   const auto broken = [&] {
     access::TouchLease lease;
-    EXPECT_TRUE(lease.take(1, "a", "anna", start));
+    EXPECT_TRUE(lease.take({.peer = 1, .serial = "a", .name = "anna"}, start));
     EXPECT_TRUE(lease.offer(1, "bert", start));
     lease.leave(1, false, start + 1s);
     return lease;
   };
   access::TouchLease returned = broken();
-  EXPECT_TRUE(returned.take(4, "a", "anna", start + 2s)) << "anna comes back within her lease";
+  EXPECT_TRUE(returned.take({.peer = 4, .serial = "a", .name = "anna"}, start + 2s))
+      << "anna comes back within her lease";
   EXPECT_EQ(returned.offered_to(start + 2s), "bert") << "and her offer stands";
   EXPECT_TRUE(returned.offer(4, "", start + 3s)) << "she may withdraw it";
-  EXPECT_FALSE(returned.accept(2, "b", "bert", start + 4s));
+  EXPECT_FALSE(returned.accept({.peer = 2, .serial = "b", .name = "bert"}, start + 4s));
 
   access::TouchLease accepted = broken();
-  EXPECT_FALSE(accepted.accept(3, "c", "carla", start + 2s));
-  EXPECT_EQ(accepted.accept(2, "b", "bert", start + 2s), 0u) << "bert accepts while no station has the touch";
-  EXPECT_FALSE(accepted.take(4, "a", "anna", start + 3s)) << "anna comes back too late";
+  EXPECT_FALSE(accepted.accept({.peer = 3, .serial = "c", .name = "carla"}, start + 2s));
+  EXPECT_EQ(accepted.accept({.peer = 2, .serial = "b", .name = "bert"}, start + 2s), 0u)
+      << "bert accepts while no station has the touch";
+  EXPECT_FALSE(accepted.take({.peer = 4, .serial = "a", .name = "anna"}, start + 3s)) << "anna comes back too late";
 
   access::TouchLease ended = broken();
-  EXPECT_FALSE(ended.accept(2, "b", "bert", start + 12s)) << "the offer ends with the holder's lease";
-  EXPECT_TRUE(ended.take(3, "c", "carla", start + 12s));
+  EXPECT_FALSE(ended.accept({.peer = 2, .serial = "b", .name = "bert"}, start + 12s))
+      << "the offer ends with the holder's lease";
+  EXPECT_TRUE(ended.take({.peer = 3, .serial = "c", .name = "carla"}, start + 12s));
+}
+
+TEST(TouchLease, ARunThatHadToWaitGoesLiveOnlyWhenItsDoctorAccepts) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease lease;
+  EXPECT_TRUE(lease.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_FALSE(lease.take({.peer = 2, .run = 20, .serial = "b", .name = "bert"}, start));
+  EXPECT_FALSE(lease.must_accept(20, start)) << "the touch is not free yet";
+  lease.leave(1, true, start + 1s);
+  EXPECT_FALSE(lease.take({.peer = 3, .run = 20, .serial = "b", .name = "bert"}, start + 2s));
+  EXPECT_TRUE(lease.must_accept(20, start + 2s));
+  EXPECT_TRUE(lease.take({.peer = 4, .run = 20, .serial = "b", .name = "bert", .accepts = true}, start + 3s));
+  lease.leave(4, true, start + 4s);
+  EXPECT_TRUE(lease.take({.peer = 5, .run = 50, .serial = "b", .name = "bert"}, start + 5s))
+      << "a doctor who starts the station sits at it";
+}
+
+TEST(TouchLease, HolderAndWaitingRunsSurviveARestartWithTenSecondsOfGrace) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease before;
+  EXPECT_TRUE(before.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_FALSE(before.take({.peer = 2, .run = 20, .serial = "b", .name = "bert"}, start));
+  const auto restarted = [&] {
+    access::TouchLease lease;
+    lease.restore(before.kept(), start + 1h);
+    return lease;
+  };
+  access::TouchLease lease = restarted();
+  EXPECT_EQ(lease.holder(start + 1h), "anna");
+  EXPECT_FALSE(lease.take({.peer = 1, .run = 30, .serial = "c", .name = "carla"}, start + 1h + 9s)) << "next in line";
+  EXPECT_TRUE(lease.take({.peer = 2, .run = 10, .serial = "a", .name = "anna"}, start + 1h + 9s));
+  access::TouchLease gone = restarted();
+  EXPECT_FALSE(gone.take({.peer = 1, .run = 20, .serial = "b", .name = "bert"}, start + 1h + 11s))
+      << "it waited before the restart, too";
+  EXPECT_TRUE(gone.take({.peer = 2, .run = 40, .serial = "c", .name = "carla"}, start + 1h + 11s));
+  for (const char* damaged : {"", ";", "x;", "a b c; 1 2 z", "a"}) access::TouchLease().restore(damaged, start);
+}
+
+TEST(TouchLease, TheTechnicianTakesItAwayAndTheStationThenWaitsForItsDoctor) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease lease;
+  EXPECT_FALSE(lease.take_away(start)) << "nobody holds it";
+  EXPECT_TRUE(lease.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_EQ(lease.take_away(start + 1s), "anna");
+  EXPECT_FALSE(lease.renew(1, start + 1s));
+  EXPECT_FALSE(lease.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start + 2s));
+  EXPECT_TRUE(lease.take({.peer = 3, .run = 10, .serial = "a", .name = "anna", .accepts = true}, start + 3s));
+}
+
+TEST(KeyedLink, AfterARestartOfTheServerTheHolderGetsTheTouchAndNotTheNextInLine) {
+  TwoDoctors two;
+  const std::uint16_t port = two.site.listener->port();
+  two.site.listener.reset();  // as a kill: nobody says Goodbye
+  ASSERT_TRUE(two.site.run_until([&] { return !two.anna->connected(); }));
+  two.site.access = two.site.open();
+  KeyedClient carla(two.site, two.site.ring.key("carla", Role::Doctor), "doctor", {wire::kStationState}, "127.0.0.1",
+                    port);
+  auto made =
+      hub::PeerListener::listen(two.site.io, two.site.hub, two.site.clock, {.port = port, .access = two.site.access});
+  ASSERT_TRUE(made.ok());
+  two.site.listener = std::move(made).value();
+  EXPECT_TRUE(
+      two.site.run_until([&] { return two.anna->connected() || carla.connected() || two.bert->connected(); }, 9s));
+  EXPECT_TRUE(two.anna->connected()) << two.site.ring.audit();
+}
+
+TEST(KeyedLink, ATechnicianTakesTheTouchAwayAndSendsAWatcherOutAndBothEnd) {
+  KeyedSite site;
+  KeyedClient anna(site, site.ring.key("anna", Role::Doctor), "doctor", {wire::kStationState});
+  const auto key = site.ring.key("vera", Role::Viewer);
+  KeyedClient vera(site, key);
+  ASSERT_TRUE(site.run_until([&] { return anna.connected() && vera.connected(); }));
+  ASSERT_EQ(site.access->people().present().size(), 2u);
+  ASSERT_TRUE(site.access->take_touch_away("technician tina").ok());
+  ASSERT_TRUE(site.run_until([&] {
+    anna.link.publish(message(wire::kStationState, ""));
+    return !anna.connected();
+  }));
+  site.run_until([&] { return anna.connected(); }, 2500ms);
+  EXPECT_FALSE(anna.connected()) << "the station waits for its doctor";
+  EXPECT_FALSE(site.access->send_out("0123", "technician tina").ok()) << "nobody has this key";
+  EXPECT_FALSE(site.access->send_out(key->identity.serial, "viewer vera").ok()) << "not oneself";
+  ASSERT_TRUE(site.access->send_out(key->identity.serial, "technician tina").ok());
+  ASSERT_TRUE(site.run_until([&] { return vera.refused(); }, 2500ms));
+  EXPECT_NE(vera.link.refusal().what.find("the technician has sent viewer vera out"), std::string::npos)
+      << to_string(vera.link.refusal());
+  KeyedClient again(site, key);
+  ASSERT_TRUE(site.run_until([&] { return again.refused() || again.connected(); }));
+  EXPECT_TRUE(again.refused());
+  site.access->let_in(key->identity.serial, "technician tina");
+  KeyedClient back(site, key);
+  EXPECT_TRUE(site.run_until([&] { return back.connected(); }));
+  for (const char* event : {"event=took-away-touch from=\"anna\" by=\"technician tina\"",
+                            "event=sent-out who=viewer vera by=\"technician tina\"", "event=let-in who=viewer vera"})
+    EXPECT_NE(site.ring.audit().find(event), std::string::npos) << event << "\n" << site.ring.audit();
 }
 
 TEST(TouchLease, IsLostBySilenceAndKeptForTheSameDoctorOverALostConnection) {
   const auto start = std::chrono::steady_clock::now();
   access::TouchLease lease;
-  EXPECT_TRUE(lease.take(1, "a", "anna", start));
-  EXPECT_FALSE(lease.take(2, "b", "bert", start + 5s));
+  EXPECT_TRUE(lease.take({.peer = 1, .serial = "a", .name = "anna"}, start));
+  EXPECT_FALSE(lease.take({.peer = 2, .serial = "b", .name = "bert"}, start + 5s));
   EXPECT_TRUE(lease.renew(1, start + 9s));
-  EXPECT_FALSE(lease.take(2, "b", "bert", start + 15s)) << "anna spoke 6 s ago";
-  EXPECT_TRUE(lease.take(2, "b", "bert", start + 20s)) << "anna was silent for 11 s";
+  EXPECT_FALSE(lease.take({.peer = 2, .serial = "b", .name = "bert"}, start + 15s)) << "anna spoke 6 s ago";
+  EXPECT_TRUE(lease.take({.peer = 2, .serial = "b", .name = "bert"}, start + 20s)) << "anna was silent for 11 s";
   EXPECT_FALSE(lease.renew(1, start + 20s)) << "anna's station hears that it lost the touch";
   lease.leave(2, false, start + 21s);
-  EXPECT_FALSE(lease.take(3, "a", "anna", start + 22s)) << "bert's connection was lost: it may come back";
-  EXPECT_TRUE(lease.take(4, "b", "bert", start + 23s));
+  EXPECT_FALSE(lease.take({.peer = 3, .serial = "a", .name = "anna"}, start + 22s))
+      << "bert's connection was lost: it may come back";
+  EXPECT_TRUE(lease.take({.peer = 4, .serial = "b", .name = "bert"}, start + 23s));
   lease.leave(4, true, start + 24s);
-  EXPECT_TRUE(lease.take(5, "a", "anna", start + 24s));
+  EXPECT_TRUE(lease.take({.peer = 5, .serial = "a", .name = "anna"}, start + 24s));
 }
 
 }  // namespace

@@ -241,6 +241,35 @@ TEST_F(ReplayProgram, AnInterruptedSweepKeepsItsFinishedCellsAndTheSameCommandRe
   EXPECT_EQ(from_the_start.find("were finished before"), std::string::npos) << from_the_start;
 }
 
+/// A session of 2 s of a live server.
+void record_session(const fs::path& folder, const fs::path& file) {
+  const fs::path bin = TELEPALP_BINARY_DIR "/bin";
+  const fs::path ready = folder / "ready";
+  support::ChildProcess server(bin / "telepalp-server", {"--port", "0", "--ready-file", ready}, folder / "server.log");
+  const auto port = support::await_ready(ready, "port");
+  ASSERT_TRUE(port) << bytes_of(folder / "server.log");
+  support::ChildProcess record(bin / "telepalp-record",
+                               {"--connect", "127.0.0.1:" + *port, "--out", file, "--seconds", "2"},
+                               folder / "record.log");
+  EXPECT_EQ(record.wait(60s), 0) << bytes_of(folder / "record.log");
+}
+
+TEST_F(ReplayProgram, SaysThatASourceIsDamaged) {
+  record_session(in(""), in("whole.mcap"));
+  std::string bytes = bytes_of(in("whole.mcap"));
+  std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2), 40, '\0');
+  std::ofstream(in("damaged.mcap"), std::ios::binary) << bytes;
+  const auto [whole, nothing] = run("telepalp-replay", {in("whole.mcap"), "--out", in("b")});
+  EXPECT_EQ(whole, 0) << nothing;
+  EXPECT_EQ(nothing.find("note: "), std::string::npos) << nothing;
+  const auto [code, said] = run("telepalp-replay", {in("damaged.mcap"), "--out", in("c")});
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("damaged.mcap: 1 damaged part skipped, so images are missing in both runs. fix: "),
+            std::string::npos)
+      << said;
+  EXPECT_NE(bytes_of(in("c/report.json")).find("\"damage\": "), std::string::npos);
+}
+
 /// A live station over real sockets with a journal of `seconds`; its exit code and what it said.
 std::pair<int, std::string> keep_journal(const fs::path& folder, const std::string& setting,
                                          const std::string& seconds) {

@@ -49,16 +49,19 @@ TEST(ReplayStorm, APlantedDefectIsFoundAndItsCaseIsShrunk) {
 
 TEST(ReplayStorm, EveryInvariantCanFail) {
   const auto fails_with = [](const std::vector<TickRecord>& ticks, const char* what) {
-    Invariants invariants({}, {});
+    Invariants invariants({}, {}, 500.0);
     for (const TickRecord& tick : ticks) invariants.add(tick);
     ASSERT_TRUE(invariants.violation()) << what;
     EXPECT_NE(invariants.violation()->what.find(what), std::string::npos) << invariants.violation()->what;
   };
   const auto pushing = [](float force_N) { return TickRecord{.force_N = {0.0F, force_N, 0.0F}}; };
   fails_with({pushing(std::numeric_limits<float>::quiet_NaN())}, "not finite");
-  fails_with({pushing(0.0F), pushing(1.1F)}, "faster than the limiter allows");
+  fails_with({pushing(0.0F), pushing(0.12F)}, "more than its motion explains");
+  std::vector<TickRecord> steps(30, {.phase = control::Phase::InBody});
+  steps.back().force_N.y() = 0.06F;
+  fails_with(steps, "more than its motion explains");
   std::vector<TickRecord> rising;
-  for (int i = 0; i <= 22; ++i) rising.push_back(pushing(0.5F * static_cast<float>(i)));
+  for (int i = 0; i <= 120; ++i) rising.push_back(pushing(0.09F * static_cast<float>(i)));
   fails_with(rising, "above the scene's limits.peak_N");
   fails_with({{.passivity_J = -0.006F}}, "the display created energy");
   fails_with({{.hand_excess_J = 0.26F}}, "the excess work on the hand is too large");
@@ -68,7 +71,7 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
                       .device_m = {0.0, 0.00025 * i, 0.0},
                       .touching = true,
                       .hand_excess_J = 0.00025F * static_cast<float>(i)});
-  lifted.front().force_N.y() = 0.5F;
+  lifted.front().force_N.y() = 0.05F;
   fails_with(lifted, "the device gave the hand");
   fails_with(std::vector<TickRecord>(1002, {.phase = control::Phase::InBody, .surface_age_s = 2.6F}),
              "still gives force");
@@ -79,7 +82,7 @@ TEST(ReplayStorm, EveryInvariantCanFail) {
 
 TEST(ReplayStorm, ADeviceBelowTheReachOfContactsIsLifted) {
   const auto lifted_at = [](float depth_m) {
-    Invariants invariants({}, {});
+    Invariants invariants({}, {}, 500.0);
     for (int i = 0; i < 9100; ++i)
       invariants.add(TickRecord{.phase = control::Phase::BodyToPlane, .depth_m = depth_m, .surface_age_s = 0.1F});
     return !invariants.violation();
@@ -88,8 +91,32 @@ TEST(ReplayStorm, ADeviceBelowTheReachOfContactsIsLifted) {
   EXPECT_FALSE(lifted_at(0.08F)) << "here the contact begins";
 }
 
+TEST(ReplayStorm, TheTimeUnderHalfTheLawIsThatOfYoungImages) {
+  Invariants invariants({}, {}, 500.0);
+  TickRecord weak{.phase = control::Phase::InBody, .felt = true, .law_N = 1.0F, .surface_age_s = 0.1F};
+  weak.off_truth_N = -0.6F;
+  for (int i = 0; i < 400; ++i) invariants.add(weak);
+  weak.surface_age_s = 0.6F;
+  for (int i = 0; i < 400; ++i) invariants.add(weak);
+  EXPECT_NEAR(invariants.ledgers().longest_weak_s, 0.2, 1e-9);
+}
+
+TEST(ReplayStorm, AStepThatTheMotionExplainsAndTheStepsOfANewContactAreAllowed) {
+  Invariants invariants({}, {}, 500.0);
+  for (int i = 0; i < 100; ++i)  // 1 m/s on 500 N/m
+    invariants.add(TickRecord{.force_N = {0.0F, 0.25F * static_cast<float>(i % 30), 0.0F},
+                              .device_m = {0.0, 0.0005 * (i % 30), 0.0},
+                              .phase = control::Phase::InBody});
+  EXPECT_FALSE(invariants.violation()) << in_words(*invariants.violation());
+  for (int i = 0; i < 15; ++i)
+    invariants.add(TickRecord{.force_N = {0.0F, 2.25F - 0.9F * static_cast<float>(i % 2), 0.0F},
+                              .device_m = {0.0, 0.0005 * 9, 0.0},
+                              .phase = control::Phase::BodyToPlane});
+  EXPECT_FALSE(invariants.violation()) << in_words(*invariants.violation());
+}
+
 TEST(ReplayStorm, ASilentOrDisorderedTopicIsSeen) {
-  Invariants invariants({}, {});
+  Invariants invariants({}, {}, 500.0);
   invariants.add(
       wire::Message{.topic = wire::kStationState, .published = kBegin + 10ms, .payload = {}, .key_frame = true});
   EXPECT_FALSE(invariants.violation());

@@ -41,6 +41,7 @@ TickRecord judged(const TickOutcome& tick, const Transform<HapticBase, DepthCame
     record.surface_off_m = static_cast<float>(act.contact.distance_m + depth_m);
   if (law == nullptr || is_at_object(act.control.phase) || (depth_m <= 0.0 && !record.felt)) return record;
   const double law_N = depth_m > 0.0 ? std::min(peak_N, effects::skin_force_N(*law, depth_m * normal).norm()) : 0.0;
+  record.law_N = static_cast<float>(law_N);
   record.off_truth_N = static_cast<float>(act.force.N.dot(normal) - law_N);
   return record;
 }

@@ -21,6 +21,7 @@ struct TickRecord {
   bool felt = false;               ///< the controller displays the skin or an object in it
   float depth_m = kUnknown;        ///< of the device below the true skin; negative: outside
   float off_truth_N = kUnknown;    ///< along the true normal: displayed force minus the true skin's
+  float law_N = kUnknown;          ///< magnitude of the force that the true skin would give, at most the peak
   float surface_off_m = kUnknown;  ///< device's distance to the displayed surface minus its distance to the true one
   float surface_age_s = kUnknown;
   float passivity_J = 0.0F;    ///< energy taken from the hand less energy stored; below 0: active

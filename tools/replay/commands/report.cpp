@@ -54,6 +54,7 @@ void add_images(program::Json& json, const codec::DepthStreamSettings& depth, co
   json.add("cy_px", images.camera.cy);
   json.add("mean_depth_m", images.mean_depth_m());
   json.add("depth_digest", images.depth.hex());
+  if (!images.damage.empty()) json.add("damage", images.damage);
   json.end_object();
 }
 
@@ -74,6 +75,14 @@ std::string direction_in_words(const impaired::Impairment& path) {
   if (path.reorder > 0.0) text += ", " + number(100.0 * path.reorder) + " % reordered";
   if (path.rate_B_per_s > 0.0) text += ", " + number(path.rate_B_per_s / 125.0) + " kbit/s at most";
   return text;
+}
+
+/// A gap in the source is in both runs, so their difference does not show it.
+std::string damage_text(const Request& request, const ImageFacts& images) {
+  if (images.damage.empty()) return "";
+  const std::string file = session_file_of(request.source);
+  return "\nnote: " + request.source + ": " + images.damage + ", so images are missing in both runs. fix: " +
+         (file.empty() ? "record it again" : "see telepalp-record verify " + file + ", or record it again") + "\n";
 }
 
 }  // namespace
@@ -99,7 +108,7 @@ std::string report_text(const Request& request, const RunResults& results, const
          text_table(results.runs.front().figures, results.runs.back().figures) +
          "\ndocs/replay.md defines each metric.\n\n" +
          latency_table(results.runs.front().figures.latency, results.runs.back().figures.latency) +
-         (judgements.empty() ? "" : "\n") + assertions_text(judgements);
+         damage_text(request, results.images) + (judgements.empty() ? "" : "\n") + assertions_text(judgements);
 }
 
 std::string report_json(const Request& request, const Scenario& scenario, const RunOptions& options,

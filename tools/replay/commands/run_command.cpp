@@ -7,6 +7,7 @@
 #include <ctime>
 #include <memory>
 
+#include "haptic_station/core/built_effects.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
 #include "tools/replay/commands/report.h"
@@ -136,7 +137,9 @@ Result<bool> run_once(const Request& request) {
   const Result<SessionFiles> files = open_files(request, (*out)->path());
   if (!files) return files.error();
   const std::int64_t began_ns = steady_ns();
-  Invariants invariants(request.scenario, request.scene->control);
+  const control::ControlSettings& control = request.scene->control;
+  Invariants invariants(request.scenario, control,
+                        core::bank_of(request.scene->effects).stiffest_N_per_m(control.limits.peak_N));
   RunOrder order{.scenario = request.scenario, .publish = into(files->run.get())};
   if (request.check) check_with(invariants, order);
   const Result<RunResults> results =
@@ -149,6 +152,7 @@ Result<bool> run_once(const Request& request) {
   const std::string text = report_text(request, *results, judgements);
   const std::string json = report_json(request, request.scenario, request.options, *results, judgements);
   std::fputs((request.json ? json : text).c_str(), stdout);
+  std::fflush(stdout);  // where both streams go to one file, the log line below must not cut the text
   program::log(kName, cost_in_words(*results, wall_s));
   if (const Result<void> written = write_reports((*out)->path(), text, json); !written) return written.error();
   if (const Result<void> compared = judge_baseline(request, (*out)->path(), judgements); !compared)

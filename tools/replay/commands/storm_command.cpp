@@ -50,6 +50,10 @@ class Findings {
         "most energy that a hand gained in one contact (the smaller of the device's work on the hand and the excess "
         "work)",
         most_gained_J_);
+    std::printf(
+        "longest time in a contact with less than half of the true skin's force (above 0.2 N; images younger than 0.5 "
+        "s): %.2f s (seed %llu)\n",
+        longest_weak_s_.first, static_cast<unsigned long long>(longest_weak_s_.second));
   }
 
  private:
@@ -58,6 +62,8 @@ class Findings {
     if (outcome.ledgers.least_passivity_J < least_passivity_J_.first)
       least_passivity_J_ = {outcome.ledgers.least_passivity_J, seed};
     if (outcome.ledgers.most_excess_J > most_excess_J_.first) most_excess_J_ = {outcome.ledgers.most_excess_J, seed};
+    if (outcome.ledgers.longest_weak_s > longest_weak_s_.first)
+      longest_weak_s_ = {outcome.ledgers.longest_weak_s, seed};
     if (outcome.ledgers.most_gained_J > most_gained_J_.first) most_gained_J_ = {outcome.ledgers.most_gained_J, seed};
   }
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
@@ -73,6 +79,7 @@ class Findings {
   std::pair<double, std::uint64_t> least_passivity_J_{};  // with its seed
   std::pair<double, std::uint64_t> most_excess_J_{};
   std::pair<double, std::uint64_t> most_gained_J_{};
+  std::pair<double, std::uint64_t> longest_weak_s_{};
   std::vector<std::uint64_t> failed_;
   std::optional<Error> error_;
 };

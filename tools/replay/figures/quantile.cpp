@@ -10,7 +10,7 @@ namespace telepalp::replay {
 double quantile(std::vector<float> values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   for (float& value : values) value = std::abs(value);
-  // Not the nearest rank: with another one, each report of an earlier version would differ from its run made again.
+  // Rank floor(share * (n - 1)), not the nearest rank: a repeated run must give the figures of earlier reports.
   const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
   return double{value_at_rank(std::span(values), place)};
 }

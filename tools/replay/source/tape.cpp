@@ -181,6 +181,7 @@ Result<TapeFrames> Tape::read_until(SessionTime until) {
     if (!taped) return taped.error();
     frames.push_back(std::move(*taped));
   }
+  if (state.recording) state.images.damage = state.recording->complaint();
   return frames;
 }
 

@@ -45,6 +45,7 @@ struct ImageFacts {
   std::uint64_t measured = 0;  ///< pixels with a depth
   double depth_sum_m = 0.0;    ///< of these pixels
   ContentDigest depth{};       ///< of all depth samples, in order
+  std::string damage{};        ///< capture::CaptureSource::complaint(); empty: each part of the source was readable
 
   [[nodiscard]] double mean_depth_m() const noexcept {
     return measured > 0 ? depth_sum_m / static_cast<double>(measured) : std::numeric_limits<double>::quiet_NaN();

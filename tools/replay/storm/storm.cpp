@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/core/built_effects.h"
 #include "tools/replay/run/session_run.h"
 
 namespace telepalp::replay {
@@ -14,7 +15,8 @@ Result<StormOutcome> run_case(const StormCase& storm, const Spoil& spoil) {
   if (!scene) return scene.error();
   Result<Tape> tape = Tape::open(source_of(storm), {});
   if (!tape) return tape.error();
-  Invariants invariants(storm.scenario, scene->control);
+  Invariants invariants(storm.scenario, scene->control,
+                        core::bank_of(scene->effects).stiffest_N_per_m(scene->control.limits.peak_N));
   const auto judge_ticks = [&](const std::vector<TickRecord>& ticks) {
     for (TickRecord tick : ticks) {
       if (spoil) spoil(tick);

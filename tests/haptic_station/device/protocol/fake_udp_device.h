@@ -40,6 +40,8 @@ class FakeUdpDevice {
   std::atomic<std::uint16_t> version{udp::kVersion1};  ///< of its poses
   std::atomic<std::uint16_t> heard_version{0};         ///< of the newest command
   std::atomic<double> torque_z{0.0};
+  std::atomic<std::chrono::milliseconds> holds{std::chrono::milliseconds(0)};  ///< time from a command to its answer
+  std::atomic<std::uint32_t> misheard{0};  ///< added to the sequence number that its poses echo
 
  private:
   void turn() {
@@ -59,12 +61,13 @@ class FakeUdpDevice {
   void answer(const boost::asio::ip::udp::endpoint& to, const udp::Command& heard) {
     const Fault wrong = fault;
     if (wrong == Fault::Silent) return;
+    std::this_thread::sleep_for(holds.load());
     ++sequence_;
     if (wrong != Fault::Hung) clock_us_ += 500;
     udp::Pose pose{.session = session,
                    .sequence = sequence_,
                    .taken_us = clock_us_,
-                   .heard = heard.sequence,
+                   .heard = heard.sequence + misheard,
                    .faulted = wrong == Fault::MotorsOff,
                    .end_effector = {{0.01, -0.02, 0.03}},
                    .velocity = {{0, 0, 0}}};

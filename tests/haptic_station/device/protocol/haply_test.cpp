@@ -111,6 +111,7 @@ TEST(HaplyFrame, ZUpBecomesYUpAndTheOriginIsWhereItWasPut) {
 class HaplyDeviceTest : public testing::Test {
  protected:
   std::optional<std::string> answer(const std::string& text) {
+    std::this_thread::sleep_for(holds.load());
     if (silent || text.find("set_cursor_force") == std::string::npos) return std::nullopt;
     return spoilt ? state_text("NaN") : state_text();
   }
@@ -123,6 +124,7 @@ class HaplyDeviceTest : public testing::Test {
   }
   std::atomic<bool> silent{false};
   std::atomic<bool> spoilt{false};
+  std::atomic<std::chrono::milliseconds> holds{0ms};  ///< how long each text waits for its answer
 };
 
 TEST_F(HaplyDeviceTest, ReportsItsPositionInHAndGetsTheForceInItsOwnAxes) {
@@ -157,6 +159,24 @@ TEST_F(HaplyDeviceTest, AForceThatIsNotRenewedBecomesZero) {
   device.apply({{{3.0, 0.0, 0.0}}}, {}, 0.0005);
   EXPECT_TRUE(soon([&] { return service.newest().find(R"("x":3.000000)") != std::string::npos; }));
   EXPECT_TRUE(soon([&] { return service.newest().find(R"("x":0.000000)") != std::string::npos; }));
+}
+
+TEST_F(HaplyDeviceTest, MeasuresTheLoopDelayFromAForceToTheTextThatAnswersIt) {
+  FakeService service = make_service();
+  HaplyDevice device = make_device(service.port());
+  ASSERT_TRUE(device.start(5s));
+  const auto next = [&] {
+    device.apply({{{1.0, 0.0, 0.0}}}, {}, 0.0005);
+    return device.read();
+  };
+  EXPECT_TRUE(soon([&] { return next().loop_s.has_value(); }));
+  const ports::DeviceReading reading = next();
+  ASSERT_TRUE(reading.loop_s);
+  EXPECT_GE(*reading.loop_s, reading.age_s) << "the force is older than its answer";
+  holds = 30ms;
+  EXPECT_TRUE(soon([&] { return next().loop_s.value_or(0.0) >= 0.03; })) << "the service holds each force for 30 ms";
+  holds = 0ms;
+  EXPECT_TRUE(soon([&] { return !device.read().loop_s.has_value(); })) << "a force that is not renewed is no command";
 }
 
 TEST_F(HaplyDeviceTest, AgesWhenTheServiceIsSilentAndComesBack) {

@@ -165,6 +165,26 @@ TEST(UdpDevice, ReportsItsPoseAndGetsProxyDistanceFlagAndForce) {
   }));
 }
 
+TEST(UdpDevice, MeasuresTheLoopDelayByTheCommandThatAPoseEchoes) {
+  FakeUdpDevice fake;
+  auto device = UdpDevice::open({"127.0.0.1", fake.port()});
+  ASSERT_TRUE(device) << to_string(device.error());
+  ASSERT_TRUE((*device)->start(5s));
+  const auto next = [&] {
+    (*device)->apply({}, {}, 0.0005);
+    return (*device)->read();
+  };
+  EXPECT_TRUE(soon([&] { return next().loop_s.has_value(); }));
+  const ports::DeviceReading reading = (*device)->read();
+  ASSERT_TRUE(reading.loop_s);
+  EXPECT_GE(*reading.loop_s, reading.age_s) << "the command is older than its echo";
+  fake.holds = 30ms;
+  EXPECT_TRUE(soon([&] { return next().loop_s.value_or(0.0) >= 0.03; })) << "the device holds each command for 30 ms";
+  fake.holds = 0ms;
+  fake.misheard = 1U << 20U;
+  EXPECT_TRUE(soon([&] { return !next().loop_s.has_value(); })) << "a command that the station never gave";
+}
+
 TEST(UdpDevice, SpeaksTheVersionOfTheDeviceAlsoWhenAnotherDeviceTakesItsPlace) {
   FakeUdpDevice fake;
   auto device = UdpDevice::open({"127.0.0.1", fake.port()});
