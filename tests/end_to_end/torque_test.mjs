@@ -15,6 +15,7 @@ const LEVER_M = 0.05;
 const RING = [0xd9, 0x8c, 0xff];  // its colour
 const place = new Workplace('torque');
 let browser, device, page, station;
+let depth_m = 0.023;
 
 before(async () => {
   const {port, http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic:torso,motion=hold', '--viewer', viewer]);
@@ -45,6 +46,14 @@ async function shownTorque_N_m() {
   return Number(shown ?? 0) > 0.05 ? Number(shown) : undefined;
 }
 
+/** Presses 5 mm deeper, down to 0.1 m: the slower this computer answers the device, the softer is the spring between it and
+ * the tool, and the deeper must the device be where the tool reaches the membrane. */
+async function pressDeeper() {
+  depth_m = Math.min(depth_m + 0.005, 0.1);
+  await device.move([0, -depth_m, 0]);
+  return shownTorque_N_m();
+}
+
 test('without contact there is neither ring nor torque', async () => {
   await device.move([0, 0.03, 0]);
   assert.equal(await shownTorque_N_m(), undefined);
@@ -52,8 +61,7 @@ test('without contact there is neither ring nor torque', async () => {
 });
 
 test('a needle that presses beside the hand gives a torque: a ring, and its number', async () => {
-  await device.move([0, -0.028, 0]);
-  const torque_N_m = await until('the page shows a torque', shownTorque_N_m)
+  const torque_N_m = await until('the page shows a torque', pressDeeper)
       .catch(async (late) => assert.fail(`${late.message}; ${JSON.stringify([await status(page), device.wrench])} ${station.heard}`));
   const [x, y, z] = device.wrench.torque_N_m;
   assert.ok(Math.hypot(x, y) < 0.05 * z, 'the lever along x and the force along y turn about z');
