@@ -57,6 +57,17 @@ telepalp-record --connect "127.0.0.1:$(port_of blocked)" --key keys/tom.key --co
 grep -q "no UDP datagram arrives: the images come over TCP" "$work/blocked_record.log" || fail "the recorder does not say that UDP is blocked" "$work/blocked_record.log"
 grep -q "telepalp-record at .*: images go over TCP" <(sed 's/no UDP datagram arrives: //' "$work/server.log") || fail "the server does not say that UDP is blocked" "$work/server.log"
 
+# What a technician asks before the first patient.
+check() { telepalp-link check --key keys/anna.key "$@" >"$work/check.log" 2>&1; }
+check --connect "127.0.0.1:$(port_of ill)" --consent test || fail "the check finds no session over a loss of 5 %" "$work/check.log"
+grep -q '^UDP .*in both directions' "$work/check.log" || fail "the check finds no datagram" "$work/check.log"
+grep -q '^images .* a second' "$work/check.log" || fail "the check sees no image" "$work/check.log"
+check --connect "127.0.0.1:$(port_of blocked)" || fail "the check finds no session without UDP" "$work/check.log"
+grep -q '^so .*open UDP port' "$work/check.log" || fail "the check does not say that UDP is blocked" "$work/check.log"
+grep -q '^images .*--consent' "$work/check.log" || fail "the check sees images without a consent" "$work/check.log"
+check --connect 127.0.0.1:9 && fail "the check finds a session where no server is" "$work/check.log"
+grep -q '^so .*start telepalp-server' "$work/check.log" || fail "the check does not say that no server runs" "$work/check.log"
+
 read -r over_loss of_all _ <<<"$(images ill.mcap) 0 0"
 read -r without_udp of_all_tcp _ <<<"$(images blocked.mcap) 0 0"
 # Without repair, 1 of 150 images would survive a loss of 5 %.

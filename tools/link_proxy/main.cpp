@@ -7,6 +7,7 @@
 
 #include "support/program/files/ready_file.h"
 #include "support/program/log.h"
+#include "tools/link_check/check.h"
 #include "tools/link_proxy/link_options.h"
 
 namespace {
@@ -69,6 +70,12 @@ int run_asked(const program::Arguments& arguments) {
   return run(arguments, *options, *seconds);
 }
 
+program::Usage usage() {
+  program::Usage usage = link_proxy::usage();
+  usage.commands = {{"check", "", "say what the network to a server allows", link_check::check_command}};
+  return usage;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) { return program::run_program(link_proxy::usage(), argc, argv, run_asked); }
+int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run_asked); }
