@@ -22,6 +22,7 @@ install(FILES README.md CHANGELOG.md LICENSE proto/WIRE.md clients/viewer/THIRD_
 install(FILES deploy/service/telepalp.sysusers.conf DESTINATION lib/sysusers.d COMPONENT data RENAME telepalp.conf)
 install(PROGRAMS deploy/demo DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT demo RENAME telepalp-demo)
 install(FILES deploy/service/telepalp-server.service deploy/service/telepalp-meet.service DESTINATION lib/systemd/system COMPONENT server)
+install(DIRECTORY deploy/monitoring DESTINATION ${TELEPALP_DATADIR} COMPONENT server)
 install(FILES deploy/service/telepalp-station.service DESTINATION lib/systemd/system COMPONENT station)
 
 # pam_limits reads /etc alone, so a package (prefix /usr) puts the file there; another prefix has its own etc.
@@ -107,6 +108,12 @@ set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DEMO_PACKAGE_NAME telepalp)
 set(CPACK_DEBIAN_DEMO_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DEMO_PACKAGE_DEPENDS "bash, util-linux, coreutils, telepalp-clients ${same_version}, telepalp-server ${same_version}, telepalp-station ${same_version}, telepalp-tools ${same_version}")
+# Up to 0.1 one package, telepalp, held all files: without these fields, dpkg refuses to give its files to others.
+foreach(component data clients server station tools)
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_BREAKS "telepalp (<< 0.2)")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_REPLACES "telepalp (<< 0.2)")
+endforeach()
 set(CPACK_DEBIAN_SERVER_PACKAGE_CONTROL_EXTRA ${scripts_server}/postinst ${scripts_server}/prerm)
 set(CPACK_DEBIAN_STATION_PACKAGE_CONTROL_EXTRA ${scripts_station}/postinst ${scripts_station}/prerm
   ${PROJECT_SOURCE_DIR}/deploy/service/conffiles)

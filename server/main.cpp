@@ -419,8 +419,9 @@ Result<void> open_health(Parts& parts, Asked& asked) {
   asked.health->problem = [&parts, access = asked.server.access] { return problem(parts, *access); };
   asked.health->metrics = [&parts, access = asked.server.access] {
     return gateway::metrics_text(parts.server->hub(), access->counts(), parts.server->datagram_counts(),
-                                 parts.gateway ? parts.gateway->connections() : 0,
-                                 access->touch().holder(std::chrono::steady_clock::now()).has_value());
+                                 {.browsers = parts.gateway ? parts.gateway->connections() : 0,
+                                  .touch_is_held = access->touch().holder(std::chrono::steady_clock::now()).has_value(),
+                                  .is_healthy = problem(parts, *access).empty()});
   };
   auto listens = gateway::HealthPort::open(parts.io, *asked.health);
   if (!listens) return listens.error();

@@ -166,7 +166,9 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
   const std::string text =
       metrics_text(context_.hub, context_.options.access->counts(),
                    context_.options.datagrams ? context_.options.datagrams() : hub::DatagramCounts{},
-                   context_.connections.size(), context_.options.access->touch().holder(steady_now()).has_value());
+                   {.browsers = context_.connections.size(),
+                    .touch_is_held = context_.options.access->touch().holder(steady_now()).has_value(),
+                    .is_healthy = !context_.options.problem || context_.options.problem().empty()});
   HttpReply reply = refuse(request, http::status::ok, text);
   reply.set(http::field::content_type, "text/plain; version=0.0.4; charset=utf-8");
   return reply;

@@ -4,8 +4,11 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <string>
+
+#include "support/program/json.h"
 
 namespace telepalp::program {
 namespace {
@@ -16,6 +19,10 @@ std::size_t control_bytes(std::string_view text) noexcept {
   const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
   if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
   return byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) <= 0x9f ? 2 : 0;
+}
+
+int millisecond_of(std::chrono::system_clock::time_point at) noexcept {
+  return static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(at.time_since_epoch()).count() % 1000);
 }
 
 }  // namespace
@@ -35,17 +42,42 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-void log(std::string_view program, std::string_view text) {
-  const auto now = std::chrono::system_clock::now();
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count() % 1000;
+std::string log_line(std::chrono::system_clock::time_point at, std::string_view program, std::string_view text) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
   std::tm local{};
   localtime_r(&seconds, &local);
   char stamp[32];
   std::snprintf(stamp, sizeof stamp, "%02d:%02d:%02d.%03d", local.tm_hour, local.tm_min, local.tm_sec,
-                static_cast<int>(ms));
-  const std::string line = std::string(stamp) + " " + escaped(program) + ": " + escaped(text) + "\n";
-  std::fputs(line.c_str(), stderr);
+                millisecond_of(at));
+  return std::string(stamp) + " " + escaped(program) + ": " + escaped(text) + "\n";
+}
+
+std::string json_log_line(std::chrono::system_clock::time_point at, std::string_view program, std::string_view text) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char day[32];
+  char stamp[48];
+  std::strftime(day, sizeof day, "%Y-%m-%dT%H:%M:%S", &utc);
+  std::snprintf(stamp, sizeof stamp, "%s.%03dZ", day, millisecond_of(at));
+  Json json;
+  json.begin_object();
+  json.add("time", std::string_view(stamp));
+  json.add("program", escaped(program));
+  json.add("text", escaped(text));
+  json.end_object();
+  std::string line = std::move(json).finish();
+  std::erase(line, '\n');
+  return line + "\n";
+}
+
+void log(std::string_view program, std::string_view text) {
+  static const bool in_json = [] {
+    const char* form = std::getenv("TELEPALP_LOG");
+    return form != nullptr && std::string_view(form) == "json";
+  }();
+  const auto now = std::chrono::system_clock::now();
+  std::fputs((in_json ? json_log_line(now, program, text) : log_line(now, program, text)).c_str(), stderr);
 }
 
 }  // namespace telepalp::program

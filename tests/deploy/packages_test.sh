@@ -50,4 +50,22 @@ grep -q 'stop telepalp-server.service' "$work/control/prerm" || fail "the server
 files telepalp-station | grep -qx ./etc/security/limits.d/telepalp.conf || fail "the station's package has no real-time limits"
 dpkg-deb -e "$(package telepalp-station)" "$work/station"
 grep -qx /etc/security/limits.d/telepalp.conf "$work/station/conffiles" || fail "an upgrade would replace the site's limits"
-echo "packages: ${names[*]}"
+# Up to version 0.1, one package held all files. An upgrade from it moves them to the new packages, and leaves it none
+# of their files. Unpacking is where dpkg refuses files of another package.
+old=$work/old root=$work/root
+mkdir -p "$old/DEBIAN" "$root/var/lib/dpkg/"{info,updates,triggers}
+touch "$root/var/lib/dpkg/status" "$root/var/lib/dpkg/available"
+while read -r file; do install -D /dev/null "$old/$file"; done <"$work/files"
+install -D /dev/null "$old/usr/share/telepalp/gone"
+printf '%s\n' 'Package: telepalp' 'Version: 0.1.0' 'Architecture: amd64' 'Maintainer: test <test@localhost>' 'Description: all in one' >"$old/DEBIAN/control"
+dpkg-deb --root-owner-group -b "$old" "$work/old.deb" >/dev/null
+unpack() { dpkg --root="$root" --force-not-root --force-depends --force-breaks --auto-deconfigure --log="$work/dpkg.log" --unpack "$@" >"$work/unpacked" 2>&1 || { cat "$work/unpacked" >&2; fail "dpkg refuses an upgrade from version 0.1"; }; }
+unpack "$work/old.deb"
+[ -e "$root/usr/share/telepalp/gone" ] || fail "the old package was not unpacked"
+unpack "$work/made"/*.deb
+[ ! -e "$root/usr/share/telepalp/gone" ] || fail "an upgrade leaves files of version 0.1"
+owner() { dpkg --root="$root" -S "$1" 2>/dev/null | cut -d: -f1; }
+for owned in server:/usr/bin/telepalp-server clients:/usr/bin/telepalp-view station:/usr/bin/telepalp-station; do
+  [ "$(owner "${owned#*:}")" = "telepalp-${owned%%:*}" ] || fail "after an upgrade, ${owned#*:} belongs to '$(owner "${owned#*:}")'"
+done
+echo "packages: ${names[*]}; an upgrade from one package moves their files"

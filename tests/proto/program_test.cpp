@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -250,6 +251,15 @@ TEST(RunProgram, RunsTheProgramOrItsCommandAndNothingAfterAWrongWordOrHelp) {
   EXPECT_EQ(run_with({"seven", "a.file"}), std::pair(7, 0));
   EXPECT_EQ(run_with({"--speed", "3"}), std::pair(kAskedWrongly, 0));
   EXPECT_EQ(run_with({"--help"}), std::pair(kDone, 0));
+}
+
+TEST(Log, IsALineOfTextOrAJsonObject) {
+  const std::chrono::system_clock::time_point at{std::chrono::milliseconds(1'795'000'000'125)};
+  EXPECT_TRUE(log_line(at, "telepalp-server", "a\nb").ends_with(".125 telepalp-server: a\\x0ab\n"));
+  const std::string json = json_log_line(at, "telepalp-server", "says \"a\nb\"");
+  EXPECT_EQ(std::ranges::count(json, '\n'), 1) << json;
+  EXPECT_NE(json.find(R"("time": "2026-11-18T11:06:40.125Z")"), std::string::npos) << json;
+  EXPECT_NE(json.find(R"("text": "says \"a\\x0ab\"")"), std::string::npos) << json;
 }
 
 TEST(Log, ControlCharactersOfAPeerAreEscaped) {

@@ -39,7 +39,7 @@ std::string refused(const hub::DatagramCounts& datagrams) {
 }  // namespace
 
 std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access,
-                         const hub::DatagramCounts& datagrams, std::size_t browsers, bool touch_is_held) {
+                         const hub::DatagramCounts& datagrams, const ServerFacts& facts) {
   using Count = hub::Hub::TopicCount;
   const std::vector<hub::Hub::SubscriberCount> subscribers = hub.subscriber_counts();
   const auto by_datagram =
@@ -57,11 +57,14 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                 static_cast<std::uint64_t>(by_datagram)) +
          single("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.", datagrams.taken) +
          refused(datagrams) +
-         single("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.", browsers) +
+         single("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.",
+                facts.browsers) +
          single("telepalp_waiting_bytes", "gauge", "Bytes that wait to be sent to subscribers; images are not counted.",
                 hub.waiting_bytes()) +
          single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch, else 0.",
-                touch_is_held ? 1 : 0) +
+                facts.touch_is_held ? 1 : 0) +
+         single("telepalp_healthy", "gauge", "1 while the health check finds no problem, else 0.",
+                facts.is_healthy ? 1 : 0) +
          single("telepalp_joined_total", "counter", "Connections that were accepted since the start.", access.joined) +
          single("telepalp_refused_total", "counter", "Keys, tokens, operations and connections that were refused.",
                 access.refused) +

@@ -10,8 +10,15 @@ namespace telepalp::gateway {
 inline constexpr std::string_view kMetricsTarget = "/metrics";
 inline constexpr std::string_view kHealthTarget = "/health";
 
-/// The server's counts as Prometheus text, without names and addresses. `browsers`: open connections to the gateway.
+/// What metrics_text() tells besides counts.
+struct ServerFacts {
+  std::size_t browsers = 0;    ///< open connections to the gateway
+  bool touch_is_held = false;  ///< by a doctor's station
+  bool is_healthy = true;      ///< /health says `ok`
+};
+
+/// The server's counts as Prometheus text, without names and addresses.
 [[nodiscard]] std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& access,
-                                       const hub::DatagramCounts& datagrams, std::size_t browsers, bool touch_is_held);
+                                       const hub::DatagramCounts& datagrams, const ServerFacts& facts);
 
 }  // namespace telepalp::gateway
