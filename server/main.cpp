@@ -20,6 +20,9 @@
 #include "server/origin/source_choice.h"
 #include "server/pipeline/depth_options.h"
 #include "server/recording/session_recorder.h"
+#include "server/relay/publisher.h"
+#include "server/relay/relay_options.h"
+#include "server/relay/relay_origin.h"
 #include "server/server.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
@@ -40,43 +43,46 @@ constexpr std::string_view kSession = "session:";  // the source that plays a se
 void log_line(const std::string& text) { program::log(kProgram, text); }
 
 program::Usage usage() {
-  return {.program = kProgram,
-          .purpose = "streams a patient to stations, recorders and browsers",
-          .positional = {},
-          .options = {{"source", "SOURCE",
-                       "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, or "
-                       "synthetic[:MODEL]",
-                       "synthetic"},
-                      {"loop", "yes|no", "repeat a recording when it ends", "yes"},
-                      {"seconds", "S", "stop after S seconds; 0: never", "0"},
-                      {"bind", "ADDRESS", "address to listen on; a network address needs --key", "127.0.0.1"},
-                      {"key", "FILE",
-                       "this server's key file (telepalp-keys server); with it, clients need keys; default: none"},
-                      {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},
-                      {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
-                      {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
-                      {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
-                      {"meet", "HOST[:PORT]", "meeting point that callers dial; default: none"},
-                      {"health-port", "PORT", "port of /health and /metrics, plain HTTP; default: none"},
-                      {"health-bind", "ADDRESS", "address of --health-port; default: 127.0.0.1"},
-                      {.name = "allow-origin",
-                       .argument = "ORIGIN",
-                       .help = "other site whose pages may open the data stream, such as https://app.foxglove.dev; "
-                               "may be repeated",
-                       .repeatable = true},
-                      {"viewer", "DIR", "the web viewer's files; default: beside this program"},
-                      {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
-                      {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
-                      {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
-                      {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
-                      {"depth-mode", "MODE",
-                       "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
-                      {"depth-bound", "LEAST,PER_M2",
-                       "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
-                      {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
-                      {"jpeg-quality", "1..100", "quality of colour images", "85"},
-                      {"name", "NAME", "server name that clients show", kProgram}},
-          .example = "telepalp-server --source synthetic --seconds 60"};
+  program::Usage usage{
+      .program = kProgram,
+      .purpose = "streams a patient to stations, recorders and browsers",
+      .positional = {},
+      .options = {{"source", "SOURCE",
+                   "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, "
+                   "synthetic[:MODEL], or another server's nats://HOST/SITE",
+                   "synthetic"},
+                  {"loop", "yes|no", "repeat a recording when it ends", "yes"},
+                  {"seconds", "S", "stop after S seconds; 0: never", "0"},
+                  {"bind", "ADDRESS", "address to listen on; a network address needs --key", "127.0.0.1"},
+                  {"key", "FILE",
+                   "this server's key file (telepalp-keys server); with it, clients need keys; default: none"},
+                  {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},
+                  {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
+                  {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
+                  {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
+                  {"meet", "HOST[:PORT]", "meeting point that callers dial; default: none"},
+                  {"health-port", "PORT", "port of /health and /metrics, plain HTTP; default: none"},
+                  {"health-bind", "ADDRESS", "address of --health-port; default: 127.0.0.1"},
+                  {.name = "allow-origin",
+                   .argument = "ORIGIN",
+                   .help = "other site whose pages may open the data stream, such as https://app.foxglove.dev; "
+                           "may be repeated",
+                   .repeatable = true},
+                  {"viewer", "DIR", "the web viewer's files; default: beside this program"},
+                  {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
+                  {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
+                  {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
+                  {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
+                  {"depth-mode", "MODE",
+                   "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
+                  {"depth-bound", "LEAST,PER_M2",
+                   "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
+                  {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
+                  {"jpeg-quality", "1..100", "quality of colour images", "85"},
+                  {"name", "NAME", "server name that clients show", kProgram}},
+      .example = "telepalp-server --source synthetic --seconds 60"};
+  for (const program::Option& option : relay::relay_options()) usage.options.push_back(option);
+  return usage;
 }
 
 struct Asked {
@@ -87,6 +93,7 @@ struct Asked {
   std::optional<access::Access::Options> keys;  // nullopt: no TLS, and peers of this machine only
   server::Server::Options server;
   pipeline::EncodeOptions encode;
+  relay::RelayOptions relay;
   std::optional<gateway::GatewayOptions> gateway;               // nullopt: browsers are not served
   std::optional<gateway::HealthPort::Options> health;           // nullopt: no port for monitoring
   std::optional<meet::MeetDialer::Options> meet;                // nullopt: no meeting point
@@ -200,7 +207,10 @@ Result<std::filesystem::path> compare_option(const program::Arguments& arguments
 }
 
 Result<Asked> read_asked(const program::Arguments& arguments) {
-  if (const Result<void> source = capture::check_source(arguments.text("source")); !source) return source.error();
+  const Result<relay::RelayOptions> relay = relay::relay_options_of(arguments);
+  if (!relay) return relay.error();
+  if (!relay->shows)
+    if (const Result<void> source = capture::check_source(arguments.text("source")); !source) return source.error();
   const Result<bool> loop = yes_or_no(arguments, "loop");
   if (!loop) return loop.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
@@ -237,6 +247,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .software = program::software(kProgram),
                           .log = log_line},
                .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
+               .relay = *relay,
                .gateway = *gateway,
                .health = *health,
                .meet = *meet,
@@ -281,6 +292,7 @@ struct Parts {
   std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
   std::unique_ptr<gateway::HealthPort> health;           // null: no port for monitoring
   std::unique_ptr<meet::MeetDialer> meet;                // null: no meeting point
+  std::unique_ptr<relay::Publisher> publisher;           // null: for no edges
 };
 
 std::string ports_text(const Parts& parts) {
@@ -361,6 +373,39 @@ void offer(gateway::GatewayOptions& options, Parts& parts) {
                          origin::Resource::Done done) { shelf.take(json, who, std::move(done)); }};
 }
 
+/// Of an edge: connects to the cluster, whose session clock the server takes over.
+Result<void> open_upstream(Parts& parts, Asked& asked) {
+  if (!asked.relay.shows) return {};
+  Result<relay::Upstream> upstream = relay::connect_upstream(parts.io, {.address = *asked.relay.shows,
+                                                                        .credentials = asked.relay.credentials,
+                                                                        .authority = asked.relay.authority,
+                                                                        .log = log_line});
+  if (!upstream) return upstream.error();
+  asked.server.clock_upstream = upstream->clock;
+  parts.origin = std::move(upstream->origin);
+  char text[120];
+  std::snprintf(text, sizeof text, "edge of %s: its session clock is known to within %.2f ms",
+                relay::in_words(*asked.relay.shows).c_str(), to_milliseconds(upstream->clock_error));
+  log_line(text);
+  return {};
+}
+
+/// Publishes what the server distributes, for edges.
+Result<void> open_publisher(Parts& parts, Asked& asked) {
+  if (!asked.relay.publishes) return {};
+  auto opened = relay::Publisher::open(parts.io, parts.server->hub(), parts.server->clock(),
+                                       {.address = *asked.relay.publishes,
+                                        .credentials = asked.relay.credentials,
+                                        .authority = asked.relay.authority,
+                                        .log = log_line});
+  if (!opened) return opened.error();
+  parts.publisher = std::move(opened).value();
+  const std::string to = relay::in_words(*asked.relay.publishes);
+  asked.server.access->note_own(access::AuditEvent::Joined, "program=relay to=" + to);
+  log_line("publishes for edges at " + to);
+  return {};
+}
+
 Result<void> open_server(Parts& parts, Asked& asked) {
   if (asked.keys) {
     auto access = access::Access::with_key(*asked.keys);
@@ -378,6 +423,7 @@ Result<void> open_server(Parts& parts, Asked& asked) {
                                     .on_brought = [access = asked.server.access](const std::string& text) {
                                       access->note_own(access::AuditEvent::BroughtSession, text + " program=browser");
                                     }});
+  if (parts.origin) return {};  // of an edge
   Result<std::unique_ptr<origin::Origin>> opened = open(asked, *parts.shelf, parts.io, parts.server->clock());
   if (!opened) return opened.error();
   parts.origin = std::move(opened).value();
@@ -474,6 +520,7 @@ class Ending {
                         "closing the camera");
     time_is_up_.cancel();
     parts_.meet.reset();
+    parts_.publisher.reset();
     parts_.health.reset();
     parts_.gateway.reset();
     parts_.recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s
@@ -497,7 +544,8 @@ void begin(Parts& parts, const Asked& asked, std::function<void()> on_end) {
 
 int run(Asked asked) {
   Parts parts;
-  for (const auto open_part : {open_server, open_recorder, open_gateway, open_health, open_meet})
+  for (const auto open_part :
+       {open_upstream, open_server, open_recorder, open_gateway, open_health, open_meet, open_publisher})
     if (const Result<void> opened = open_part(parts, asked); !opened) return program::fail(opened.error());
   Ending ending(parts);
   if (asked.seconds.count() > 0.0) ending.end_after(asked.seconds);

@@ -20,6 +20,10 @@ using namespace std::chrono_literals;
 constexpr auto kContentEvery = 200ms;
 constexpr double kSmooth = 0.3;  ///< of a new rate; the rest is the rate before
 
+const Error kAnEdge{.what = "this server is an edge, which shows what another server publishes, and takes no stations",
+                    .where = {},
+                    .fix = "connect the station to the server at the patient's site"};
+
 msg::Clock clock_message(SessionTime now) {
   const auto utc = std::chrono::system_clock::now().time_since_epoch();
   msg::Clock clock;
@@ -38,6 +42,7 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
                                  .port = server->options_.port,
                                  .name = server->options_.name,
                                  .access = server->options_.access,
+                                 .no_stations = server->options_.clock_upstream ? std::optional(kAnEdge) : std::nullopt,
                                  .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
                                  // The statistics are published before the hub forgets the totals of a leaving
                                  // peer.
@@ -48,7 +53,12 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
 }
 
 Server::Server(boost::asio::io_context& io, Options options)
-    : io_(io), options_(std::move(options)), second_(io), content_timer_(io) {
+    : io_(io),
+      options_(std::move(options)),
+      clock_(options_.clock_upstream.value_or(wire::SessionClock::anchored_to_wall_clock())),
+      second_(io),
+      content_timer_(io) {
+  if (options_.clock_upstream) hub_.keep_numbers();
   hub_.on_key_frame_request([this](std::string_view) {
     if (origin_) origin_->show_again();
   });

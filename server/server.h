@@ -29,6 +29,8 @@ class Server {
     std::string software{};  ///< name, version and commit of the program, for /server/stats; empty: not stated
     std::shared_ptr<access::Access> access = access::Access::without_keys();
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
+    /// Of an edge, which shows what another server publishes: that server's session clock. nullopt: no edge.
+    std::optional<wire::SessionClock> clock_upstream{};
   };
 
   /// Opens the port. Messages are published only after start(). Error: the port cannot be opened.
@@ -75,7 +77,7 @@ class Server {
 
   boost::asio::io_context& io_;
   Options options_;
-  wire::SessionClock clock_ = wire::SessionClock::anchored_to_wall_clock();
+  wire::SessionClock clock_;
   hub::Hub hub_;
   std::unique_ptr<hub::PeerListener> listener_;
   boost::asio::steady_timer second_;

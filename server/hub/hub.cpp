@@ -67,7 +67,9 @@ void Hub::forget_unwanted(Subscriber& subscriber) {
 
 void Hub::publish(wire::Message message) {
   TopicCount& count = topics_[message.topic.name];
-  const std::uint64_t number = std::exchange(message.sequence, ++count.published);
+  const std::uint64_t number = message.sequence;
+  ++count.published;
+  if (!keeps_numbers_ || number == 0) message.sequence = count.published;
   count.bytes += message.payload->size();
   wire::KeyFrameState& state = key_frames_[message.topic.name];
   if (lacks_reference(state, number, message.key_frame)) forget_references(message.topic.name);

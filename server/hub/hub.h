@@ -44,6 +44,8 @@ class Hub {
   /// gaps. A message that has a number already comes through a connection: if it is predicted and the number before it
   /// is missing, its reference frame is lost, and it is offered to nobody.
   void publish(wire::Message message);
+  /// From now on, numbered messages keep their numbers: those of the server upstream, of which this one is an edge.
+  void keep_numbers() noexcept { keeps_numbers_ = true; }
 
   /// A subscriber requests a key frame: it could not decode the message of `topic` published at `undecodable`.
   void request_key_frame(SubscriberId subscriber, const wire::Topic& topic, SessionTime undecodable);
@@ -128,6 +130,7 @@ class Hub {
   std::map<std::string_view, wire::Message> latched_;
   std::map<std::string_view, wire::KeyFrameState> key_frames_;  // by topic
   std::function<void(std::string_view)> key_frame_requested_;
+  bool keeps_numbers_ = false;
   SubscriberId last_id_ = 0;
   std::size_t waiting_bytes_ = 0;
 };

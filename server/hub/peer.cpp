@@ -70,8 +70,9 @@ bool Peer::is_idle(Clock::time_point now) const noexcept {
 }
 
 bool Peer::accepts(const wire::Topic& topic) {
-  const bool may = may_publish_upstream(topic) && who_ && site_.access.may(*who_, keys::Operation::Touch) &&
-                   may_be_station() && (touch_.holds() || takes_touch(false));
+  const bool may = may_publish_upstream(topic) && who_ && !site_.no_stations &&
+                   site_.access.may(*who_, keys::Operation::Touch) && may_be_station() &&
+                   (touch_.holds() || takes_touch(false));
   if (!may)
     audit(access::AuditEvent::Refused, "why=" + access::audit_text("may not publish " + std::string(topic.name)));
   advertised_ = advertised_ || may;
@@ -106,6 +107,7 @@ void Peer::on_ready(const msg::Hello& peer) {
   if (!who) return deny(who.error());
   who_ = *who;
   const PlaceKind kind = place_for(peer.role());
+  if (kind == PlaceKind::Station && site_.no_stations) return deny(*site_.no_stations);
   if (kind == PlaceKind::Station && !may_be_station()) return deny(kStationNeedsKey);
   if (const Result<void> may = site_.access.may(*who_, operation_of(kind)); !may) return deny(may.error());
   const std::size_t places = site_.places.of(kind);

@@ -26,6 +26,7 @@ struct PeerSite {
   DatagramPort& datagrams;
   access::Access& access;
   std::string server_name;
+  const std::optional<Error>& no_stations;  ///< why this server takes no stations; nullopt: it takes them
   PlaceLimits places;
   IdleLimits idle;
   std::function<SessionTime()> now;                               ///< session time

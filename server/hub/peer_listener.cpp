@@ -78,6 +78,7 @@ PeerSite PeerListener::site_for_peers() {
           .datagrams = *datagrams_,
           .access = *options_.access,
           .server_name = options_.name,
+          .no_stations = options_.no_stations,
           .places = options_.places,
           .idle = options_.idle,
           .now = [this] { return clock_.now(); },

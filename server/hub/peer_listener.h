@@ -39,6 +39,7 @@ class PeerListener {
     std::uint16_t port = 0;  ///< 0: any free port
     std::string name = "telepalp-server";
     std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the gateway
+    std::optional<Error> no_stations{};  ///< why this server takes no stations; nullopt: it takes them
     PlaceLimits places{};
     IdleLimits idle{};
     std::function<void(const std::string&)> on_note{};  ///< log lines: connected, disconnected and why

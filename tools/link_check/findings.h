@@ -29,16 +29,16 @@ struct Images {
 
 /// What a check of the network between this computer and a server has found.
 struct Findings {
-  std::string server;                  ///< as the user named it
-  std::vector<std::string> addresses;  ///< of the server's or meeting point's name; empty: the name is unknown
-  Port link;                           ///< the server's port, or the meeting point's
-  Port web;                            ///< the port of the server's web page
-  std::string key;                     ///< whose key this program showed; empty: none
-  std::optional<Error> no_session;     ///< why no session began; nullopt: one began
-  double round_trip_ms = 0.0;          ///< of the quickest probe
+  std::string server{};                  ///< as the user named it
+  std::vector<std::string> addresses{};  ///< of the server's or meeting point's name; empty: the name is unknown
+  Port link{};                           ///< the server's port, or the meeting point's
+  Port web{};                            ///< the port of the server's web page
+  std::string key{};                     ///< whose key this program showed; empty: none
+  std::optional<Error> no_session{};     ///< why no session began; nullopt: one began
+  double round_trip_ms = 0.0;            ///< of the quickest probe
   enum class Udp { Unknown, Arrives, Blocked, NotOffered } udp = Udp::Unknown;
-  std::optional<Images> images;  ///< nullopt: the check did not listen
-  std::string why_no_images;     ///< why it did not listen
+  std::optional<Images> images{};  ///< nullopt: the check did not listen
+  std::string why_no_images{};     ///< why it did not listen
 };
 
 /// True if a session begins here and brings images, or would if the check had listened.

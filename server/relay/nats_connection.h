@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "proto/words/result.h"
+
+namespace telepalp::relay {
+
+/// A connection to a cluster of NATS servers. When it is lost, it connects again by itself, after at most half a
+/// second, to another server of the cluster if there is one. Any thread.
+class NatsConnection {
+ public:
+  struct Options {
+    std::string url;                    ///< nats://[USER:PASSWORD@]HOST[:PORT], or tls://…; several, with commas
+    std::filesystem::path credentials;  ///< NATS's credentials file (.creds); empty: none
+    std::filesystem::path authority;    ///< certificate of the authority of a tls:// server; empty: the system's
+    std::string name;                   ///< that the NATS server's monitoring shows
+    std::function<void(bool is_connected)> on_change{};  ///< lost, or connected again; on a thread of the library
+  };
+  struct Note {
+    std::string_view subject;
+    std::string_view payload;
+    std::string_view reply_to;  ///< subject for an answer; empty: none is asked for
+  };
+  using OnNote = std::function<void(const Note&)>;
+
+  /// Connects. Error: no server of the cluster can be reached, or it refuses.
+  [[nodiscard]] static Result<std::unique_ptr<NatsConnection>> open(Options options);
+  /// No handler runs any more when the destructor returns.
+  ~NatsConnection();
+  NatsConnection(const NatsConnection&) = delete;
+  NatsConnection& operator=(const NatsConnection&) = delete;
+
+  /// `on_note` is called on a thread of the library, for one note at a time. Notes beyond 64 MiB that wait are dropped.
+  /// Error: the server does not permit this subject.
+  [[nodiscard]] Result<void> subscribe(const std::string& subject, OnNote on_note);
+  /// Blocks while the socket takes no bytes, up to the write deadline. False: there is no connection, and the payload
+  /// is dropped.
+  bool publish(const std::string& subject, std::string_view payload);
+  /// Asks, and waits for the answer for at most `time`.
+  [[nodiscard]] Result<std::string> ask(const std::string& subject, std::string_view payload,
+                                        std::chrono::milliseconds time);
+  [[nodiscard]] bool is_connected() const;
+  /// Largest payload that the server takes [B].
+  [[nodiscard]] std::size_t most_payload_B() const;
+
+ private:
+  struct Parts;
+  explicit NatsConnection(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace telepalp::relay

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "proto/wire/topics.h"
+#include "proto/words/result.h"
+
+namespace telepalp::relay {
+
+/// Where a site's messages are in a cluster of NATS servers.
+struct RelayAddress {
+  std::string url;   ///< as NATS takes it: nats://[USER:PASSWORD@]HOST[:PORT], or tls://…
+  std::string site;  ///< letters, digits, '-' and '_'
+};
+
+/// True if `source` begins as an address of a relay does: nats:// or tls://.
+[[nodiscard]] bool is_relay(std::string_view source) noexcept;
+
+/// Reads `nats://HOST[:PORT]/SITE`. `where`: the option's name, for errors.
+[[nodiscard]] Result<RelayAddress> parse_relay(std::string_view text, std::string_view where);
+
+/// `url` without the names and passwords in it, for logs.
+[[nodiscard]] std::string without_password(const std::string& url);
+/// `address` without the password, for logs.
+[[nodiscard]] std::string in_words(const RelayAddress& address);
+
+/// The subject of a topic's messages: "telepalp.SITE.camera.depth" for "/camera/depth".
+[[nodiscard]] std::string subject_of(const std::string& site, const wire::Topic& topic);
+/// The topic whose messages come under this subject of `site`; nullopt: none.
+[[nodiscard]] std::optional<wire::Topic> topic_of(const std::string& site, std::string_view subject);
+
+/// Requests of an edge to the server of `site`: the time, or the latched messages and a key frame.
+[[nodiscard]] std::string clock_subject(const std::string& site);
+[[nodiscard]] std::string again_subject(const std::string& site);
+
+/// True for the topics that a relay carries: those that describe patient and station. An edge has a clock, counts and
+/// viewers' hands of its own.
+[[nodiscard]] bool is_relayed(const wire::Topic& topic) noexcept;
+
+}  // namespace telepalp::relay
