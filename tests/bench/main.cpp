@@ -6,6 +6,7 @@
 #include "support/program/ending.h"
 #include "tests/bench/accuracy/accuracy_bench.h"
 #include "tests/bench/benches.h"
+#include "tests/bench/cluster/cluster_bench.h"
 #include "tests/bench/control_bench.h"
 #include "tests/bench/depth/depth_bench.h"
 #include "tests/bench/effects/effects_bench.h"
@@ -30,6 +31,7 @@ using namespace telepalp;
 /// All benchmarks. A new one needs a file <name>_bench.cpp, a declaration and a row here.
 constexpr std::array kBenches{
     bench::Bench{"accuracy", "error against ground truth and computing time of each setting", bench::run_accuracy},
+    bench::Bench{"cluster", "a relay through NATS to an edge: delay, cost, a lost node", bench::run_cluster},
     bench::Bench{"control", "the haptic controller: time of a tick, trials, force law, safety", bench::run_control},
     bench::Bench{"passivity", "energy balance and force error over bad networks, 1000 runs", bench::run_passivity},
     bench::Bench{"depth", "compression ratio and time of each depth mode and other codecs", bench::run_depth},

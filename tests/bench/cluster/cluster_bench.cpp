@@ -1,0 +1,238 @@
+#include "tests/bench/cluster/cluster_bench.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "server/hub/hub.h"
+#include "server/relay/nats_connection.h"
+#include "server/relay/publisher.h"
+#include "tests/bench/cluster/nats_cluster.h"
+#include "tests/bench/cluster/watching.h"
+#include "tests/bench/distribution.h"
+#include "tests/bench/process_load.h"
+#include "where.h"
+
+namespace telepalp::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using Clock = Watched::Clock;
+
+constexpr std::size_t kViewers = 20;
+
+/// A telepalp-server that is ready.
+struct RunningServer {
+  std::unique_ptr<support::ChildProcess> process;
+  std::uint16_t port = 0;
+};
+
+Result<RunningServer> start_server(const fs::path& scratch, const std::string& name, std::vector<std::string> options) {
+  const fs::path ready = scratch / (name + ".ready");
+  fs::remove(ready);
+  for (const std::string& more : {std::string("--port"), std::string("0"), std::string("--ready-file"), ready.string()})
+    options.push_back(more);
+  RunningServer server{.process = std::make_unique<support::ChildProcess>(TELEPALP_BINARY_DIR "/bin/telepalp-server",
+                                                                          options, scratch / (name + ".log"))};
+  const std::optional<std::string> port = support::await_ready(ready, "port");
+  if (!port)
+    return Error{.what = "telepalp-server does not start",
+                 .where = (scratch / (name + ".log")).string(),
+                 .fix = "read this file"};
+  server.port = static_cast<std::uint16_t>(std::stoi(*port));
+  return server;
+}
+
+/// A site that publishes to a cluster, and an edge, each at a node of its own.
+struct Pair {
+  RunningServer site, edge;
+};
+
+Result<Pair> start_pair(const NatsCluster& cluster, std::size_t nodes, const fs::path& scratch) {
+  Result<RunningServer> site =
+      start_server(scratch, "site", {"--source", "synthetic", "--publish", cluster.urls_from(0) + "/bench"});
+  if (!site) return site.error();
+  Result<RunningServer> edge = start_server(scratch, "edge", {"--source", cluster.urls_from(nodes - 1) + "/bench"});
+  if (!edge) return edge.error();
+  return Pair{.site = *std::move(site), .edge = *std::move(edge)};
+}
+
+Error sees_nothing() {
+  return {.what = "a viewer got no image",
+          .where = "telepalp-bench cluster",
+          .fix = "run telepalp-server and telepalp-view by hand"};
+}
+
+/// How much later the edge's viewer has each image than the site's.
+void add_delay(const Watched& at_site, const Watched& at_edge, Clock::time_point from, std::vector<Row>& rows) {
+  Distribution added_ms;
+  std::size_t lost = 0;
+  for (const auto& [number, time] : at_site.arrived) {
+    if (time < from || time > Clock::now() - 1s) continue;
+    const auto other = at_edge.arrived.find(number);
+    if (other == at_edge.arrived.end())
+      ++lost;
+    else
+      added_ms.add(std::chrono::duration<double, std::milli>(other->second - time).count());
+  }
+  rows.push_back(
+      at_most("relay: added, image at the server's viewer -> at the edge's, p50", added_ms.p50(), "ms", 2.0));
+  rows.push_back(at_most("relay: the same, p99", added_ms.p99(), "ms", 8.0));
+  rows.push_back(measured("relay: images compared", static_cast<double>(added_ms.count()), ""));
+  rows.push_back(measured("relay: images that the edge's viewer never had", static_cast<double>(lost), ""));
+}
+
+/// Bytes that a server sends for each second of processor time, with kViewers viewers [MB].
+Result<double> sent_MB_per_cpu_s(const RunningServer& server, double seconds) {
+  Viewers viewers;
+  viewers.add(server.port, kViewers);
+  if (!viewers.all_see()) return sees_nothing();
+  const std::uint64_t bytes = viewers.bytes();
+  const double before_s = cpu_s(server.process->pid());
+  viewers.run_for(std::chrono::duration<double>(seconds));
+  return 1e-6 * static_cast<double>(viewers.bytes() - bytes) / (cpu_s(server.process->pid()) - before_s);
+}
+
+double own_cpu_s() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+constexpr std::size_t kMessages = 3000;
+constexpr std::size_t kMessage_B = 90'000;  // a depth image of the synthetic patient
+
+/// Processor time of a program that publishes kMessages payloads and does nothing else [s].
+Result<double> bare_publisher_cpu_s(const std::string& url) {
+  auto nats = relay::NatsConnection::open({.url = url, .credentials = {}, .authority = {}, .name = "bare"});
+  if (!nats) return nats.error();
+  const std::string payload(kMessage_B, 'x');
+  const double before_s = own_cpu_s();
+  for (std::size_t i = 0; i < kMessages; ++i) (*nats)->publish("telepalp.bare.camera.depth", payload);
+  return own_cpu_s() - before_s;
+}
+
+/// The same messages, through a hub and the product's publisher [s].
+Result<double> publisher_cpu_s(const std::string& url) {
+  boost::asio::io_context io(1);
+  hub::Hub hub;
+  auto publisher = relay::Publisher::open(io, hub, wire::SessionClock::anchored_to_wall_clock(),
+                                          {.address = {.url = url, .site = "cost"}});
+  if (!publisher) return publisher.error();
+  const auto payload = std::make_shared<const std::string>(kMessage_B, 'x');
+  constexpr std::size_t kInFlight = 16;  // less than the publisher takes, so that the hub drops none
+  const auto done = [&] { return (*publisher)->counts().published + (*publisher)->counts().lost; };
+  const double before_s = own_cpu_s();
+  for (std::size_t i = 0; i < kMessages; ++i) {
+    hub.publish({wire::kCameraDepth, SessionTime{}, payload, 0, true});
+    while (done() + kInFlight < i) std::this_thread::sleep_for(500us);
+  }
+  while (done() < kMessages) std::this_thread::sleep_for(500us);
+  const double used_s = own_cpu_s() - before_s;
+  if ((*publisher)->counts().lost > 0) return sees_nothing();
+  return used_s;
+}
+
+Result<void> add_publish_cost(const NatsCluster& cluster, std::vector<Row>& rows) {
+  Distribution ratio;
+  Distribution us;
+  for (int pair = 0; pair < 5; ++pair) {
+    const Result<double> bare = bare_publisher_cpu_s(cluster.url(0));
+    if (!bare) return bare.error();
+    const Result<double> ours = publisher_cpu_s(cluster.url(0));
+    if (!ours) return ours.error();
+    ratio.add(*ours / *bare);
+    us.add(1e6 * *ours / static_cast<double>(kMessages));
+  }
+  rows.push_back(at_most("publishing: processor time / a bare NATS publisher's of the same bytes, median of 5 pairs",
+                         ratio.p50(), "x", 1.2));
+  rows.push_back(measured("publishing: processor time of an image of 90 kB", us.p50(), "us"));
+  return {};
+}
+
+Result<void> add_steady_rows(const fs::path& scratch, double seconds, std::vector<Row>& rows) {
+  const Result<NatsCluster> cluster = NatsCluster::start(1, scratch);
+  if (!cluster) return cluster.error();
+  const Result<Pair> pair = start_pair(*cluster, 1, scratch);
+  if (!pair) return pair.error();
+  {
+    Viewers viewers;
+    const Watched& at_site = viewers.add(pair->site.port);
+    const Watched& at_edge = viewers.add(pair->edge.port);
+    if (!viewers.all_see()) return sees_nothing();
+    const Clock::time_point from = Clock::now() + 1s;
+    viewers.run_for(std::chrono::duration<double>(seconds + 2.0));
+    add_delay(at_site, at_edge, from, rows);
+  }
+  const Result<RunningServer> alone = start_server(scratch, "alone", {"--source", "synthetic"});
+  if (!alone) return alone.error();
+  const Result<double> direct = sent_MB_per_cpu_s(*alone, seconds);
+  if (!direct) return direct.error();
+  const Result<double> edge = sent_MB_per_cpu_s(pair->edge, seconds);
+  if (!edge) return edge.error();
+  rows.push_back(at_least("edge: bytes sent for each second of processor time / the direct server's, 20 viewers each",
+                          *edge / *direct, "x", 0.8));
+  rows.push_back(measured("edge: sent for each second of processor time", *edge, "MB"));
+  return add_publish_cost(*cluster, rows);
+}
+
+/// One of three nodes, the one that the edge uses, is killed, or frozen for 5 s.
+Result<void> add_loss_of_a_node(const fs::path& scratch, bool is_killed, std::vector<Row>& rows) {
+  constexpr std::size_t kNodes = 3;
+  Result<NatsCluster> cluster = NatsCluster::start(kNodes, scratch);
+  if (!cluster) return cluster.error();
+  const Result<Pair> pair = start_pair(*cluster, kNodes, scratch);
+  if (!pair) return pair.error();
+  Viewers viewers;
+  const Watched& at_site = viewers.add(pair->site.port);
+  const Watched& at_edge = viewers.add(pair->edge.port);
+  if (!viewers.all_see()) return sees_nothing();
+  viewers.run_for(2s);
+  const std::size_t site_before = at_site.arrived.size();
+  const std::uint64_t first = at_site.arrived.rbegin()->first;
+  const Clock::time_point lost = Clock::now();
+  cluster->node(kNodes - 1).signal(is_killed ? SIGKILL : SIGSTOP);
+  Clock::time_point healed = lost;
+  if (!is_killed) {
+    viewers.run_for(5s);
+    healed = Clock::now();
+    cluster->node(kNodes - 1).signal(SIGCONT);
+  }
+  viewers.run_for(6s);
+  const std::string what = is_killed ? "node killed: " : "node frozen for 5 s: ";
+  if (is_killed)
+    rows.push_back(
+        at_most(what + "longest gap at the edge's viewer", at_edge.longest_gap_s(lost, Clock::now()), "s", 2.0));
+  else
+    rows.push_back(at_most(what + "longest gap at the edge's viewer after it goes on",
+                           at_edge.longest_gap_s(healed, Clock::now()), "s", 1.0));
+  const std::uint64_t numbers = at_site.arrived.rbegin()->first - first;
+  rows.push_back(at_most(what + "images that a viewer of the site missed meanwhile",
+                         static_cast<double>(numbers) - static_cast<double>(at_site.arrived.size() - site_before), "",
+                         0.0));
+  return {};
+}
+
+}  // namespace
+
+Result<Report> run_cluster(const program::Arguments& arguments) {
+  const Result<double> seconds = arguments.number("seconds", 2.0, 600.0);
+  if (!seconds) return seconds.error();
+  const support::TemporaryFolder scratch;
+  Report report{.bench = "cluster", .rows = {}, .notes = {"real nats-server and telepalp-server, on loopback"}};
+  if (const Result<void> done = add_steady_rows(scratch.path(), *seconds, report.rows); !done) return done.error();
+  for (const bool is_killed : {true, false})
+    if (const Result<void> done = add_loss_of_a_node(scratch.path(), is_killed, report.rows); !done)
+      return done.error();
+  return report;
+}
+
+}  // namespace telepalp::bench

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "proto/words/result.h"
+#include "tests/support/child_process.h"
+
+namespace telepalp::bench {
+
+/// Real NATS servers on loopback that know each other.
+class NatsCluster {
+ public:
+  /// Error: nats-server is not installed, or does not start.
+  [[nodiscard]] static Result<NatsCluster> start(std::size_t nodes, const std::filesystem::path& scratch);
+
+  /// nats://… of one node, or of all of them, with commas, that node first.
+  [[nodiscard]] std::string url(std::size_t node) const;
+  [[nodiscard]] std::string urls_from(std::size_t first) const;
+  [[nodiscard]] support::ChildProcess& node(std::size_t number) { return *nodes_[number]; }
+
+ private:
+  std::vector<std::unique_ptr<support::ChildProcess>> nodes_;
+  std::vector<std::string> ports_;
+};
+
+}  // namespace telepalp::bench
