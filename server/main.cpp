@@ -43,46 +43,41 @@ constexpr std::string_view kSession = "session:";  // the source that plays a se
 void log_line(const std::string& text) { program::log(kProgram, text); }
 
 program::Usage usage() {
-  program::Usage usage{
-      .program = kProgram,
-      .purpose = "streams a patient to stations, recorders and browsers",
-      .positional = {},
-      .options = {{"source", "SOURCE",
-                   "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, "
-                   "synthetic[:MODEL], or another server's nats://HOST/SITE",
-                   "synthetic"},
-                  {"loop", "yes|no", "repeat a recording when it ends", "yes"},
-                  {"seconds", "S", "stop after S seconds; 0: never", "0"},
-                  {"bind", "ADDRESS", "address to listen on; a network address needs --key", "127.0.0.1"},
-                  {"key", "FILE",
-                   "this server's key file (telepalp-keys server); with it, clients need keys; default: none"},
-                  {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},
-                  {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
-                  {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
-                  {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
-                  {"meet", "HOST[:PORT]", "meeting point that callers dial; default: none"},
-                  {"health-port", "PORT", "port of /health and /metrics, plain HTTP; default: none"},
-                  {"health-bind", "ADDRESS", "address of --health-port; default: 127.0.0.1"},
-                  {.name = "allow-origin",
-                   .argument = "ORIGIN",
-                   .help = "other site whose pages may open the data stream, such as https://app.foxglove.dev; "
-                           "may be repeated",
-                   .repeatable = true},
-                  {"viewer", "DIR", "the web viewer's files; default: beside this program"},
-                  {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
-                  {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
-                  {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
-                  {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
-                  {"depth-mode", "MODE",
-                   "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
-                  {"depth-bound", "LEAST,PER_M2",
-                   "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
-                  {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
-                  {"jpeg-quality", "1..100", "quality of colour images", "85"},
-                  {"name", "NAME", "server name that clients show", kProgram}},
-      .example = "telepalp-server --source synthetic --seconds 60"};
-  for (const program::Option& option : relay::relay_options()) usage.options.push_back(option);
-  return usage;
+  return {.program = kProgram,
+          .purpose = "streams a patient to stations, recorders and browsers",
+          .positional = {},
+          .options = {{"source", "SOURCE",
+                       "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, "
+                       "synthetic[:MODEL], or another server's nats://HOST/SITE",
+                       "synthetic"},
+                      {"loop", "yes|no", "repeat a recording when it ends", "yes"},
+                      {"seconds", "S", "stop after S seconds; 0: never", "0"},
+                      {"bind", "ADDRESS", "listen address; a network's needs --key", "127.0.0.1"},
+                      {"key", "FILE", "key file of telepalp-keys server; clients then need keys"},
+                      {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},
+                      {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
+                      {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
+                      {"http-port", "PORT", "port of the web viewer; 0: any free one; default: none"},
+                      {"publish", "URL", "publish for edges, to NATS: nats://HOST/SITE"},
+                      {"meet", "HOST[:PORT]", "meeting point that callers dial; default: none"},
+                      {"health-port", "PORT", "port of /health and /metrics, plain HTTP; default: none"},
+                      {"health-bind", "ADDRESS", "address of --health-port; default: 127.0.0.1"},
+                      {.name = "allow-origin",
+                       .argument = "ORIGIN",
+                       .help = "other site whose pages may open the stream; repeatable",
+                       .repeatable = true},
+                      {"viewer", "DIR", "the web viewer's files; default: beside this program"},
+                      {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
+                      {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
+                      {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
+                      {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
+                      {"depth-mode", "MODE",
+                       "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
+                      {"depth-bound", "LEAST,PER_M2", "bounded: errors to max(LEAST, PER_M2 z²) mm; 1,2.85"},
+                      {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
+                      {"jpeg-quality", "1..100", "quality of colour images", "85"},
+                      {"name", "NAME", "server name that clients show", kProgram}},
+          .example = "telepalp-server --source synthetic --seconds 60"};
 }
 
 struct Asked {
@@ -376,10 +371,8 @@ void offer(gateway::GatewayOptions& options, Parts& parts) {
 /// Of an edge: connects to the cluster, whose session clock the server takes over.
 Result<void> open_upstream(Parts& parts, Asked& asked) {
   if (!asked.relay.shows) return {};
-  Result<relay::Upstream> upstream = relay::connect_upstream(parts.io, {.address = *asked.relay.shows,
-                                                                        .credentials = asked.relay.credentials,
-                                                                        .authority = asked.relay.authority,
-                                                                        .log = log_line});
+  Result<relay::Upstream> upstream =
+      relay::connect_upstream(parts.io, {.address = *asked.relay.shows, .log = log_line});
   if (!upstream) return upstream.error();
   asked.server.clock_upstream = upstream->clock;
   parts.origin = std::move(upstream->origin);
@@ -394,10 +387,7 @@ Result<void> open_upstream(Parts& parts, Asked& asked) {
 Result<void> open_publisher(Parts& parts, Asked& asked) {
   if (!asked.relay.publishes) return {};
   auto opened = relay::Publisher::open(parts.io, parts.server->hub(), parts.server->clock(),
-                                       {.address = *asked.relay.publishes,
-                                        .credentials = asked.relay.credentials,
-                                        .authority = asked.relay.authority,
-                                        .log = log_line});
+                                       {.address = *asked.relay.publishes, .log = log_line});
   if (!opened) return opened.error();
   parts.publisher = std::move(opened).value();
   const std::string to = relay::in_words(*asked.relay.publishes);

@@ -172,6 +172,8 @@ Result<void> NatsConnection::subscribe(const std::string& subject, OnNote on_not
   natsSubscription_SetPendingLimits(subscription, kMostWaitingNotes, kMostWaiting_B);
   status = natsSubscription_SetOnCompleteCB(subscription, on_complete, closure.release());
   parts_->subscriptions.emplace_back(subscription, std::move(handler));
+  if (status == NATS_OK) status = natsConnection_FlushTimeout(parts_->connection, kConnectsWithin.count());
+  if (status != NATS_OK) return refused(status, subject, "check the connection with the NATS server");
   return {};
 }
 

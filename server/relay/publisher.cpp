@@ -74,8 +74,8 @@ class Publisher::Line : public std::enable_shared_from_this<Line> {
 Result<void> Publisher::Line::start() {
   const std::string& site = options_.address.site;
   auto nats = NatsConnection::open({.url = options_.address.url,
-                                    .credentials = options_.credentials,
-                                    .authority = options_.authority,
+                                    .credentials = options_.address.credentials,
+                                    .authority = options_.address.authority,
                                     .name = "telepalp-server of " + site,
                                     .on_change = [line = weak_from_this()](bool is_connected) {
                                       if (const auto self = line.lock())

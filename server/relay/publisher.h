@@ -22,8 +22,6 @@ class Publisher {
  public:
   struct Options {
     RelayAddress address;
-    std::filesystem::path credentials{};
-    std::filesystem::path authority{};
     std::function<void(const std::string&)> log = [](const std::string&) {};
   };
   struct Counts {

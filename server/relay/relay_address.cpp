@@ -29,6 +29,9 @@ bool is_relay(std::string_view source) noexcept {
 }
 
 Result<RelayAddress> parse_relay(std::string_view text, std::string_view where) {
+  const std::size_t question = text.find('?');
+  std::string_view files = question == text.npos ? "" : text.substr(question + 1);
+  text = text.substr(0, question);
   const std::size_t scheme = text.find("://");
   const std::size_t slash = text.rfind('/');
   if (!is_relay(text) || slash <= scheme + 3 || !is_site(text.substr(slash + 1)))
@@ -37,7 +40,20 @@ Result<RelayAddress> parse_relay(std::string_view text, std::string_view where) 
                      "'-' and '_'",
                  .where = std::string(where),
                  .fix = "give, for example, nats://cluster.example/ward3, or tls:// if the cluster asks for TLS"};
-  return RelayAddress{.url = std::string(text.substr(0, slash)), .site = std::string(text.substr(slash + 1))};
+  RelayAddress address{.url = std::string(text.substr(0, slash)), .site = std::string(text.substr(slash + 1))};
+  while (!files.empty()) {
+    const std::string_view one = files.substr(0, files.find('&'));
+    files.remove_prefix(std::min(files.size(), one.size() + 1));
+    if (one.starts_with("creds=") && one.size() > 6)
+      address.credentials = one.substr(6);
+    else if (one.starts_with("ca=") && one.size() > 3)
+      address.authority = one.substr(3);
+    else
+      return Error{.what = "'" + std::string(one.substr(0, 64)) + "' is neither creds=FILE nor ca=FILE",
+                   .where = std::string(where),
+                   .fix = "give, for example, tls://cluster.example/ward3?creds=site.creds&ca=cluster.crt"};
+  }
+  return address;
 }
 
 std::string in_words(const RelayAddress& address) { return without_password(address.url) + "/" + address.site; }

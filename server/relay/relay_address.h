@@ -11,14 +11,16 @@ namespace telepalp::relay {
 
 /// Where a site's messages are in a cluster of NATS servers.
 struct RelayAddress {
-  std::string url;   ///< as NATS takes it: nats://[USER:PASSWORD@]HOST[:PORT], or tls://…
+  std::string url;   ///< as NATS takes it: nats://[USER:PASSWORD@]HOST[:PORT], or tls://…; several, with commas
   std::string site;  ///< letters, digits, '-' and '_'
+  std::string credentials{};  ///< NATS's credentials file (.creds); empty: none
+  std::string authority{};    ///< file with the certificate of a tls:// server's authority; empty: the system's
 };
 
 /// True if `source` begins as an address of a relay does: nats:// or tls://.
 [[nodiscard]] bool is_relay(std::string_view source) noexcept;
 
-/// Reads `nats://HOST[:PORT]/SITE`. `where`: the option's name, for errors.
+/// Reads `nats://HOST[:PORT]/SITE[?creds=FILE][&ca=FILE]`. `where`: the option's name, for errors.
 [[nodiscard]] Result<RelayAddress> parse_relay(std::string_view text, std::string_view where);
 
 /// `url` without the names and passwords in it, for logs.

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <vector>
 
 #include "server/relay/relay_address.h"
 #include "support/program/options.h"
@@ -13,14 +11,9 @@ namespace telepalp::relay {
 struct RelayOptions {
   std::optional<RelayAddress> publishes;  ///< to this cluster; nullopt: it does not
   std::optional<RelayAddress> shows;      ///< what another server publishes there: an edge; nullopt: no edge
-  std::filesystem::path credentials{};
-  std::filesystem::path authority{};
 };
 
-/// The options `--publish`, `--relay-credentials` and `--relay-authority`.
-[[nodiscard]] std::vector<program::Option> relay_options();
-
-/// Reads them, and `--source`, if it names a cluster.
+/// Reads `--publish`, and `--source`, if it names a cluster.
 [[nodiscard]] Result<RelayOptions> relay_options_of(const program::Arguments& arguments);
 
 }  // namespace telepalp::relay

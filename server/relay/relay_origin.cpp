@@ -134,8 +134,8 @@ Result<Upstream> connect_upstream(boost::asio::io_context& io, const UpstreamOpt
   auto origin = std::make_unique<RelayOrigin>(io, options.address.site, options.log);
   auto nats =
       NatsConnection::open({.url = options.address.url,
-                            .credentials = options.credentials,
-                            .authority = options.authority,
+                            .credentials = options.address.credentials,
+                            .authority = options.address.authority,
                             .name = "edge of " + options.address.site,
                             .on_change = [raw = origin.get()](bool is_connected) { raw->changed(is_connected); }});
   if (!nats) return nats.error();

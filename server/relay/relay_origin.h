@@ -23,8 +23,6 @@ struct Upstream {
 
 struct UpstreamOptions {
   RelayAddress address;
-  std::filesystem::path credentials{};
-  std::filesystem::path authority{};
   std::function<void(const std::string&)> log = [](const std::string&) {};
 };
 
