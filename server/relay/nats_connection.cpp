@@ -124,6 +124,7 @@ natsStatus NatsConnection::Parts::set(natsOptions* to) {
   const auto then = [&](natsStatus next) {
     if (status == NATS_OK) status = next;
   };
+  then(natsOptions_SetNoRandomize(to, true));  // the first server that is named is the nearest one
   then(natsOptions_SetName(to, options.name.c_str()));
   then(natsOptions_SetTimeout(to, ms(kConnectsWithin)));
   then(natsOptions_SetMaxReconnect(to, -1));

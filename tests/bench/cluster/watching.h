@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <cstdint>
@@ -38,6 +39,7 @@ class Viewers {
     std::unique_ptr<wire::ClientLink> link;
   };
   boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keeps_running_{io_.get_executor()};
   std::vector<std::unique_ptr<Viewer>> viewers_;
 };
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <map>
@@ -52,6 +53,7 @@ class RelayCluster : public ::testing::Test {
   std::string port_ = any_port();
   std::optional<support::ChildProcess> nats_;
   boost::asio::io_context io_{1};
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keeps_running_{io_.get_executor()};
   hub::Hub site_;
   wire::SessionClock clock_{std::chrono::hours(1)};
   relay::RelayAddress address_{.url = "nats://127.0.0.1:" + port_, .site = "ward"};

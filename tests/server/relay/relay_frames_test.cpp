@@ -96,9 +96,8 @@ TEST(RelayAddress, NamesAClusterAndASite) {
   EXPECT_EQ(address->url, "nats://user:secret@a:4222,nats://b");
   EXPECT_EQ(address->site, "ward_3-x");
   EXPECT_EQ(in_words(*parse_relay("nats://user:secret@a:4222/ward", "x")), "nats://a:4222/ward");
-  for (const char* wrong :
-       {"nats://", "nats://a", "nats:///ward", "nats://a/", "nats://a/w.x", "nats://a/*", "nats://a/>", "http://a/ward",
-        "", "nats://a/w d", "nats://a/w?x=1", "nats://a/w?creds=", "nats://a/w?creds=a&"})
+  for (const char* wrong : {"nats://", "nats://a", "nats:///ward", "nats://a/", "nats://a/w.x", "nats://a/*",
+                            "nats://a/>", "http://a/ward", "", "nats://a/w d", "nats://a/w?x=1", "nats://a/w?creds="})
     EXPECT_FALSE(parse_relay(wrong, "--publish")) << wrong;
 }
 
