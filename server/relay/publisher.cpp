@@ -47,7 +47,7 @@ class Publisher::Line : public std::enable_shared_from_this<Line> {
   void take();
   void show_again();
   void write();
-  void write(const wire::Message& message, std::size_t most_B);
+  void write(const wire::Message& message, PartCutter& cutter);
 
   boost::asio::io_context& io_;
   hub::Hub& hub_;
@@ -160,7 +160,7 @@ void Publisher::Line::take() {
 }
 
 void Publisher::Line::write() {
-  const std::size_t most_B = std::clamp(nats_->most_payload_B(), kLeastPartBytes, kMostPart_B);
+  PartCutter cutter(std::clamp(nats_->most_payload_B(), kLeastPartBytes, kMostPart_B));
   std::unique_lock lock(mutex_);
   while (true) {
     given_.wait(lock, [this] { return ends_ || !taken_.empty(); });
@@ -168,20 +168,16 @@ void Publisher::Line::write() {
     const wire::Message message = std::move(taken_.front());
     taken_.pop_front();
     lock.unlock();
-    write(message, most_B);
+    write(message, cutter);
     if (taken_B_.fetch_sub(message.payload->size()) >= kMostTaken_B) on_network_thread([](Line& line) { line.take(); });
     lock.lock();
   }
 }
 
-void Publisher::Line::write(const wire::Message& message, std::size_t most_B) {
+void Publisher::Line::write(const wire::Message& message, PartCutter& cutter) {
   const std::string subject = subject_of(options_.address.site, message.topic);
-  for (const std::string& part : parts_of(message, most_B))
-    if (!nats_->publish(subject, part)) {
-      ++lost_;
-      return;
-    }
-  ++published_;
+  const bool is_written = cutter.cut(message, [&](std::string_view part) { return nats_->publish(subject, part); });
+  ++(is_written ? published_ : lost_);
 }
 
 Publisher::Publisher(std::shared_ptr<Line> line) : line_(std::move(line)) {}

@@ -47,24 +47,25 @@ std::optional<PartHeader> header_of(std::string_view part) {
 
 }  // namespace
 
-std::vector<std::string> parts_of(const wire::Message& message, std::size_t most_B) {
+PartCutter::PartCutter(std::size_t most_B) : room_B_(most_B - kPartHeaderBytes) {
   demand(most_B >= kLeastPartBytes, "a part has room for its header and some bytes");
-  const std::size_t room_B = most_B - kPartHeaderBytes;
+}
+
+bool PartCutter::cut(const wire::Message& message, const std::function<bool(std::string_view part)>& on_part) {
   const std::string_view payload = *message.payload;
-  const std::size_t count = std::max<std::size_t>(1, (payload.size() + room_B - 1) / room_B);
-  std::vector<std::string> parts(count);
+  const std::size_t count = std::max<std::size_t>(1, (payload.size() + room_B_ - 1) / room_B_);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string_view piece = payload.substr(std::min(payload.size(), i * room_B), room_B);
-    parts[i].reserve(kPartHeaderBytes + piece.size());
-    append(parts[i], {.sequence = message.sequence,
-                      .published_ns = static_cast<std::int64_t>(to_nanoseconds(message.published)),
-                      .flags = message.key_frame ? kKeyFlag : std::uint16_t{0},
-                      .part = static_cast<std::uint16_t>(i),
-                      .parts = static_cast<std::uint16_t>(count),
-                      .whole_B = static_cast<std::uint32_t>(payload.size())});
-    parts[i] += piece;
+    part_.clear();
+    append(part_, {.sequence = message.sequence,
+                   .published_ns = static_cast<std::int64_t>(to_nanoseconds(message.published)),
+                   .flags = message.key_frame ? kKeyFlag : std::uint16_t{0},
+                   .part = static_cast<std::uint16_t>(i),
+                   .parts = static_cast<std::uint16_t>(count),
+                   .whole_B = static_cast<std::uint32_t>(payload.size())});
+    part_ += payload.substr(std::min(payload.size(), i * room_B_), room_B_);
+    if (!on_part(part_)) return false;
   }
-  return parts;
+  return true;
 }
 
 std::optional<wire::Message> PartJoiner::add(const wire::Topic& topic, std::string_view part) {

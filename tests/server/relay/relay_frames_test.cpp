@@ -19,6 +19,15 @@ wire::Message depth(std::uint64_t sequence, std::size_t bytes, bool is_key = tru
           std::make_shared<const std::string>(std::move(payload)), sequence, is_key};
 }
 
+std::vector<std::string> parts_of(const wire::Message& message, std::size_t most_B) {
+  std::vector<std::string> parts;
+  EXPECT_TRUE(PartCutter(most_B).cut(message, [&](std::string_view part) {
+    parts.emplace_back(part);
+    return true;
+  }));
+  return parts;
+}
+
 TEST(RelayFrames, AMessageOfAnySizeArrivesAsItWas) {
   PartJoiner joiner;
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, kLeastPartBytes - kPartHeaderBytes,
