@@ -1,5 +1,10 @@
 #include "server/gateway/sign_in.h"
 
+#include <openssl/evp.h>
+#include <openssl/sha.h>
+
+#include <array>
+
 #include "server/gateway/request/reading_request.h"
 
 namespace telepalp::gateway {
@@ -7,8 +12,33 @@ namespace {
 
 namespace http = boost::beast::http;
 
-/// A page of our own, without script or style: it may post a form to this server and do nothing else.
-constexpr const char* kFormPolicy = "default-src 'none'; form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
+/// The look of the viewer's cards.
+constexpr std::string_view kStyle =
+    "body{margin:0;min-height:100vh;display:grid;place-items:center;background:#05070b;color:#e8eef4;"
+    "font:16px/1.5 system-ui,sans-serif}"
+    "main{box-sizing:border-box;width:min(26rem,100vw);padding:2rem;background:#0c1219;border:1px solid #22303d;"
+    "border-radius:12px}"
+    "h1{margin:0 0 1rem;font-size:1.3rem}p{margin:1rem 0 0;color:#a9bac8;font-size:.9rem}"
+    "label{display:block;margin:0 0 1rem}input[type=password]{box-sizing:border-box;width:100%;margin-top:.25rem;"
+    "padding:.6rem;font:inherit;color:inherit;background:#05070b;border:1px solid #3a4d5e;border-radius:8px}"
+    "button{width:100%;padding:.6rem;font:inherit;font-weight:600;color:#04121a;background:#5fd0e8;border:0;"
+    "border-radius:8px;cursor:pointer}:focus-visible{outline:2px solid #ffd166;outline-offset:2px}"
+    "[role=alert]{margin:0 0 1rem;padding:.6rem .8rem;color:#ffd9a0;background:#3a2a0b;border-radius:8px}";
+
+std::string sha256_in_base64(std::string_view text) {
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
+  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data());
+  std::array<unsigned char, 4 * ((SHA256_DIGEST_LENGTH + 2) / 3) + 1> base64{};
+  const int length = EVP_EncodeBlock(base64.data(), digest.data(), SHA256_DIGEST_LENGTH);
+  return {reinterpret_cast<const char*>(base64.data()), static_cast<std::size_t>(length)};
+}
+
+/// A page of our own, without script: it may post a form to this server, and has this one style.
+const std::string& form_policy() {
+  static const std::string policy = "default-src 'none'; style-src 'sha256-" + sha256_in_base64(kStyle) +
+                                    "'; form-action 'self'; base-uri 'none'; frame-ancestors 'none'";
+  return policy;
+}
 
 std::string html_escaped(std::string_view text) {
   std::string safe;
@@ -33,10 +63,11 @@ std::string html_escaped(std::string_view text) {
 
 HttpReply page(const HttpRequest& request, http::status status, const std::string& body) {
   HttpReply reply = refuse(request, status,
-                           "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>telepalp</title><body>" +
-                               body + "</body></html>");
+                           "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
+                           "content=\"width=device-width\"><title>telepalp</title><style>" +
+                               std::string(kStyle) + "</style><body><main>" + body + "</main></body></html>");
   reply.set(http::field::content_type, "text/html; charset=utf-8");
-  reply.set("Content-Security-Policy", kFormPolicy);
+  reply.set("Content-Security-Policy", form_policy());
   reply.set("Referrer-Policy", "same-origin");  // with "no-referrer" a browser sends a form's origin as "null"
   return reply;
 }
@@ -51,7 +82,7 @@ HttpReply sign_in_page(const HttpRequest& request, std::string_view problem) {
                   "\"><label>Token <input name=\"token\" type=\"password\" "
                   "autocomplete=\"off\" autofocus required></label> <label><input name=\"consent\" type=\"checkbox\" "
                   "value=\"yes\" "
-                  "required> The patient has agreed that I watch</label> <button>Sign in</button></form>"
+                  "required> The patient has agreed that I watch</label><button>Sign in</button></form>"
                   "<p>The token is all that follows <code>token:</code> in the file that the technician gave you.</p>");
 }
 

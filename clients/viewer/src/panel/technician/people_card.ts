@@ -29,7 +29,8 @@ export function readPeople({people, holdsTouch, sentOut, anchor, alarm}: PeopleM
     present.set(key, one);
   }
   return {
-    present: [...present].map(([key, {who, streams}]) => ({who: streams.length > 1 ? `${who} (${streams.length})` : who, key, says: streams.join('\n')})),
+    present: [...present].map(([key, {who, streams}]) =>
+      ({who: streams.length > 1 ? `${who} (${streams.length})` : who, key, says: streams.join('\n')})),
     sentOut: sentOut.map(({name, role, key}) => ({who: `${role} ${name}`, key, says: `Key ${key}. May come back after 15 minutes.`})),
     holdsTouch, anchor, alarm,
   };
@@ -76,7 +77,7 @@ export class PeopleCard {
     button.textContent = does;
     button.setAttribute('aria-label', `${does}: ${who}`);
     button.addEventListener('click', () => void this.people.command(command));
-    row.append(name, ' ', button);
+    row.append(name, button);
     return row;
   }
 }
