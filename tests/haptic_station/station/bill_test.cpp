@@ -84,7 +84,12 @@ TEST(SeenBody, ItsSurfaceIsADistance) {
 
 TEST(Bill, StationsInVirtualTimeDoTheSameTwice) {
   const scenes::Scene scene = scene_named("palpation");
-  EXPECT_EQ(published_by(scene), published_by(scene));
+  auto once = published_by(scene);
+  auto twice = published_by(scene);
+  // The surface reports name the setting, and a processor that other programs keep busy makes a station choose a faster
+  // one.
+  for (auto* published : {&once, &twice}) published->at(std::string(wire::kStationSurface.name)).bytes = 0;
+  EXPECT_EQ(once, twice);
 }
 
 TEST(Bill, AnEffectThatTheSceneDoesNotNamePublishesNothing) {
