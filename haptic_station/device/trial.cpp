@@ -77,6 +77,23 @@ constexpr std::array kFreeSearch = std::to_array<Waypoint>({
     {1.0, 0.01, kHigh, 0.00},
 });
 
+/// Ends at the height at which it begins, as S1's trials do. At most 40 mm/s inside the body.
+constexpr std::array kInsertNeedle = std::to_array<Waypoint>({
+    {0.6, 0.00, kHigh, 0.00},
+    {0.5, 0.00, kLow, 0.00},
+    {3.0, 0.00, -0.055, 0.00},
+    {1.2, 0.00, -0.055, 0.00},
+    {2.0, 0.00, kLow, 0.00},
+    {2.2, 0.00, -0.045, 0.00},
+    {0.5, 0.00, -0.045, 0.00},
+    {2.2, 0.00, kHigh, 0.00},
+    {0.9, 0.03, kHigh, 0.01},
+    {0.5, 0.03, kLow, 0.01},
+    {3.0, 0.03, -0.055, 0.01},
+    {0.5, 0.03, -0.055, 0.01},
+    {2.2, 0.03, kHigh, 0.01},
+});
+
 struct Leg {
   const Waypoint* from;
   const Waypoint* to;
@@ -114,6 +131,8 @@ std::span<const Waypoint> waypoints(Trial trial) noexcept {
       return kFindCylinder;
     case Trial::FreeSearch:
       return kFreeSearch;
+    case Trial::InsertNeedle:
+      return kInsertNeedle;
   }
   return kIndentSeveralPoints;
 }

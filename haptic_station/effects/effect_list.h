@@ -5,6 +5,7 @@
 #include "haptic_station/effects/friction.h"
 #include "haptic_station/effects/inner_cylinder.h"
 #include "haptic_station/effects/inner_sphere.h"
+#include "haptic_station/effects/layered_tissue.h"
 #include "haptic_station/effects/membrane.h"
 #include "haptic_station/effects/organ.h"
 #include "haptic_station/effects/skin.h"
@@ -23,7 +24,8 @@ using Effect = std::variant<  //
     StiffRegions,             //
     Organ,                    //
     Solid,                    //
-    Membrane>;
+    Membrane,                 //
+    LayeredTissue>;
 
 /// The recipes of a list of kinds: one type for each kind, in the same order.
 template <class Kinds>

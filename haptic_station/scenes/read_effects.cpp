@@ -7,6 +7,7 @@
 #include "haptic_station/effects/tissue_presets.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/layer.h"
+#include "haptic_station/scenes/read_tissue.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::scenes {
@@ -209,6 +210,13 @@ struct Read<effects::Membrane> {
     TELEPALP_READ(check, "membrane.", message, friction_n, membrane.friction_N, {0, 3, "N"});
     TELEPALP_READ(check, "membrane.", message, skin_left, membrane.skin_left, {0, 1, "N/N"});
     return membrane;
+  }
+};
+
+template <>
+struct Read<effects::LayeredTissue> {
+  static effects::LayeredTissue::Settings from(const Reading& reading, const msg::LayeredTissueEffect& message) {
+    return read_layered_tissue(reading.check, message);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "haptic_station/tissue/tissue_settings.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::scenes {
@@ -48,6 +49,17 @@ struct Objects {
   void operator()(const effects::MembraneSettings& membrane) {
     constexpr double kShown_m = 0.03;
     all.push_back(object("membrane", {node("tr", numbers_of(membrane.at.m)), node("cylindery", {kShown_m, kDisc_m})}));
+  }
+  /// Each layer as far as its net reaches, with its thickness.
+  void operator()(const effects::LayeredTissueSettings& given) {
+    if (!given.model) return;
+    const tissue::TissueSettings& settings = tissue::settings_of(*given.model);
+    for (const tissue::LayerSettings& layer : settings.layers) {
+      const double half_m = std::max(kDisc_m, 0.5 * layer.thickness_m);
+      const Eigen::Vector3d middle = settings.at_m - Eigen::Vector3d(0.0, layer.top_m + half_m, 0.0);
+      all.push_back(
+          object(layer.name, {node("tr", numbers_of(middle)), node("cylindery", {settings.net_radius_m, half_m})}));
+    }
   }
   void operator()(const effects::OrganSettings& organ) {
     if (!organ.shape) return;

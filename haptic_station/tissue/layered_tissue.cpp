@@ -9,6 +9,8 @@ namespace telepalp::tissue {
 
 using Eigen::Vector3d;
 
+const TissueSettings& settings_of(const TissueModel& model) noexcept { return model.settings; }
+
 std::size_t LayeredTissue::size() const noexcept { return model_->settings.layers.size(); }
 
 Vector3d LayeredTissue::local_m(const Vector3d& tip_m, const LayerSettings& layer) const noexcept {
@@ -119,6 +121,18 @@ TissueWrench LayeredTissue::wrench() const noexcept {
   return sum;
 }
 
+double LayeredTissue::opened() const noexcept {
+  for (std::size_t i = 0; i < size(); ++i)
+    if (model_->settings.layers[i].surface) return surfaces_[i].opened();
+  return 0.0;
+}
+
+const Vector3d& LayeredTissue::at_m() const noexcept { return model_->settings.at_m; }
+
+double LayeredTissue::most_N() const noexcept { return most_N(model_->settings); }
+
+double LayeredTissue::stiffest_N_per_m() const noexcept { return stiffest_N_per_m(model_->settings); }
+
 double LayeredTissue::stored_J() const noexcept {
   double sum_J = shaft_.stored_J(model_->settings.shaft);
   for (std::size_t i = 0; i < size(); ++i) {
@@ -174,17 +188,24 @@ double LayeredTissue::most_N(const TissueSettings& settings) noexcept {
   return sum + whole + (settings.shaft.side_N_per_m > 0.0 ? settings.shaft.tears_at_N_per_m * end_m : 0.0);
 }
 
+/// The tip cuts in at most two layers at once, where one ends and the next begins.
 double LayeredTissue::stiffest_N_per_m(const TissueSettings& settings) noexcept {
   double sum = settings.shaft.side_N_per_m;
+  double cuts = 0.0;
+  double cuts_less = 0.0;
   for (const LayerSettings& layer : settings.layers) {
     if (layer.surface) {
       const double a2 = layer.surface->stiffening_N_per_m2;
       const double deepest_m = a2 > 0.0 ? std::sqrt(layer.surface->punctures_at_N / a2) : 0.0;
       sum += layer.surface->stiffness_N_per_m + 2.0 * a2 * deepest_m + layer.surface->bristle_N_per_m;
     }
-    if (layer.bulk) sum += 2.0 * layer.bulk->stick_N_per_m;
+    if (!layer.bulk) continue;
+    sum += layer.bulk->stick_N_per_m;
+    if (layer.bulk->cuts_at_N <= 0.0) continue;
+    cuts_less = std::max(cuts_less, std::min(cuts, layer.bulk->stick_N_per_m));
+    cuts = std::max(cuts, layer.bulk->stick_N_per_m);
   }
-  return sum;
+  return sum + cuts + cuts_less;
 }
 
 }  // namespace telepalp::tissue

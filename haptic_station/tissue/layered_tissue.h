@@ -56,6 +56,9 @@ class LayeredTissue {
   [[nodiscard]] TissueWrench wrench() const noexcept;  ///< of the last step()
   /// True once a needle has punctured the layer anywhere.
   [[nodiscard]] bool punctured(std::size_t index) const noexcept { return surfaces_[index].holes() > 0; }
+  /// Share of the outermost surface's net that no longer acts on the needle, because the needle is in its hole: 0 to
+  /// 1. It rises while the force of a puncture falls.
+  [[nodiscard]] double opened() const noexcept;
   /// The most energy that the needle could get back.
   [[nodiscard]] double stored_J() const noexcept;
   /// Energy of surfaces that punctures have dissipated since begin().
@@ -69,7 +72,10 @@ class LayeredTissue {
   [[nodiscard]] double stiffness_N_per_m() const noexcept;
   /// The greatest force that layers of these settings can give, except where a fast tick overshoots a puncture.
   [[nodiscard]] static double most_N(const TissueSettings& settings) noexcept;
+  [[nodiscard]] double most_N() const noexcept;  ///< of this tissue's settings
   [[nodiscard]] static double stiffest_N_per_m(const TissueSettings& settings) noexcept;
+  [[nodiscard]] double stiffest_N_per_m() const noexcept;      ///< of this tissue's settings
+  [[nodiscard]] const Eigen::Vector3d& at_m() const noexcept;  ///< TissueSettings::at_m
 
  private:
   [[nodiscard]] Eigen::Vector3d local_m(const Eigen::Vector3d& tip_m, const LayerSettings& layer) const noexcept;

@@ -85,7 +85,7 @@ void PuncturedSurface::step(const TissueModel& model, const LayerSettings& layer
     meet(model, layer, from_m, to_m);
   } else {
     spring_.relax(layer.relaxation, dt_s);
-    spring_.move(to_m - from_m);
+    stretch(layer, to_m - from_m);
   }
   if (state_ == LayerState::Removed) return;
   const double depth_m = (plane_m_ - to_m).dot(out_);
@@ -93,6 +93,16 @@ void PuncturedSurface::step(const TissueModel& model, const LayerSettings& layer
   if (state_ == LayerState::Inserted) return pass(layer, to_m - from_m, depth_m, dt_s);
   slide(model, layer);
   if (may_puncture && net_N(layer).norm() > layer.surface->punctures_at_N) puncture(to_m);
+}
+
+/// A net that does not push lets the tip go: the place from which it is stretched then follows the tip outwards. Else a
+/// net that has relaxed or yielded would store energy that no hand can get back.
+void PuncturedSurface::stretch(const LayerSettings& layer, const Vector3d& by_m) noexcept {
+  const double before_N = std::max(0.0, pulled_by_net_N(layer).dot(out_));
+  spring_.move(by_m);
+  const double after_N = pulled_by_net_N(layer).dot(out_);
+  const double outwards_m = by_m.dot(out_);
+  if (after_N < 0.0 && outwards_m > 0.0) spring_.move(-after_N / (after_N - before_N) * outwards_m * out_);
 }
 
 /// The place of contact only follows the tip, and the stiffness only falls: both take energy out.

@@ -34,6 +34,8 @@ class PuncturedSurface {
 
   [[nodiscard]] LayerState state() const noexcept { return state_; }
   [[nodiscard]] bool falls() const noexcept { return state_ == LayerState::Inserted && whole_ > 0.0; }
+  /// Share of the net that no longer acts on the needle, because it is in a hole.
+  [[nodiscard]] double opened() const noexcept { return state_ == LayerState::Inserted ? 1.0 - whole_ : 0.0; }
   [[nodiscard]] std::size_t holes() const noexcept { return holes_ < kMostHoles ? holes_ : kMostHoles; }
   [[nodiscard]] std::size_t hole() const noexcept { return hole_; }       ///< index of the hole that the needle is in
   [[nodiscard]] bool fresh_hole() const noexcept { return fresh_hole_; }  ///< hole() was made in the last step
@@ -48,6 +50,7 @@ class PuncturedSurface {
   void meet(const TissueModel& model, const LayerSettings& layer, const Eigen::Vector3d& from_m,
             const Eigen::Vector3d& to_m) noexcept;
   void touch(const TissueModel& model, const MeshPoint& at, double side) noexcept;
+  void stretch(const LayerSettings& layer, const Eigen::Vector3d& by_m) noexcept;
   void slide(const TissueModel& model, const LayerSettings& layer) noexcept;
   void puncture(const Eigen::Vector3d& tip_m) noexcept;
   void pass(const LayerSettings& layer, const Eigen::Vector3d& by_m, double depth_m, double dt_s) noexcept;

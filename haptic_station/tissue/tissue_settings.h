@@ -8,6 +8,7 @@
 
 #include "haptic_station/tissue/net/stiffness_map.h"
 #include "haptic_station/tissue/relaxing_spring.h"
+#include "haptic_station/tissue/settings_limits.h"
 #include "proto/words/result.h"
 
 namespace telepalp::tissue {
@@ -72,6 +73,11 @@ struct TissueSettings {
 
 /// What all ticks share: the settings, the mesh and its stiffness. Immutable; made by make_tissue().
 struct TissueModel;
+
+[[nodiscard]] const TissueSettings& settings_of(const TissueModel& model) noexcept;
+
+/// The first fault of a layer, by itself and behind `before`, the next one outwards (nullptr: there is none).
+[[nodiscard]] std::optional<Error> layer_fault(const LayerSettings& layer, const LayerSettings* before);
 
 /// Error: a value is not a number or out of range, a layer begins above the end of the one before it, the mesh is bad,
 /// or there are no or too many layers. `where` names the layer.

@@ -2,84 +2,33 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <memory>
 
-#include "haptic_station/loop/haptic_loop.h"
-#include "haptic_station/loop/simulated_rig.h"
-#include "haptic_station/surface/build/surface_builder.h"
+#include "haptic_station/device/random.h"
 #include "haptic_station/tracking/hand_trace.h"
 #include "haptic_station/trials/blind_search.h"
 #include "haptic_station/trials/trial_run.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/fixed_kalman.h"
+#include "tests/bench/tick_times.h"
 #include "where.h"
 
 namespace telepalp::bench {
 namespace {
 
 constexpr double kTick_s = 0.0005;
-constexpr int kTicksPerFrame = 67;  // 30 Hz
-
-/// A level skin 0.8 m under a Kinect-like camera, with 1 mm of noise.
-DepthImage noisy_plane() {
-  device::Random random(5);
-  DepthImage depth{.width = 640, .height = 480, .unit_m = 0.001, .samples = {}};
-  for (int i = 0; i < depth.width * depth.height; ++i)
-    depth.samples.push_back(static_cast<std::uint16_t>(std::lround(800.0 + random.normal())));
-  return depth;
-}
-
-/// Processor time of this thread; it does not include other programs on the same core.
-double thread_us() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
-}
-
-/// The live loop's whole tick, from proxy to limiter, over a real snapshot, while a hand does the first trial.
 void measure_tick(double seconds, Report& report) {
-  const Intrinsics camera{.width = 640, .height = 480, .fx = 525.0, .fy = 525.0, .cx = 319.5, .cy = 239.5};
-  const DepthImage depth = noisy_plane();
-  surface::SurfaceBuilder builder{surface::SurfaceSettings{}};
-  loop::TouchableSurface shown;
   effects::EffectBank bank;
   (void)bank.add(effects::Skin{});
-  loop::HapticLoop loop({}, control::EncounteredController({}, bank));
-  loop::SimulatedRig rig({.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.05, 0.0}}},
-                         device::ScriptedIntention(device::waypoints(device::Trial::IndentSeveralPoints), {}));
-  Transform<HapticBase, DepthCamera> haptic_from_camera;
-  haptic_from_camera.iso = Eigen::Translation3d(0.0, 0.8, 0.0) * Eigen::AngleAxisd(1.5707963, Eigen::Vector3d::UnitX());
-  Distribution tick_us;
-  Distribution cpu_us;
-  Distribution contact_us;
-  const auto ticks = static_cast<std::int64_t>(seconds / kTick_s);
-  for (std::int64_t i = 0; i < ticks; ++i) {
-    const SessionTime now{from_seconds(static_cast<double>(i) * kTick_s)};
-    loop::TickIn in{.now = now, .dt_s = kTick_s, .hand = rig.hand(now)};
-    loop::TouchableSurface before_shown;  // the loop refers to it until this tick
-    if (i % kTicksPerFrame == 0) {
-      before_shown = std::exchange(shown, {builder.add(depth, camera, now, std::nullopt), haptic_from_camera});
-      in.surface = &shown;
-    }
-    in.reading = rig.read();
-    const double cpu_before_us = thread_us();
-    const auto before = std::chrono::steady_clock::now();
-    const auto act = loop.tick(in);
-    const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count();
-    cpu_us.add(thread_us() - cpu_before_us);
-    tick_us.add(took_us);
-    if (control::is_inside(act.control.phase)) contact_us.add(took_us);
-    rig.apply({act.force}, act.contact, kTick_s);
-  }
-  report.rows.push_back(at_most("tick of a scene with skin alone: time, p50", tick_us.p50(), "us", 5.0));
-  report.rows.push_back(at_most("tick of a scene with skin alone: time, p99.9", tick_us.p999(), "us", 50.0));
-  report.rows.push_back(measured("tick of a scene with skin alone: processor time, p99.9", cpu_us.p999(), "us"));
-  report.rows.push_back(measured("tick in contact: time, p50", contact_us.p50(), "us"));
-  report.rows.push_back(measured("number of ticks in contact", static_cast<double>(contact_us.count()), ""));
+  const TickTimes took = measure_ticks(bank, device::Trial::IndentSeveralPoints, seconds);
+  report.rows.push_back(at_most("tick of a scene with skin alone: time, p50", took.all.p50(), "us", 5.0));
+  report.rows.push_back(at_most("tick of a scene with skin alone: time, p99.9", took.all.p999(), "us", 50.0));
+  report.rows.push_back(
+      measured("tick of a scene with skin alone: processor time, p99.9", took.processor.p999(), "us"));
+  report.rows.push_back(measured("tick in contact: time, p50", took.contact.p50(), "us"));
+  report.rows.push_back(measured("number of ticks in contact", static_cast<double>(took.contact.count()), ""));
 }
 
 void run_trials(bool by_camera, Report& report) {

@@ -14,6 +14,7 @@
 #include "tests/bench/link/link_bench.h"
 #include "tests/bench/link/subscribers_bench.h"
 #include "tests/bench/mixed/mixed_bench.h"
+#include "tests/bench/needle/needle_bench.h"
 #include "tests/bench/passivity_bench.h"
 #include "tests/bench/pipeline_bench.h"
 #include "tests/bench/replay_bench.h"
@@ -40,6 +41,7 @@ constexpr std::array kBenches{
     bench::Bench{"link", "frames in time over bad networks, compared with UDP, TCP, SRT", bench::run_link},
     bench::Bench{"subscribers", "the server: cost of a subscriber, fairness among 200, stalls", bench::run_subscribers},
     bench::Bench{"mixed", "mixed reality: calibration, masks, background, hand at the tool", bench::run_mixed},
+    bench::Bench{"needle", "needles in layers of tissue: time, energy, force, relaxation", bench::run_needle},
     bench::Bench{"pipeline", "latency from camera to hand, timing of the 2 kHz loop", bench::run_pipeline},
     bench::Bench{"replay", "speed of telepalp-replay, and agreement with real sockets", bench::run_replay},
     bench::Bench{"session", "time to seek in a session of 2 GB, and the cost of recording", bench::run_session},
@@ -56,9 +58,9 @@ program::Usage usage() {
                        .positional = {},
                        .options = {{"json", "", "print JSON instead of a table"},
                                    {"list", "", "print the benchmarks' names and exit"},
-                                   {"input", "FILE|DIR", "depth: images, a recording; link, pipeline: a --source"},
+                                   {"input", "FILE|DIR", "depth, needle: measured data; link, pipeline: a --source"},
                                    {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
-                                   {"part", "NAME", "accuracy, mixed, site, users: only this part"},
+                                   {"part", "NAME", "accuracy, mixed, needle, site, users: only this part"},
                                    {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
                                    {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                                    {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},

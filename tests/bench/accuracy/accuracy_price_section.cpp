@@ -34,6 +34,7 @@ constexpr Priced kPriced[] = {
     {"long-reach", "aorta", "`solid`, a capsule that pulses, and a fingertip of 6 mm"},
     {"ribs-ultrasound", "ribs", "`solid`, 24 ribs and a fingertip of 6 mm"},
     {"liver-enlarged", "liver", "`solid`, a mesh"},
+    {"amniocentesis", "layered_tissue", "`layered_tissue`, three layers"},
     {"ribs-ultrasound", "ultrasound probe", "`probe`, its image of 256 x 256 pixels at 25 Hz"},
 };
 

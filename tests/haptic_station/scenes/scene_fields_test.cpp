@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "haptic_station/scenes/scene.h"
+#include "haptic_station/tissue/tissue_settings.h"
 #include "messages/scene.pb.h"
 #include "support/program/text_format.h"
 #include "where.h"
@@ -185,6 +186,45 @@ TEST(SceneFields, AMembraneIsMetByAPointBesideTheDevice) {
   const Result<Scene> scene = scene_with("effects { membrane { tip_m { z: -0.12 } } }");
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
   EXPECT_EQ(std::get<effects::MembraneSettings>(scene->effects[0]).tip_m, Eigen::Vector3d(0.0, 0.0, -0.12));
+}
+
+TEST(SceneFields, LayersOfTissueAreReadIntoTheirSettings) {
+  const Result<Scene> scene = scene_with(
+      "effects { layered_tissue { at_m { y: -0.01 } net_radius_m: 0.04 net_edge_m: 0.01 spread_m: 0.02 subdivisions: 0 "
+      "side_N_per_m: 70 tears_at_N_per_m: 9 bevel_rad: 0.2 skin_left: 0.3 tip_m { z: -0.12 } "
+      "layer { name: \"skin\" thickness_m: 0.02 surface { stiffness_N_per_m: 99 stiffening_N_per_m2: 7 "
+      "punctures_at_N: 1.5 friction_N: 0.4 bristle_N_per_m: 88 side_grip: 0.7 falls_in_s: 0.03 } "
+      "bulk { law: LAW_PAPER stick_N_per_m: 77 slips_at_N: 0.6 slips_at_N_per_m: 5 cuts_at_N: 0.8 "
+      "damping_N_s_per_m: 3 resolution_m: 1e-4 equal_readings: 9 } relaxation { share: 0.25 time_s: 2 } } "
+      "layer { name: \"sac\" top_m: 0.02 surface {} } } }");
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  const auto& recipe = std::get<effects::LayeredTissueSettings>(scene->effects[0]);
+  EXPECT_EQ(recipe.skin_left, 0.3);
+  EXPECT_EQ(recipe.tip_m, Eigen::Vector3d(0.0, 0.0, -0.12));
+  const tissue::TissueSettings& tissue = tissue::settings_of(*recipe.model);
+  EXPECT_EQ(tissue.at_m.y(), -0.01);
+  EXPECT_EQ(std::array({tissue.net_radius_m, tissue.net_edge_m, tissue.net.spread_m, 1.0 * tissue.net.subdivisions}),
+            std::array({0.04, 0.01, 0.02, 0.0}));
+  EXPECT_EQ(std::array({tissue.shaft.side_N_per_m, tissue.shaft.tears_at_N_per_m, tissue.shaft.bevel_rad}),
+            std::array({70.0, 9.0, 0.2}));
+  ASSERT_EQ(tissue.layers.size(), 2U);
+  EXPECT_EQ(tissue.layers[1].top_m, 0.02);
+  EXPECT_FALSE(tissue.layers[1].bulk);
+  const tissue::LayerSettings& layer = tissue.layers[0];
+  EXPECT_EQ(layer.name, "skin");
+  const tissue::SurfaceSettings& surface = *layer.surface;
+  EXPECT_EQ(
+      std::array({layer.thickness_m, surface.stiffness_N_per_m, surface.stiffening_N_per_m2, surface.punctures_at_N,
+                  surface.friction_N, surface.bristle_N_per_m, surface.side_grip, surface.falls_in_s}),
+      std::array({0.02, 99.0, 7.0, 1.5, 0.4, 88.0, 0.7, 0.03}));
+  const tissue::BulkSettings& bulk = *layer.bulk;
+  EXPECT_EQ(bulk.law, tissue::BulkLaw::Paper);
+  EXPECT_EQ(std::array({bulk.stick_N_per_m, bulk.slips_at_N, bulk.slips_at_N_per_m, bulk.cuts_at_N,
+                        bulk.damping_N_s_per_m, bulk.resolution_m, 1.0 * bulk.equal_readings}),
+            std::array({77.0, 0.6, 5.0, 0.8, 3.0, 1e-4, 9.0}));
+  EXPECT_EQ(layer.relaxation.branches, 1);
+  EXPECT_EQ(layer.relaxation.share[0], 0.25);
+  EXPECT_EQ(layer.relaxation.time_s[0], 2.0);
 }
 
 TEST(SceneFields, AreReadIntoTheValuesThatTheStationUses) {

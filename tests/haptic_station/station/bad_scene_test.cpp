@@ -67,6 +67,24 @@ TEST_F(BadScene, AnUnknownWordIsRefused) {
   expect_place(said_about("\neffects {}"), ":3:1: ", "the effect has no kind");
 }
 
+TEST_F(BadScene, AWrongTissueIsRefusedAtItsPlace) {
+  const auto said = [&](const std::string& layers) {
+    return said_about("effects { layered_tissue {\n" + layers + "\n} }");
+  };
+  expect_place(said("layer { name: \"skin\" surface { punctures_at_N: 0 } }"),
+               ":3:32: ", "surface.punctures_at_N is 0 N, outside 0.01 to");
+  expect_place(said("layer { name: \"skin\" surface { friction_N: nan } }"), ":3:", "surface.friction_N is nan N");
+  expect_place(said("layer { name: \"skin\" top_m: 0.01 surface {} }\nlayer { name: \"sac\" top_m: 0.005 surface {} }"),
+               ":4:1: ", "layer \"sac\": the layer begins above the end of the layer \"skin\"");
+  expect_place(said("layer { name: \"muscle\" bulk {} }"),
+               ":3:1: ", "layer \"muscle\": the layer has a bulk and no thickness");
+  expect_place(said("layer { name: \"air\" }"), ":3:1: ", "layer \"air\": the layer has neither");
+  expect_place(said("layer { surface {} relaxation { share: 0.5 time_s: 0 } }"), ":3:44: ", "relaxation.time_s is 0 s");
+  expect_place(said("layer { surface {} }\nnet_radius_m: 0.1 net_edge_m: 0.001"),
+               ":2:11: ", "net_radius_m is not 3 to 40 times net_edge_m");
+  expect_place(said(""), ":2:11: ", "the tissue has no layer");
+}
+
 TEST_F(BadScene, AMissingOperandIsRefusedInBothNotations) {
   expect_place(said_about_layer("polish: \"+ sphere 1\""),
                ":2:51: ", "ribs: expected the solid that is operand 2 of +");

@@ -119,6 +119,26 @@ TEST(LayeredTissue, AtAPunctureTheNetsEnergyIsReleasedOrDissipated) {
   }
 }
 
+TEST(LayeredTissue, ANetThatYieldedOrRelaxedStoresNothingMoreWhileTheTipLeaves) {
+  TissueSettings tissue = one_surface(50.0);
+  tissue.layers[0].relaxation = {.branches = 1, .share = {0.6}, .time_s = {0.5}};
+  Insertion run(tissue);
+  run.move({0.0, -0.02, 0.0});
+  run.rest(2.0);
+  run.tissue.yield(0.2);
+  const double yielded_J = run.tissue.stored_J();
+  double before_J = yielded_J;
+  for (int i = 0; i < 1900; ++i) {
+    run.tick(run.needle.tip_m + Vector3d(0.0, 1e-5, 0.0));
+    ASSERT_GE(run.force_N.y(), 0.0) << "it does not pull";
+    ASSERT_LE(run.tissue.stored_J(), before_J + 1e-12);
+    before_J = run.tissue.stored_J();
+  }
+  EXPECT_LT(before_J, 0.3 * yielded_J);
+  run.move({0.0, -0.004, 0.0});
+  EXPECT_GT(run.force_N.y(), 0.3) << "and pushes again when the tip comes back";
+}
+
 TEST(LayeredTissue, AStoppedNeedleRelaxes) {
   TissueSettings tissue = one_surface(5.0);
   tissue.layers[0].relaxation = {.branches = 2, .share = {0.2, 0.3}, .time_s = {0.1, 1.0}};

@@ -88,20 +88,32 @@ class Insertion {
   double worst_step_N = 0.0;  ///< |change of force| - stiffness × |motion|, outside rupture and slip
 };
 
-/// Wanders through all layers for `ticks` ticks, from rest to 0.1 m/s, with rests.
-inline void wander(Insertion& run, int ticks, std::uint64_t seed) {
-  device::Random random(seed);
-  Eigen::Vector3d goal_m = run.needle.tip_m;
-  double speed_m_per_s = 0.02;
-  for (int i = 0; i < ticks; ++i) {
-    if ((goal_m - run.needle.tip_m).norm() < 1e-4 || random.uniform() < 0.0005) {
-      goal_m = {random.uniform(-0.012, 0.012), random.uniform(-0.06, 0.01), random.uniform(-0.012, 0.012)};
-      speed_m_per_s = random.uniform() < 0.2 ? 0.0 : 0.005 * std::pow(20.0, random.uniform());
+/// A tip that wanders through all layers, from rest to 0.1 m/s, with rests.
+class Wanderer {
+ public:
+  Wanderer(const Eigen::Vector3d& from_m, std::uint64_t seed) : random_(seed), at_m_(from_m), goal_m_(from_m) {}
+  /// The place at the next tick.
+  Eigen::Vector3d next() {
+    if ((goal_m_ - at_m_).norm() < 1e-4 || random_.uniform() < 0.0005) {
+      goal_m_ = {random_.uniform(-0.012, 0.012), random_.uniform(-0.06, 0.01), random_.uniform(-0.012, 0.012)};
+      speed_m_per_s_ = random_.uniform() < 0.2 ? 0.0 : 0.005 * std::pow(20.0, random_.uniform());
     }
-    const Eigen::Vector3d way_m = goal_m - run.needle.tip_m;
-    const double most_m = speed_m_per_s * kTick_s;
-    run.tick(run.needle.tip_m + (way_m.norm() > most_m ? Eigen::Vector3d(way_m * (most_m / way_m.norm())) : way_m));
+    const Eigen::Vector3d way_m = goal_m_ - at_m_;
+    const double most_m = speed_m_per_s_ * kTick_s;
+    at_m_ += way_m.norm() > most_m ? Eigen::Vector3d(way_m * (most_m / way_m.norm())) : way_m;
+    return at_m_;
   }
+
+ private:
+  device::Random random_;
+  Eigen::Vector3d at_m_;
+  Eigen::Vector3d goal_m_;
+  double speed_m_per_s_ = 0.02;
+};
+
+inline void wander(Insertion& run, int ticks, std::uint64_t seed) {
+  Wanderer tip(run.needle.tip_m, seed);
+  for (int i = 0; i < ticks; ++i) run.tick(tip.next());
 }
 
 }  // namespace telepalp::tissue

@@ -9,7 +9,7 @@ namespace {
 std::vector<HardCase> all_rows() {
   std::vector<HardCase> all;
   for (const auto& rows : {contact_rows(), surface_rows(), hand_rows(), clock_rows(), device_rows(), moving_skin_rows(),
-                           inner_rows(), body_rows(), indexing_rows()})
+                           inner_rows(), needle_rows(), body_rows(), indexing_rows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

@@ -20,6 +20,8 @@ namespace telepalp::hard_cases {
 [[nodiscard]] std::vector<HardCase> moving_skin_rows();
 /// Objects inside the body that are pushed through.
 [[nodiscard]] std::vector<HardCase> inner_rows();
+/// Needles in layers of tissue.
+[[nodiscard]] std::vector<HardCase> needle_rows();
 /// Objects inside a body that a camera sees move.
 [[nodiscard]] std::vector<HardCase> body_rows();
 /// Workspace indexing: the device leaves the cylinder in which it touches the body, and returns.

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "haptic_station/scenes/scene.h"
+#include "haptic_station/tissue/tissue_settings.h"
+#include "tests/bench/report.h"
+
+namespace telepalp::bench {
+
+/// One group of rows of `telepalp-bench needle`; `--part NAME` runs it alone.
+struct NeedleSection {
+  std::string_view name;
+  std::string_view purpose;
+  std::vector<Row> (*run)();
+};
+
+/// Time of a tick of each needle scene, and what the other scenes pay for needles.
+[[nodiscard]] std::vector<Row> run_needle_tick_section();
+/// Energy of ruptures, and energy gained on long paths through stiff tissue.
+[[nodiscard]] std::vector<Row> run_needle_energy_section();
+/// Steps of the force, at ruptures, elsewhere and at a subdivision.
+[[nodiscard]] std::vector<Row> run_needle_force_section();
+/// A stopped needle's force against that of needles in human livers.
+[[nodiscard]] std::vector<Row> run_needle_relaxation_section();
+/// Tissues that are fitted to insertions: `folder` has files liver_NN.csv or liver_NN.csv.gz with the columns
+/// displacement_mm and force_N.
+[[nodiscard]] std::vector<Row> run_needle_insertion_section(const std::string& folder);
+
+/// The scenes with layers of tissue.
+inline constexpr std::string_view kNeedleScenes[]{"amniocentesis", "biopsy-two-layers", "lumbar-puncture"};
+
+/// A scene of the library.
+[[nodiscard]] scenes::Scene library_scene(std::string_view name);
+/// The tissue of a scene of kNeedleScenes.
+[[nodiscard]] const tissue::TissueSettings& tissue_of(const scenes::Scene& scene);
+
+}  // namespace telepalp::bench
