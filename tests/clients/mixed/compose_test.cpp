@@ -75,7 +75,7 @@ TEST(HandLayer, DrawsTheHandWhereAHandAtTheToolWouldBe) {
   draw_hand(drawn, live.color, live.mask(Label::Hand), grasp, *shift);
   Mask hand(kLens.width, kLens.height);
   for (std::size_t i = 0; i < hand.on.size(); ++i) hand.on[i] = drawn.rgb[3 * i] > 60 ? 1 : 0;
-  const GraspingArea at_tool = grasp.moved(*shift);
+  const GraspingArea at_tool{grasp.a + *shift, grasp.b + *shift, grasp.outer_px, grasp.inner_px};
   const Vector2d there = middle_near(truth.mask(Label::Hand), at_tool);
   const double error_px = (middle_near(hand, at_tool) - there).norm();
   const double naive_px = (middle_near(live.mask(Label::Hand), grasp) - there).norm();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// A rendered sequence of few images, made once.
 const fs::path& rendered() {
   static const support::TemporaryFolder folder;
-  static const bool written = write_rendered_sequence(folder.path(), 4, 2, 0.02).ok();
+  static const bool written = write_rendered_sequence(folder.path(), 4, 2, 0.02, ProxyKind::Planes).ok();
   EXPECT_TRUE(written);
   return folder.path();
 }
