@@ -1,7 +1,6 @@
 #include "clients/mixed/compose/mixed_view.h"
 
 #include <cmath>
-#include <limits>
 
 #include "clients/mixed/compose/camouflage.h"
 #include "clients/mixed/compose/ghost.h"
@@ -51,9 +50,7 @@ MixedImage mix(const ColorImage& live, const View& view, const Background& backg
   add(covered, out.hand);
   out.ring_levels = ring_difference(live, synthesis, covered, ring_px);
   paint_background(out.color, synthesis, out.emptied, ring_px);
-  out.ghost = kGhost * ghost_opacity(grasp ? free_hand_m(out.hand, device_at, device, *grasp, view)
-                                           : std::numeric_limits<double>::infinity(),
-                                     joint_room(device));
+  out.ghost = kGhost * ghost_opacity(joint_room(device));
   if (out.ghost > 0.0) draw_ghost(out.color, live, device_at, out.ghost);
   draw_tool(out.color, view, device, tool_minus_device);
   if (!grasp) return out;

@@ -26,8 +26,7 @@ struct MixedImage {
   std::size_t unknown_px = 0;                          ///< emptied pixels that the background does not show
   std::optional<double> ring_levels = {};              ///< ring_difference()
   Eigen::Vector2d shift_px = Eigen::Vector2d::Zero();  ///< by how much the hand was moved
-  /// Opacity with which the device's ghost was drawn, 0 to kGhost: ghost_opacity() of the nearest hand that does not
-  /// hold the handle, and of the joint that is nearest to an end.
+  /// Opacity with which the device's ghost was drawn, 0 to kGhost; see ghost_opacity().
   double ghost = 0.0;
 };
 inline constexpr double kGhost = 0.6;
