@@ -131,7 +131,8 @@ Experiment obstruction_experiment() {
   out.limits = {
       "That people avoid a device in sight is an assumption here (share of the detour, 0 to 1). The study shows how "
       "long the detour takes, not that people make it. S3's people are the evidence.",
-      "A ball is harder to push along a curve: it rolls off the stick, and the stick goes after it. So the way grows by "
+      "A ball is harder to push along a curve: it rolls off the stick, and the stick goes after it. So the way grows "
+      "by "
       "more than the detour's length. How much more depends on this observer's one way of pushing.",
       "The speed of the hand is S3's, so the times' size is no prediction; their ratio is.",
       "Both directions are alike here. In S3 they differ: 33 % less time from green to blue, 20 % (not significant) "
