@@ -57,10 +57,10 @@ const std::vector<Rule> kRules{
     {"tools/replay",
      {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "clients/report",
       "tools/replay", "messages", "foxglove"}},
-    // Simulated operators work with the station's mechanism and tissue, and tell it in the style of the report.
+    // Simulated people work with the station's mechanism, tissue and scenes, and tell it in the style of the report.
     {"tools/study",
-     {"proto/words", "support", "codec", "haptic_station/device", "haptic_station/mechanism", "haptic_station/tissue",
-      "clients/report", "tools/study"}},
+     {"proto/words", "support", "codec", "haptic_station/core", "haptic_station/device", "haptic_station/effects",
+      "haptic_station/mechanism", "haptic_station/scenes", "haptic_station/tissue", "clients/report", "tools/study"}},
 };
 
 /// Headers that the real-time part must not include: those of functions that can wait, and those of libraries that it

@@ -1,6 +1,7 @@
 // telepalp-gateway-stage: a real hub and gateway with a scripted patient and hand, to test a browser or a Foxglove
 // client with states that a live station reaches rarely. Commands, one a line on stdin: pause, resume, phase NAME,
-// stale on, stale off, bounded on, bounded off, hand on, hand off, swing on, swing off. End of stdin ends it.
+// stale on, stale off, bounded on, bounded off, hand on, hand off, swing on, swing off, at X Y Z: the end-effector
+// rests at this place of H, under a camera 0.9 m above that looks down. End of stdin ends it.
 
 #include <unistd.h>
 
@@ -181,6 +182,11 @@ class Stage {
     const double swing_m = swings_ ? 0.003 * std::sin(2.0 * 3.14159265 * 4.3 * seconds(now)) : 0.0;
     wire::set_vector(*state.mutable_hand(), Eigen::Vector3d(0.0, 0.05, 0.0));
     wire::set_vector(*state.mutable_device(), Eigen::Vector3d(0.0, 0.05 + swing_m, 0.0));
+    if (rests_at_) {
+      const Eigen::Vector3d& at = *rests_at_;
+      wire::set_vector(*state.mutable_device(), at);
+      wire::set_vector(*state.mutable_device_camera(), Eigen::Vector3d(at.x(), at.z(), 0.9 - at.y()));
+    }
     state.set_distance_m(above_m);
     state.set_indentation_m(indentation_m);
     state.set_in_body(indentation_m > 0.0);
@@ -205,6 +211,7 @@ class Stage {
     if (line == "bounded on" || line == "bounded off") bounded_ = line == "bounded on";
     if (line == "swing on" || line == "swing off") swings_ = line == "swing on";
     if (line == "hand on" || line == "hand off") hand_ = line == "hand on";
+    if (Eigen::Vector3d at; std::sscanf(line.c_str(), "at %lf %lf %lf", &at.x(), &at.y(), &at.z()) == 3) rests_at_ = at;
     msg::Phase phase{};
     if (line.starts_with("phase ") && msg::Phase_Parse(line.substr(6), &phase)) phase_ = phase;
   }
@@ -226,6 +233,7 @@ class Stage {
   SessionTime stated_{};  // time of the last state
   std::uint64_t ticks_ = 0;
   std::optional<msg::Phase> phase_;
+  std::optional<Eigen::Vector3d> rests_at_;
   bool paused_ = false;
   bool stale_ = false;
   bool bounded_ = false;

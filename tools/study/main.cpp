@@ -1,14 +1,12 @@
-// telepalp-study: simulated operators try a design's mechanisms on layered tissue, as paper S4's subjects did.
+// telepalp-study: simulated people in the studies of the papers. Without a command, operators try a design's mechanisms
+// on layered tissue, as paper S4's subjects did.
 
-#include <cstdio>
-
-#include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
-#include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/parallel.h"
-#include "support/program/terminal.h"
+#include "tools/study/commands.h"
 #include "tools/study/page/files.h"
+#include "tools/study/progress.h"
 
 namespace {
 
@@ -18,8 +16,8 @@ using namespace telepalp::study;
 const program::Usage kUsage{
     .program = "telepalp-study",
     .purpose =
-        "simulated operators puncture a sac with each mechanism of a design; the study tells how far the needle "
-        "overshoots, with the sense of force, with sight, and with both",
+        "simulated people in the studies of the papers. Without a command: operators puncture a sac with each "
+        "mechanism of a design; the study tells how far the needle overshoots",
     .positional = "",
     .options =
         {
@@ -36,6 +34,9 @@ const program::Usage kUsage{
             {"json", "", "print study.json instead of the table"},
         },
     .example = "telepalp-study --operators 2 --penetrations 2 --out study",
+    .commands = {{"obstruction", "", "a ball is pushed with the device in sight or hidden (S3 8.3)", run_obstruction},
+                 {"stiffness-jnd", "", "the least difference in stiffness that is told (S3 8.4)", run_stiffness_jnd},
+                 {"rib-count", "", "ribs are counted by touch and by sight (S2's scene)", run_rib_count}},
 };
 
 Result<StudySettings> read(const program::Arguments& arguments) {
@@ -62,35 +63,20 @@ Result<StudySettings> read(const program::Arguments& arguments) {
   return settings;
 }
 
-Result<void> write(const StudySettings& settings, const char* file, const std::string& text) {
-  return program::write_whole_file(settings.out / file, text, program::Readers::Anyone);
-}
-
 Result<StudyResult> run(const StudySettings& settings) {
-  const int all = blocks_of(settings);
-  if (const int kept = kept_blocks(settings); kept > 0)
-    program::log("telepalp-study", std::to_string(kept) + " of " + std::to_string(all) +
-                                       " parts were finished before, and are not run again");
-  program::say_when_stopped("\ntelepalp-study: stopped: finished parts are kept in " +
-                            (settings.out / "runs").string() + "; the same command resumes");
+  const std::function<void(int)> finished = tell_progress(parts_of(settings));
   const Result<Check> check = check_operators(settings);
   if (!check) return check.error();
-  const bool bar = program::takes_progress(stderr);
-  const Result<std::vector<Trial>> trials = run_study(settings, [&](int done) {
-    if (bar)
-      std::fprintf(stderr, "\r\033[K%d of %d parts", done, all);
-    else if (done % std::max(1, all / 8) == 0)
-      program::log("telepalp-study", std::to_string(done) + " of " + std::to_string(all) + " parts");
-  });
-  if (bar) std::fputs("\r\033[K", stderr);
+  const Result<std::vector<Trial>> trials = run_study(settings, finished);
   if (!trials) return trials.error();
-  if (const Result<void> written = write(settings, "trials.csv", trials_csv(settings, *trials)); !written)
-    return written.error();
+  const auto write = [&](const char* file, const std::string& text) {
+    return program::write_whole_file(settings.out / file, text, program::Readers::Anyone);
+  };
+  if (const auto written = write("trials.csv", trials_csv(settings, *trials)); !written) return written.error();
   const Result<StudyResult> result = result_of(settings, *trials, *check);
   if (!result) return result.error();
-  for (const auto& [file, text] : {std::pair<const char*, std::string>{"study.json", result_json(settings, *result)},
-                                   {"report.html", result_html(settings, *result)}})
-    if (const Result<void> written = write(settings, file, text); !written) return written.error();
+  if (const auto written = write("study.json", result_json(settings, *result)); !written) return written.error();
+  if (const auto written = write("report.html", result_html(settings, *result)); !written) return written.error();
   return result;
 }
 

@@ -6,17 +6,12 @@
 #include "clients/ar/messages/phases.h"
 #include "proto/wire/station/contact_force.h"
 #include "proto/wire/vector_message.h"
+#include "proto/words/numbers/fixed_text.h"
 
 namespace telepalp::ar {
 namespace {
 
 bool in_front_of_camera(const msg::Vec3& at) { return std::isfinite(at.z()) && at.z() > 0.0; }
-
-std::string fixed(double value, int decimals) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 /// The attitude of the hand; nullopt: the tracker measured no attitude, or the message's numbers are no rotation.
 std::optional<Eigen::Quaterniond> attitude_of(const msg::StationState& state) {
@@ -63,13 +58,13 @@ std::vector<PanelLine> panel_of(const msg::StationState& state, std::optional<st
   const auto stamp_ns = static_cast<std::int64_t>(state.stamp_ns());
   std::vector<PanelLine> lines{{"state", std::string(words_for(state.phase()).words)},
                                {wire::is_contact(state) ? "force of contact" : "drive, not contact",
-                                fixed(wire::vector_of(state.force_n()).norm(), 2) + " N"},
-                               {"indentation", fixed(1e3 * state.indentation_m(), 1) + " mm"}};
+                                fixed_text(wire::vector_of(state.force_n()).norm(), 2) + " N"},
+                               {"indentation", fixed_text(1e3 * state.indentation_m(), 1) + " mm"}};
   if (state.surface_captured_ns() > 0) {
     const auto age_ns = stamp_ns - static_cast<std::int64_t>(state.surface_captured_ns());
-    lines.push_back({"surface age", fixed(static_cast<double>(age_ns) * 1e-6, 0) + " ms"});
+    lines.push_back({"surface age", fixed_text(static_cast<double>(age_ns) * 1e-6, 0) + " ms"});
   }
-  if (start_ns) lines.push_back({"time", fixed(static_cast<double>(stamp_ns - *start_ns) * 1e-9, 2) + " s"});
+  if (start_ns) lines.push_back({"time", fixed_text(static_cast<double>(stamp_ns - *start_ns) * 1e-9, 2) + " s"});
   return lines;
 }
 

@@ -33,11 +33,9 @@ CamouflageState advance(CamouflageState state, const PictureTrust& trust, double
   return faded(state, step_s);
 }
 
-double ghost_opacity(double hand_m, double joint_share) noexcept {
-  constexpr double kHandSeesNothing_m = 0.15, kHandSeesAll_m = 0.05;
-  constexpr double kEndSeesNothing = 0.1, kEndSeesAll = 0.02;
-  return std::max(smooth_step(kHandSeesNothing_m, kHandSeesAll_m, hand_m),
-                  smooth_step(kEndSeesNothing, kEndSeesAll, joint_share));
+double ghost_opacity(double joint_share) noexcept {
+  constexpr double kSeesNothing = 0.1, kSeesAll = 0.02;
+  return smooth_step(kSeesNothing, kSeesAll, joint_share);
 }
 
 }  // namespace telepalp::mixed

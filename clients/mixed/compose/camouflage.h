@@ -50,9 +50,9 @@ inline constexpr double kRevealIn_s = 0.1;     ///< length of the fade that show
 /// The state after `step_s`. Pure: no clock.
 [[nodiscard]] CamouflageState advance(CamouflageState state, const PictureTrust& trust, double step_s) noexcept;
 
-/// Opacity of the device's ghost, 0 to 1: it appears as a hand comes near the hidden device, and as a joint comes near
-/// the end of its range. `hand_m`: distance of the hand from the device; a hand that holds the handle is not counted.
-/// `joint_share`: distance from an end of its range, as a share of the range, of the joint that is nearest to an end.
-[[nodiscard]] double ghost_opacity(double hand_m, double joint_share) noexcept;
+/// Opacity of the device's ghost, 0 to 1: it appears as a joint comes near the end of its range, where the hidden
+/// device stops. `joint_share`: distance from an end of its range, as a share of the range, of the joint nearest to an
+/// end.
+[[nodiscard]] double ghost_opacity(double joint_share) noexcept;
 
 }  // namespace telepalp::mixed

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "clients/mixed/compose/camouflage.h"
+#include "clients/mixed/compose/ghost.h"
 #include "clients/mixed/compose/hand_layer.h"
 #include "clients/mixed/compose/misalignment.h"
 
@@ -48,6 +50,8 @@ MixedImage mix(const ColorImage& live, const View& view, const Background& backg
   add(covered, out.hand);
   out.ring_levels = ring_difference(live, synthesis, covered, ring_px);
   paint_background(out.color, synthesis, out.emptied, ring_px);
+  out.ghost = kGhost * ghost_opacity(joint_room(device));
+  if (out.ghost > 0.0) draw_ghost(out.color, live, device_at, out.ghost);
   draw_tool(out.color, view, device, tool_minus_device);
   if (!grasp) return out;
   const Point<World> device_point{0.65 * from.m + 0.35 * to.m};  // the grip, 35 % of the handle from the tip's end

@@ -42,6 +42,9 @@ struct DeviceModel {
 /// its public robot description gives; the widths of the links are our own measure of its pictures.
 [[nodiscard]] DeviceModel omni();
 
+/// The middle of the Omni's workspace in the base's frame [m].
+inline const Eigen::Vector3d kOmniWorkspace_m(0.0, 0.12, 0.14);
+
 /// The frames of the chain in the base's frame: the base itself, then one for each joint. `joints_rad`: one for each
 /// joint of the model.
 [[nodiscard]] std::vector<Eigen::Isometry3d> base_from_frames(const DeviceModel& model,

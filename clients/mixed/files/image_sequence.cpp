@@ -1,12 +1,9 @@
 #include "clients/mixed/files/image_sequence.h"
 
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <string>
 
+#include "clients/mixed/files/tables.h"
 #include "proto/words/numbers/number_row.h"
-#include "proto/words/rotation_vector.h"
 #include "support/images/image_file.h"
 #include "support/models/point_model.h"
 
@@ -14,36 +11,9 @@ namespace telepalp::mixed {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kLatest_s = 1e9;  // session time in nanoseconds has room for it
 namespace fs = std::filesystem;
-
-Result<std::string> read_table(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return Error{.what = "the file cannot be read",
-                 .where = file.string(),
-                 .fix = "name a folder that telepalp-mixed render wrote, or one with the same tables"};
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Calls `row` with each line after the header. Error: the file cannot be read, its first line is not `header`, or
-/// `row` returns false.
-Result<void> each_row(const fs::path& file, std::string_view header, const std::function<bool(std::string_view)>& row) {
-  const Result<std::string> text = read_table(file);
-  if (!text) return text.error();
-  std::string_view rest = *text;
-  if (take_line(rest) != header)
-    return Error{.what = "the first line is not this table's header",
-                 .where = file.string() + ":1",
-                 .fix = "write this line first: " + std::string(header)};
-  for (int line = 2; !rest.empty(); ++line) {
-    const std::string_view here = take_line(rest);
-    if (!here.empty() && !row(here))
-      return Error{.what = "the row does not fit the header, or a number in it is not finite",
-                   .where = file.string() + ":" + std::to_string(line),
-                   .fix = "correct the row; if it is the last one, the file was cut short"};
-  }
-  return {};
-}
 
 /// The text before the first comma. Text and comma are removed from `row`.
 std::string take_name(std::string_view& row) {
@@ -51,32 +21,6 @@ std::string take_name(std::string_view& row) {
   const std::string name(row.substr(0, end));
   row.remove_prefix(std::min(end + 1, row.size()));
   return name;
-}
-
-template <std::size_t N>
-Vector3d three(const std::array<double, N>& n, std::size_t first) {
-  return {n[first], n[first + 1], n[first + 2]};
-}
-
-template <std::size_t N>
-Eigen::Isometry3d pose(const std::array<double, N>& n, std::size_t first) {
-  return isometry_of(three(n, first + 3), three(n, first));
-}
-
-std::string numbers(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) {
-    char one[40];
-    std::snprintf(one, sizeof one, "%s%.9g", text.empty() ? "" : ",", value);
-    text += one;
-  }
-  return text;
-}
-
-std::vector<double> pose_numbers(const Eigen::Isometry3d& pose) {
-  const Eigen::AngleAxisd turn(pose.linear());
-  const Vector3d at = pose.translation(), vector = turn.angle() * turn.axis();
-  return {at.x(), at.y(), at.z(), vector.x(), vector.y(), vector.z()};
 }
 
 void append(std::vector<double>& all, const std::vector<double>& more) {
@@ -96,14 +40,25 @@ Result<void> read_live(const fs::path& folder, ImageSequence& sequence) {
   return each_row(folder / "frames.csv", kFramesHeader, [&](std::string_view row) {
     LiveImage live;
     live.image.file = folder / take_name(row);
-    const auto n = number_row<19>(row);
+    const auto n = number_row<16>(row);
     if (!n) return false;
     live.time_s = (*n)[0];
+    if (!(std::abs(live.time_s) < kLatest_s && std::abs((*n)[1]) < kLatest_s)) return false;
     live.trust = {.fault = (*n)[3] != 0.0, .markers_seen = (*n)[2] != 0.0, .image_age_s = (*n)[1]};
     live.image.world_from_eye.iso = pose(*n, 4);
     live.joints_rad.assign(n->begin() + 10, n->begin() + 16);
-    live.tool_minus_device.v = three(*n, 16);
     sequence.frames.push_back(std::move(live));
+    return true;
+  });
+}
+
+Result<void> read_coupling(const fs::path& folder, ImageSequence& sequence) {
+  return each_row(folder / "coupling.csv", kCouplingHeader, [&](std::string_view row) {
+    const auto n = number_row<7>(row);
+    if (!n || !(std::abs((*n)[0]) < kLatest_s)) return false;
+    const CouplingEnds ends{SessionTime(from_seconds((*n)[0])), {three(*n, 1)}, {three(*n, 4)}};
+    if (!sequence.coupling.empty() && ends.at <= sequence.coupling.back().at) return false;
+    sequence.coupling.push_back(ends);
     return true;
   });
 }
@@ -139,6 +94,7 @@ Result<ImageSequence> read_sequence(const fs::path& folder) {
   });
   if (!device) return device.error();
   if (const auto read = read_live(folder, sequence); !read) return read.error();
+  if (const auto read = read_coupling(folder, sequence); !read) return read.error();
   Result<models::PointModel> mesh = models::read_point_model(folder / "proxy.obj");
   if (!mesh) return mesh.error();
   for (const Eigen::Vector3f& vertex : mesh->points) sequence.proxy.vertices.emplace_back(vertex.cast<double>());
@@ -194,9 +150,17 @@ std::string frames_table(const std::vector<LiveImage>& frames) {
                             live.trust.fault ? 1.0 : 0.0};
     append(row, pose_numbers(live.image.world_from_eye.iso));
     append(row, live.joints_rad);
-    append(row, {live.tool_minus_device.v.x(), live.tool_minus_device.v.y(), live.tool_minus_device.v.z()});
     text += live.image.file.string() + "," + numbers(row) + "\n";
   }
+  return text;
+}
+
+std::string coupling_table(const std::vector<CouplingEnds>& states) {
+  std::string text = std::string(kCouplingHeader) + "\n";
+  for (const CouplingEnds& ends : states)
+    text += numbers({to_seconds(ends.at.time_since_epoch()), ends.device.m.x(), ends.device.m.y(), ends.device.m.z(),
+                     ends.tool.m.x(), ends.tool.m.y(), ends.tool.m.z()}) +
+            "\n";
   return text;
 }
 

@@ -17,15 +17,16 @@ using Eigen::Vector3d;
 namespace fs = std::filesystem;
 
 const Intrinsics kLens{640, 480, 594, 594, 319.5, 239.5};
-
-Result<void> write(const fs::path& file, const std::string& bytes) {
-  return program::write_whole_file(file, bytes, program::Readers::Group);
-}
+constexpr double kFrame_s = 0.1;  // between two images
+constexpr double kAge_s = 0.06;   // of an image when it is drawn
 
 /// Renders what the view shows, writes the image, and returns the file's name with the camera's pose.
 Result<PosedImage> taken(const fs::path& folder, const std::string& name, const DeskScene& scene, const View& view) {
   const RenderedDesk desk = render(scene, view, program::processors());
-  if (const auto done = write(folder / name, images::encode_png(desk.color)); !done) return done.error();
+  if (const auto done =
+          program::write_whole_file(folder / name, images::encode_png(desk.color), program::Readers::Group);
+      !done)
+    return done.error();
   return PosedImage{name, view.world_from_eye};
 }
 
@@ -40,7 +41,7 @@ StandingDevice device_at(double share) {
 }
 
 /// The live image number `i`. `share`: its place in the sequence, from 0 to 1.
-Result<LiveImage> taken_live(const fs::path& folder, int i, double share, double gap_m) {
+Result<LiveImage> taken_live(const fs::path& folder, int i, double share) {
   const StandingDevice device = device_at(share);
   const DeskScene scene{.device = device, .hands = {holding_hand(device, Vector3d::Zero())}};
   const Vector3d eye(0.12 * std::sin(2.0 * std::numbers::pi * share), -0.62, 0.6 + 0.03 * std::cos(5.0 * share));
@@ -49,11 +50,25 @@ Result<LiveImage> taken_live(const fs::path& folder, int i, double share, double
   if (!image) return image.error();
   LiveImage live;
   live.image = std::move(*image);
-  live.time_s = 0.1 * i;
+  live.time_s = kFrame_s * i;
   live.joints_rad = device.joints_rad;
-  live.trust = {.markers_seen = share < 0.67, .image_age_s = 0.06};
-  live.tool_minus_device.v = Vector3d(0.0, 0.0, gap_m * std::sin(std::numbers::pi * std::min(1.0, 2.0 * share)));
+  live.trust = {.markers_seen = share < 0.67, .image_age_s = kAge_s};
   return live;
+}
+
+/// The station's states at 100 Hz, from before the first image to after the last one. At the instant of an image,
+/// kAge_s before it is drawn, the tool is above the device by the gap of the image's place in the sequence.
+std::vector<CouplingEnds> coupled(int frames, double gap_m) {
+  std::vector<CouplingEnds> states;
+  for (int k = -10; k <= 10 * frames; ++k) {
+    const double time_s = 0.01 * k;
+    const double share = std::max(0.0, (time_s + kAge_s) / kFrame_s / frames);
+    const StandingDevice device = device_at(share);
+    const Vector3d at = tip_of(device.model, device.joints_rad);
+    const double gap = gap_m * std::sin(std::numbers::pi * std::min(1.0, 2.0 * share));
+    states.push_back({SessionTime(from_seconds(time_s)), {at}, {Vector3d(at + gap * Vector3d::UnitY())}});
+  }
+  return states;
 }
 
 std::vector<Click> clicked(const StandingDevice& device) {
@@ -73,7 +88,8 @@ std::vector<Click> clicked(const StandingDevice& device) {
 
 }  // namespace
 
-Result<void> write_rendered_sequence(const fs::path& folder, int background, int frames, double gap_m) {
+Result<void> write_rendered_sequence(const fs::path& folder, int background, int frames, double gap_m,
+                                     ProxyKind proxy) {
   if (const auto made = program::make_folder(folder, program::Readers::Group); !made) return made;
   std::vector<PosedImage> images;
   for (const View& view : head_views(kLens, background, 0.5, std::numbers::pi / 2.0, 121)) {
@@ -83,7 +99,7 @@ Result<void> write_rendered_sequence(const fs::path& folder, int background, int
   }
   std::vector<LiveImage> live;
   for (int i = 0; i < frames; ++i) {
-    Result<LiveImage> one = taken_live(folder, i, static_cast<double>(i) / frames, gap_m);
+    Result<LiveImage> one = taken_live(folder, i, static_cast<double>(i) / frames);
     if (!one) return one.error();
     live.push_back(std::move(*one));
   }
@@ -91,12 +107,13 @@ Result<void> write_rendered_sequence(const fs::path& folder, int background, int
   const std::pair<const char*, std::string> tables[] = {
       {"camera.csv", camera_table(kLens)},
       {"background.csv", background_table(images)},
-      {"proxy.obj", proxy_obj(desk_planes())},
+      {"proxy.obj", proxy_obj(proxy == ProxyKind::Planes ? desk_planes() : desk_depths(false, program::processors()))},
       {"device.csv", device_table({device.world_from_haptic, 0.3e-3, 0.002})},
       {"clicks.csv", clicks_table(clicked(device))},
-      {"frames.csv", frames_table(live)}};
+      {"frames.csv", frames_table(live)},
+      {"coupling.csv", coupling_table(coupled(frames, gap_m))}};
   for (const auto& [name, text] : tables)
-    if (const auto done = write(folder / name, text); !done) return done;
+    if (const auto done = program::write_whole_file(folder / name, text, program::Readers::Group); !done) return done;
   return {};
 }
 

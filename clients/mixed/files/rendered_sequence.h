@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "clients/mixed/scene/desk_props.h"
 #include "proto/words/result.h"
 
 namespace telepalp::mixed {
@@ -11,6 +12,6 @@ namespace telepalp::mixed {
 /// markers are lost. `background`, `frames`: numbers of images. Also writes clicks.csv: simulated clicks,
 /// to calibrate with.
 [[nodiscard]] Result<void> write_rendered_sequence(const std::filesystem::path& folder, int background, int frames,
-                                                   double gap_m);
+                                                   double gap_m, ProxyKind proxy);
 
 }  // namespace telepalp::mixed

@@ -33,10 +33,6 @@ std::array<Vector2d, 6> GraspingArea::corners(double width_px) const noexcept {
   return {a - along, a + across, b + across, b + along, b - across, a - across};
 }
 
-GraspingArea GraspingArea::moved(const Vector2d& by_px) const noexcept {
-  return {a + by_px, b + by_px, outer_px, inner_px};
-}
-
 std::optional<GraspingArea> grasping_area(const View& view, const Point<World>& from, const Point<World>& to) noexcept {
   const auto a = image_of(view, from);
   const auto b = image_of(view, to);

@@ -20,8 +20,6 @@ struct GraspingArea {
   [[nodiscard]] double weight_at(const Eigen::Vector2d& pixel) const noexcept;
   /// The corners of a hexagon of this width, in order.
   [[nodiscard]] std::array<Eigen::Vector2d, 6> corners(double width_px) const noexcept;
-  /// The area, moved by `by_px`.
-  [[nodiscard]] GraspingArea moved(const Eigen::Vector2d& by_px) const noexcept;
 };
 
 /// Paper S3 (docs/sources.md) eq. (2): L_o = max(0.75 L_AB, 0.1 D), L_i = 0.2 L_o, with the viewport's diagonal D.

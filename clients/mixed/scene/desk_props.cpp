@@ -30,4 +30,14 @@ Proxy desk_planes() {
   return proxy;
 }
 
+Proxy desk_depths(bool printed_pages, int threads) {
+  Proxy proxy = desk_planes();
+  const Intrinsics lens{320, 240, 260, 260, 159.5, 119.5};
+  for (const Vector3d& eye : {Vector3d(0, -0.5, 0.7), Vector3d(-0.45, -0.35, 0.6), Vector3d(0.45, -0.35, 0.6)}) {
+    const View view{lens, looking_at({eye}, {{0.0, 0.2, 0.03}})};
+    append(proxy, depth_proxy(render({.printed_pages = printed_pages}, view, threads).depth, view, 5, 0.03));
+  }
+  return proxy;
+}
+
 }  // namespace telepalp::mixed

@@ -15,7 +15,16 @@ namespace telepalp::mixed {
 [[nodiscard]] HoldingHand holding_hand(const StandingDevice& device, const Eigen::Vector3d& shift_m,
                                        const std::array<std::uint8_t, 3>& color = {205, 150, 120});
 
+/// The approximate surface that stands for the background.
+enum class ProxyKind {
+  Planes,  ///< desk_planes()
+  Depth,   ///< desk_depths()
+};
+
 /// Planes of desk, walls and floor, as a person would measure them: without the things on the desk.
 [[nodiscard]] Proxy desk_planes();
+
+/// The planes, and meshes of a depth camera's images from three places.
+[[nodiscard]] Proxy desk_depths(bool printed_pages, int threads);
 
 }  // namespace telepalp::mixed

@@ -18,6 +18,7 @@
 #include "proto/wire/depth_loss.h"
 #include "proto/wire/mcap/writer.h"
 #include "proto/words/counted.h"
+#include "proto/words/numbers/fixed_text.h"
 #include "support/program/ending.h"
 #include "support/program/files/ready_file.h"
 #include "support/program/log.h"
@@ -36,12 +37,6 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(500);
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 /// The file or, for a recording in parts, its first part, in words.
 std::string first_file(const RecordingOptions& options) {
   return options.splitting.in_parts() ? part_file(options.file, 1).string() + " and later parts"
@@ -59,8 +54,8 @@ wire::mcap::Metadata what_was_found(const RecordingReport& report,
                                     const std::map<std::string_view, std::uint64_t>& dropped,
                                     const std::set<std::string>& depth, Nanoseconds clock_uncertainty) {
   wire::mcap::Metadata metadata{std::string(wire::kRecordingMetadata),
-                                {{"gaps", std::to_string(report.gaps)}, {"gap_s", fixed(report.gap_s, 3)}}};
-  metadata.values["clock_uncertainty_us"] = fixed(static_cast<double>(clock_uncertainty.count()) / 1e3, 1);
+                                {{"gaps", std::to_string(report.gaps)}, {"gap_s", fixed_text(report.gap_s, 3)}}};
+  metadata.values["clock_uncertainty_us"] = fixed_text(static_cast<double>(clock_uncertainty.count()) / 1e3, 1);
   if (!depth.empty()) metadata.values["depth"] = boost::algorithm::join(depth, "; ");
   for (const auto& [topic, count] : dropped) metadata.values["dropped" + std::string(topic)] = std::to_string(count);
   return metadata;
@@ -151,7 +146,8 @@ class Recording {
       const double away_s = seconds_since(*std::exchange(away_since_, std::nullopt));
       ++report_.gaps;
       report_.gap_s += away_s;
-      say("the server answers again after " + fixed(away_s, 1) + " s; the recording has no messages from this time");
+      say("the server answers again after " + fixed_text(away_s, 1) +
+          " s; the recording has no messages from this time");
     }
     if (std::exchange(started_, started_.value_or(Clock::now()))) return;
     say("recording " + program::to_text(options_.server) + " to " + first_file(options_) +
@@ -187,8 +183,8 @@ class Recording {
   }
 
   void show(const DiskThread::Counts& counts) {
-    std::fprintf(stderr, "\r\x1b[K%s s  %s MB  %s  %llu dropped%s", fixed(seconds_since(*started_), 1).c_str(),
-                 fixed(static_cast<double>(counts.stored_bytes) / 1e6, 1).c_str(),
+    std::fprintf(stderr, "\r\x1b[K%s s  %s MB  %s  %llu dropped%s", fixed_text(seconds_since(*started_), 1).c_str(),
+                 fixed_text(static_cast<double>(counts.stored_bytes) / 1e6, 1).c_str(),
                  counted(counts.stored, "message", "messages").c_str(),
                  static_cast<unsigned long long>(total(counts.dropped) + files_->dropped()),
                  away_since_ ? "  (no connection)" : "");
@@ -266,13 +262,13 @@ class Recording {
 }  // namespace
 
 std::string describe(const RecordingReport& report) {
-  std::string text = fixed(report.seconds, 1) + " s from connecting to the server to the end of the recording, " +
+  std::string text = fixed_text(report.seconds, 1) + " s from connecting to the server to the end of the recording, " +
                      counted(report.messages, "message", "messages") + ", " +
-                     fixed(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
+                     fixed_text(static_cast<double>(report.file_bytes) / 1e6, 1) + " MB";
   if (report.files > 1 || report.in_parts) text += " in " + counted(report.files, "numbered file", "numbered files");
   if (report.dropped > 0)
     text += ", " + counted(report.dropped, "message", "messages") + " dropped because the disk was slow or full";
-  if (report.gaps > 0) text += ", no connection to the server for " + fixed(report.gap_s, 1) + " s";
+  if (report.gaps > 0) text += ", no connection to the server for " + fixed_text(report.gap_s, 1) + " s";
   return text;
 }
 

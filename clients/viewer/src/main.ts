@@ -1,3 +1,4 @@
+import {offerAnchor} from './anchor_button';
 import {wireControls} from './controls';
 import {ViewerHandInput} from './touch/viewer_hand';
 import {offerHeadset} from './headset_button';
@@ -146,6 +147,9 @@ view.onFree = () => {
   if (coming === undefined) link.ask('instant');
 };
 
+const anchorRms_m = offerAnchor(
+    view, () => (coming ?? drawing ?? last)?.station,
+    (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 const status = publishStatus(() => ({
   ...read(),
   meshVertices: view.drawnVertices,
@@ -155,6 +159,7 @@ const status = publishStatus(() => ({
   view: views.view,
   probeImages: inside.imagesShown,
   innerTriangles: view.inner.triangles,
+  anchorRms_m: anchorRms_m(),
 }));
 
 const technician = new TechnicianPanel(view, canvas, {recording, source, exposure, people}, (place) => link.takePlace(place));

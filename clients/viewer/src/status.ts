@@ -11,6 +11,7 @@ interface Facts extends Reading {
   view: string;
   probeImages: number;
   innerTriangles: number;
+  anchorRms_m: number | undefined;
 }
 
 /** The status in `window.telepalp`, for tests and for debugging; read-only. */
@@ -49,6 +50,7 @@ export interface ViewerStatus {
   readonly role: string;
   readonly probeImages: number;     // of the ultrasound probe, shown since the page was opened
   readonly innerTriangles: number;  // of the layers below the skin
+  readonly anchorRms_m: number | undefined;  // the headset is anchored to the device, and its touches miss by this; NaN: by one pose
 }
 
 /** Sets `window.telepalp` to a live, read-only status. Returns an object for values that other code sets. */
@@ -91,6 +93,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       role: now.role,
       probeImages: now.probeImages,
       innerTriangles: now.innerTriangles,
+      anchorRms_m: now.anchorRms_m,
     });
   };
   Object.defineProperty(window, 'telepalp', {get: snapshot, enumerable: true});

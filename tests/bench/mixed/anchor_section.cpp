@@ -4,12 +4,13 @@
 
 #include "tests/bench/mixed/section.h"
 #include "tests/clients/mixed/anchored_headset.h"
-#include "tests/clients/mixed/ideal_observer.h"
+#include "tests/tools/study/ideal_observer.h"
 
 namespace telepalp::bench {
 namespace {
 
 using namespace mixed;
+using namespace study;
 
 void add_anchor_rows(std::vector<Row>& rows) {
   constexpr double kDegree = std::numbers::pi / 180.0;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "clients/mixed/compose/camouflage.h"
+#include "clients/mixed/compose/ghost.h"
 #include "clients/mixed/compose/hand_layer.h"
 #include "clients/mixed/compose/misalignment.h"
 #include "clients/mixed/compose/mixed_view.h"
@@ -75,7 +76,7 @@ TEST(HandLayer, DrawsTheHandWhereAHandAtTheToolWouldBe) {
   draw_hand(drawn, live.color, live.mask(Label::Hand), grasp, *shift);
   Mask hand(kLens.width, kLens.height);
   for (std::size_t i = 0; i < hand.on.size(); ++i) hand.on[i] = drawn.rgb[3 * i] > 60 ? 1 : 0;
-  const GraspingArea at_tool = grasp.moved(*shift);
+  const GraspingArea at_tool{grasp.a + *shift, grasp.b + *shift, grasp.outer_px, grasp.inner_px};
   const Vector2d there = middle_near(truth.mask(Label::Hand), at_tool);
   const double error_px = (middle_near(hand, at_tool) - there).norm();
   const double naive_px = (middle_near(live.mask(Label::Hand), grasp) - there).norm();
@@ -217,11 +218,29 @@ TEST(Camouflage, AnAgeBetweenFreshAndOldNeitherHidesNorReveals) {
   EXPECT_EQ(after(state, {.image_age_s = 0.05}, 1.2).phase, Camouflage::Hidden);
 }
 
-TEST(Camouflage, TheGhostAppearsNearTheHandAndAtTheEndsOfTheWorkspace) {
-  EXPECT_EQ(ghost_opacity(0.5, 0.4), 0.0);
-  EXPECT_EQ(ghost_opacity(0.04, 0.4), 1.0);
-  EXPECT_EQ(ghost_opacity(0.5, 0.01), 1.0);
-  EXPECT_GT(ghost_opacity(0.08, 0.4), ghost_opacity(0.12, 0.4));
+TEST(Ghost, AJointAtAnEndHasNoRoom) {
+  StandingDevice device = standing_device();
+  EXPECT_GT(joint_room(device), 0.1);
+  device.joints_rad[1] = device.model.joints[1].most_rad + 0.05;
+  EXPECT_EQ(joint_room(device), 0.0);
+}
+
+TEST(Ghost, IsDrawnInTheComposedImageAtAnEndOfTheWorkspaceAndOtherwiseNot) {
+  const View view = head_views(kLens, 1, 0.2, 0.2, 41).front();
+  StandingDevice device = standing_device();
+  const auto composed = [&] {
+    return mix(render({.device = device}, view, program::processors()).color, view, depth_desk(), device,
+               expected_margin(), {});
+  };
+  EXPECT_EQ(composed().ghost, 0.0);
+  device.joints_rad[0] = device.model.joints[0].most_rad;
+  EXPECT_DOUBLE_EQ(composed().ghost, kGhost);
+}
+
+TEST(Camouflage, TheGhostAppearsAtTheEndsOfTheWorkspace) {
+  EXPECT_EQ(ghost_opacity(0.4), 0.0);
+  EXPECT_EQ(ghost_opacity(0.01), 1.0);
+  EXPECT_GT(ghost_opacity(0.05), ghost_opacity(0.08));
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTurnAnAxis_rad = 0.5 * kDegree / std::numbers::sqrt3;
-const Vector3d kWorkspace(0.0, 0.12, 0.14);  // middle of the workspace, in the haptic base's frame
 
 Vector3d normals(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -73,17 +72,6 @@ double ssim_at(const ColorImage& a, const ColorImage& b, int x, int y) {
          ((mean_a * mean_a + mean_b * mean_b + c1) * (var_a + var_b + c2));
 }
 
-/// The planes, and meshes of a depth camera's images from three places.
-Proxy desk_depths(bool printed_pages, int threads) {
-  Proxy proxy = desk_planes();
-  const Intrinsics lens{320, 240, 260, 260, 159.5, 119.5};
-  for (const Vector3d& eye : {Vector3d(0, -0.5, 0.7), Vector3d(-0.45, -0.35, 0.6), Vector3d(0.45, -0.35, 0.6)}) {
-    const View view{lens, looking_at({eye}, {{0.0, 0.2, 0.03}})};
-    append(proxy, depth_proxy(render({.printed_pages = printed_pages}, view, threads).depth, view, 5, 0.03));
-  }
-  return proxy;
-}
-
 }  // namespace
 
 StandingDevice standing_device() { return desk_device({0.1, 0.55, 0.75, 0.2, -1.2, 0.0}); }
@@ -106,7 +94,7 @@ Overlap overlap_of(const Mask& mask, const Mask& truth) {
           static_cast<double>(both) / (true_count + static_cast<double>(only_mask))};
 }
 
-MaskMargin expected_margin() { return calibrated_margin(0.85e-3, kTurnAnAxis_rad, {kWorkspace}); }
+MaskMargin expected_margin() { return calibrated_margin(0.85e-3, kTurnAnAxis_rad, {kOmniWorkspace_m}); }
 
 MaskFigures mask_figures(int count, const Intrinsics& lens, const MaskMargin& margin, bool arm_alone) {
   std::mt19937_64 random(20261127);
@@ -118,9 +106,9 @@ MaskFigures mask_figures(int count, const Intrinsics& lens, const MaskMargin& ma
     auto& prisms = pose.device.model.prisms;
     if (arm_alone) prisms.erase(prisms.begin(), prisms.begin() + 2);
     const Mask truth = render({.device = pose.device}, pose.view, program::processors()).mask(Label::Device);
-    const Eigen::Isometry3d error = Eigen::Translation3d(kWorkspace) *
+    const Eigen::Isometry3d error = Eigen::Translation3d(kOmniWorkspace_m) *
                                     isometry_of(kTurnAnAxis_rad * normals(random), 0.85e-3 * normals(random)) *
-                                    Eigen::Translation3d(-kWorkspace);
+                                    Eigen::Translation3d(-kOmniWorkspace_m);
     StandingDevice believed = pose.device;
     believed.world_from_haptic.iso = believed.world_from_haptic.iso * error;
     const Mask mask = device_mask(believed, pose.view, margin);
@@ -130,7 +118,7 @@ MaskFigures mask_figures(int count, const Intrinsics& lens, const MaskMargin& ma
     covered += overlap.recall * pixels;
     more += overlap.too_much * pixels;
     if (pixels > 0.0) figures.least_recall = std::min(figures.least_recall, overlap.recall);
-    const Vector3d middle = pose.device.world_from_haptic.iso * kWorkspace;
+    const Vector3d middle = pose.device.world_from_haptic.iso * kOmniWorkspace_m;
     const double z_m = (pose.view.world_from_eye.iso.inverse() * middle).z();
     add_outline_distances(mask, truth, z_m / pose.view.intrinsics.fx, distances_m);
   }

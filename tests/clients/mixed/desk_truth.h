@@ -43,8 +43,6 @@ struct PoseNoise {
 [[nodiscard]] Transform<World, Eye> disturbed(const Transform<World, Eye>& pose, const PoseNoise& noise,
                                               std::uint64_t seed);
 
-enum class ProxyKind { Planes, Depth };
-
 /// The desk's background: `count` images within 50 cm and 90 degrees, and a proxy of planes, or of depth images.
 [[nodiscard]] Background desk_background(const Intrinsics& lens, int count, ProxyKind kind, const PoseNoise& noise,
                                          bool printed_pages, int threads);

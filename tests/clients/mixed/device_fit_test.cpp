@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "clients/mixed/calibration/paper_fit.h"
 #include "tests/clients/mixed/clicked_device.h"
+#include "tests/clients/mixed/paper_fit.h"
 
 namespace telepalp::mixed {
 namespace {

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <bitset>
 #include <fstream>
+#include <numbers>
 
+#include "clients/mixed/files/anchor_touches.h"
 #include "clients/mixed/files/image_sequence.h"
 #include "clients/mixed/files/marker_board.h"
 #include "clients/mixed/files/rendered_sequence.h"
+#include "proto/words/numbers/number_row.h"
+#include "proto/words/rotation_vector.h"
 #include "support/images/image_file.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -21,7 +25,7 @@ namespace fs = std::filesystem;
 /// A rendered sequence of few images, made once.
 const fs::path& rendered() {
   static const support::TemporaryFolder folder;
-  static const bool written = write_rendered_sequence(folder.path(), 4, 2, 0.02).ok();
+  static const bool written = write_rendered_sequence(folder.path(), 4, 2, 0.02, ProxyKind::Planes).ok();
   EXPECT_TRUE(written);
   return folder.path();
 }
@@ -119,6 +123,73 @@ TEST(MixedProgram, ComposesCalibratesAndWritesABoard) {
   EXPECT_TRUE(fs::exists(out.path() / "board.csv"));
   EXPECT_EQ(run({"compose", "--images", "/no/such/folder"}, log), 1);
   EXPECT_NE(text_of(log).find("camera.csv: the file cannot be read. fix:"), std::string::npos) << text_of(log);
+}
+
+TEST(MixedProgram, FindsAGloveByAPictureOfItAndRevealsTheDeviceWithoutStatesOfTheStation) {
+  const support::TemporaryFolder out, folder;
+  const fs::path log = out.path() / "log";
+  // One colour that the sequence does not have: no hand is found, so nothing is moved beside the device's mask.
+  const ColorImage blue{8, 8, [] {
+                          std::vector<std::uint8_t> rgb(8 * 8 * 3, 0);
+                          for (std::size_t i = 2; i < rgb.size(); i += 3) rgb[i] = 255;
+                          return rgb;
+                        }()};
+  std::ofstream(out.path() / "glove.png", std::ios::binary) << images::encode_png(blue);
+  ASSERT_EQ(run({"compose", "--images", rendered().string(), "--out", (out.path() / "bare").string()}, log), 0);
+  ASSERT_EQ(run({"compose", "--images", rendered().string(), "--out", (out.path() / "glove").string(), "--glove",
+                 (out.path() / "glove.png").string()},
+                log),
+            0)
+      << text_of(log);
+  const auto live = images::read_color_image(rendered() / "live_001.png");
+  const auto bare = images::read_color_image(out.path() / "bare" / "live_001.png");
+  const auto glove = images::read_color_image(out.path() / "glove" / "live_001.png");
+  ASSERT_TRUE(live && bare && glove);
+  EXPECT_NE(bare->rgb, glove->rgb);
+  const fs::path late = with_table(folder, "coupling.csv", std::string(kCouplingHeader) + "\n9,0,0,0,0,0,0\n");
+  ASSERT_EQ(run({"compose", "--images", late.string(), "--out", (out.path() / "late").string()}, log), 0);
+  EXPECT_NE(text_of(log).find("live_000.png: device visible (0.00)"), std::string::npos) << text_of(log);
+  const support::TemporaryFolder other;
+  EXPECT_NE(says(with_table(other, "coupling.csv", std::string(kCouplingHeader) + "\n1,0,0,0,0,0,0\n1,0,0,0,0,0,0\n"))
+                .find("coupling.csv:3: the row"),
+            std::string::npos);
+}
+
+TEST(MixedProgram, AnchorsAHeadsetBySavedTouchesWithATurnedController) {
+  const support::TemporaryFolder folder;
+  const fs::path log = folder.path() / "log", touches = folder.path() / "touches.csv";
+  // Turned by pi/2 about y; the controller's tip is 0.1 m along its z axis.
+  std::ofstream table(touches);
+  table << kTouchesHeader << "\n";
+  const Eigen::Vector3d tip(0.0, 0.0, 0.1), rest(0.3, 1.0, -0.2);
+  const auto row = [&](int place, const Eigen::Vector3d& known, const Eigen::Vector3d& at,
+                       const Eigen::Vector3d& turn) {
+    const Eigen::Vector3d origin = at - isometry_of(turn, Eigen::Vector3d::Zero()) * tip;
+    table << place;
+    for (const Eigen::Vector3d& v : {known, origin, turn}) table << "," << v.x() << "," << v.y() << "," << v.z();
+    table << "\n";
+  };
+  for (int i = 0; i < 8; ++i) row(-1, {0, 0, 0}, rest, {0.5 * std::cos(i), 0.1, 0.5 * std::sin(i)});
+  for (const Eigen::Vector3d& known :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.2, 0, 0), Eigen::Vector3d(0, 0, 0.25)})
+    row(static_cast<int>(1e3 * known.sum()), known, Eigen::Vector3d(1.0 + known.z(), 2.0, 3.0 - known.x()),
+        {0.2, 0.1, 0});
+  table.close();
+  ASSERT_EQ(run({"anchor", "--touches", touches.string(), "--out", (folder.path() / "a.csv").string()}, log), 0)
+      << text_of(log);
+  EXPECT_NE(text_of(log).find("mm from the tool's origin, residual 0.00 mm rms"), std::string::npos) << text_of(log);
+  std::ifstream anchor(folder.path() / "a.csv");
+  std::string row_text;
+  std::getline(anchor, row_text);
+  std::getline(anchor, row_text);
+  const auto pose = number_row<7>(row_text);
+  ASSERT_TRUE(pose) << row_text;
+  for (const auto& [index, value] :
+       {std::pair<std::size_t, double>{0, 1.0}, {1, 2.0}, {2, 3.0}, {4, 0.5 * std::numbers::pi}})
+    EXPECT_NEAR((*pose)[index], value, 1e-4) << row_text;
+  std::ofstream(touches) << kTouchesHeader << "\n0.5,0,0,0,0,0,0,0,0,0\n";
+  EXPECT_EQ(run({"anchor", "--touches", touches.string()}, log), 1);
+  EXPECT_NE(text_of(log).find("touches.csv:2: the row"), std::string::npos) << text_of(log);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "tests/support/child_process.h"
 #include "tools/study/page/files.h"
-#include "tools/study/run/block_file.h"
+#include "tools/study/run/trial_row.h"
 #include "where.h"
 
 namespace telepalp::study {
@@ -40,10 +40,10 @@ std::string csv(const StudySettings& settings) {
 TEST(Study, GivesTheSameBytesTwiceWithAnyNumberOfThreadsAndWhenItIsResumed) {
   const support::TemporaryFolder one;
   const std::string first = csv(small(one.path()));
-  EXPECT_EQ(kept_blocks(small(one.path())), 8);
+  EXPECT_EQ(kept_parts(parts_of(small(one.path()))), 8);
   fs::remove(one.path() / "runs" / "operator-002-both.csv");
   std::ofstream(one.path() / "runs" / "operator-001-force.csv", std::ios::trunc) << "# cut off";
-  EXPECT_EQ(kept_blocks(small(one.path())), 6);
+  EXPECT_EQ(kept_parts(parts_of(small(one.path()))), 6);
   EXPECT_EQ(csv(small(one.path())), first);
   fs::remove_all(one.path() / "runs");
   EXPECT_EQ(csv(small(one.path(), 2)), first);
@@ -54,10 +54,10 @@ TEST(Study, FinishedPartsOfAnotherStudyAreNotTaken) {
   (void)csv(small(folder.path()));
   StudySettings other = small(folder.path());
   other.seed = 2;
-  EXPECT_EQ(kept_blocks(other), 0);
+  EXPECT_EQ(kept_parts(parts_of(other)), 0);
   other = small(folder.path());
   other.design.configurations[0].bar.handle_m = 0.181;
-  EXPECT_EQ(kept_blocks(other), 0);
+  EXPECT_EQ(kept_parts(parts_of(other)), 0);
 }
 
 TEST(Study, AMechanismThatCannotDrawItsNeedleOutIsRefusedBeforeAnythingRuns) {

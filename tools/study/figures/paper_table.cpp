@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "haptic_station/device/random.h"
+#include "proto/words/numbers/fixed_text.h"
 #include "tools/study/figures/statistics.h"
 
 namespace telepalp::study {
@@ -20,12 +20,6 @@ constexpr std::array<PaperCell, 36> kTable{{
     {9.1, 7.4},   {5.0, 3.3},  {4.9, 2.4},   {4.7, 2.8},  // linkage 3
     {12.2, 15.1}, {7.6, 6.8},  {7.1, 7.6},   {4.8, 4.1},   {6.5, 3.4}, {6.4, 3.6}, {20.0, 12.6}, {14.5, 3.2},
 }};
-
-std::string mm(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
 
 /// Mean over the cells whose levels are given; -1: all levels.
 double mean_at(std::span<const double> values, int linkage, int phi, int h) {
@@ -56,8 +50,8 @@ int extremes_far_out(std::span<const double> values) {
 }
 
 std::string by_phi(std::span<const double> values, int h) {
-  return mm(mean_at(values, -1, 0, h)) + " / " + mm(mean_at(values, -1, 1, h)) + " / " + mm(mean_at(values, -1, 2, h)) +
-         " mm";
+  return fixed_text(mean_at(values, -1, 0, h)) + " / " + fixed_text(mean_at(values, -1, 1, h)) + " / " +
+         fixed_text(mean_at(values, -1, 2, h)) + " mm";
 }
 
 }  // namespace
@@ -101,8 +95,8 @@ std::vector<Pattern> patterns_of(std::span<const double> here) {
     return worst;
   };
   const auto by_linkage = [](std::span<const double> values) {
-    return mm(mean_at(values, 0, -1, -1)) + " / " + mm(mean_at(values, 1, -1, -1)) + " / " +
-           mm(mean_at(values, 2, -1, -1)) + " mm";
+    return fixed_text(mean_at(values, 0, -1, -1)) + " / " + fixed_text(mean_at(values, 1, -1, -1)) + " / " +
+           fixed_text(mean_at(values, 2, -1, -1)) + " mm";
   };
   const bool first_is_worst =
       mean_at(here, 0, -1, -1) > mean_at(here, 1, -1, -1) && mean_at(here, 0, -1, -1) > mean_at(here, 2, -1, -1);
@@ -110,10 +104,10 @@ std::vector<Pattern> patterns_of(std::span<const double> here) {
       mean_at(here, -1, 0, 1) < mean_at(here, -1, 0, 0) && mean_at(here, -1, 2, 1) > mean_at(here, -1, 2, 0);
   return {
       {"h = 80 mm makes phi = 0 better and phi = 5pi/6 worse: h and phi interact",
-       mm(mean_at(paper, -1, 0, 0)) + " to " + mm(mean_at(paper, -1, 0, 1)) + ", " + mm(mean_at(paper, -1, 2, 0)) +
-           " to " + mm(mean_at(paper, -1, 2, 1)) + " mm",
-       mm(mean_at(here, -1, 0, 0)) + " to " + mm(mean_at(here, -1, 0, 1)) + ", " + mm(mean_at(here, -1, 2, 0)) +
-           " to " + mm(mean_at(here, -1, 2, 1)) + " mm",
+       fixed_text(mean_at(paper, -1, 0, 0)) + " to " + fixed_text(mean_at(paper, -1, 0, 1)) + ", " +
+           fixed_text(mean_at(paper, -1, 2, 0)) + " to " + fixed_text(mean_at(paper, -1, 2, 1)) + " mm",
+       fixed_text(mean_at(here, -1, 0, 0)) + " to " + fixed_text(mean_at(here, -1, 0, 1)) + ", " +
+           fixed_text(mean_at(here, -1, 2, 0)) + " to " + fixed_text(mean_at(here, -1, 2, 1)) + " mm",
        h_helps_but_there},
       {"with h = 80 mm, phi = 5pi/6 is the worst of 0, pi/2, 5pi/6", by_phi(paper, 1), by_phi(here, 1),
        worst_phi(here, 1, 2)},

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "haptic_station/device/random.h"
+#include "tools/study/figures/shuffle.h"
 
 namespace telepalp::study {
 namespace {
@@ -23,11 +24,6 @@ std::vector<double> ranks_of(std::span<const double> values) {
     from = to;
   }
   return ranks;
-}
-
-void shuffle(std::span<double> values, device::Random& random) {
-  for (std::size_t i = values.size(); i > 1; --i)
-    std::swap(values[i - 1], values[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
 }
 
 /// Levels of the four factors of a configuration; the last factor changes fastest.
@@ -128,7 +124,7 @@ Effect test(const Factorial& values, int factor, int other, int permutations, st
     if (other < 0)
       shuffle_levels(shuffled, factor, random);
     else
-      for (std::vector<double>& person : shuffled) shuffle(person, random);
+      for (std::vector<double>& person : shuffled) shuffle(std::span(person), random);
     as_large += spread_of(shuffled, factor, other) >= effect.spread * (1.0 - 1e-12) ? 1 : 0;
   }
   effect.p = static_cast<double>(as_large) / (permutations + 1.0);

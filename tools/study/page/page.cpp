@@ -8,7 +8,7 @@
 #include "support/plot/svg.h"
 #include "tools/study/page/files.h"
 #include "tools/study/page/words.h"
-#include "tools/study/run/block_file.h"
+#include "tools/study/run/trial_row.h"
 
 namespace telepalp::study {
 namespace {
@@ -92,9 +92,9 @@ std::string mechanism_table(const StudySettings& settings, const StudyResult& re
   for (std::size_t i = 0; i < settings.design.configurations.size(); ++i) {
     std::vector<std::string> row{std::to_string(i + 1) + ": " + settings.design.configurations[i].name};
     for (const ConditionResult& condition : result.conditions) row.push_back(in_words(condition.cells[i]));
-    row.push_back(fixed(result.hand_drop_N[i], 2));
+    row.push_back(fixed_text(result.hand_drop_N[i], 2));
     if (settings.design.of_the_paper)
-      row.push_back(fixed(paper_table()[i].overshoot_mm) + " (" + fixed(paper_table()[i].deviation_mm) + ")");
+      row.push_back(fixed_text(paper_table()[i].overshoot_mm) + " (" + fixed_text(paper_table()[i].deviation_mm) + ")");
     rows.push_back(std::move(row));
   }
   return "<div class=\"scroll\">" + report::table(head, rows) + "</div>";
@@ -103,8 +103,9 @@ std::string mechanism_table(const StudySettings& settings, const StudyResult& re
 std::string condition_table(const StudyResult& result) {
   Rows rows;
   for (const ConditionResult& one : result.conditions)
-    rows.push_back({std::string(name(one.condition)), in_words(one.all), fixed(100.0 * one.noticed_share, 0) + " %",
-                    std::to_string(one.not_through), std::to_string(one.not_stopped)});
+    rows.push_back({std::string(name(one.condition)), in_words(one.all),
+                    fixed_text(100.0 * one.noticed_share, 0) + " %", std::to_string(one.not_through),
+                    std::to_string(one.not_stopped)});
   return report::table(
       {"condition", "overshoot, all mechanisms [mm]", "puncture noticed", "sac not punctured", "tip not stopped"},
       rows);
@@ -114,14 +115,14 @@ std::string correlation_table(const StudyResult& result) {
   Rows rows;
   for (std::size_t i = 0; i < kStudied.size(); ++i) {
     const Correlation& one = *result.correlations[i];
-    rows.push_back({std::string(name(kStudied[i])), fixed(one.of_means, 2), fixed(one.of_each_operator.front(), 2),
-                    fixed(one.of_each_operator[one.of_each_operator.size() / 2], 2),
-                    fixed(one.of_each_operator.back(), 2)});
+    rows.push_back({std::string(name(kStudied[i])), fixed_text(one.of_means, 2), fixed_text(one.least, 2),
+                    fixed_text(one.median, 2), fixed_text(one.most, 2)});
   }
-  rows.push_back({"the hand's lever alone", fixed(result.lever_alone, 2), "", "", ""});
+  rows.push_back({"the hand's lever alone", fixed_text(result.lever_alone, 2), "", "", ""});
   rows.push_back(
-      {"a perfect model, if S4's SD is over 20 penetrations", fixed(result.ceiling_penetrations, 2), "", "", ""});
-  rows.push_back({"a perfect model, if S4's SD is over 4 subjects", fixed(result.ceiling_subjects, 2), "", "", ""});
+      {"a perfect model, if S4's SD is over 20 penetrations", fixed_text(result.ceiling_penetrations, 2), "", "", ""});
+  rows.push_back(
+      {"a perfect model, if S4's SD is over 4 subjects", fixed_text(result.ceiling_subjects, 2), "", "", ""});
   return report::table({"", "of the means", "of one operator: least", "median", "most"}, rows);
 }
 
@@ -129,7 +130,7 @@ std::string pattern_table(const StudyResult& result) {
   Rows rows;
   for (const Pattern& one : result.patterns)
     rows.push_back({one.what, one.in_paper, one.here,
-                    std::string(verdict(one)) + " (" + fixed(100.0 * one.certainty, 0) + " % of the resamples)"});
+                    std::string(verdict(one)) + " (" + fixed_text(100.0 * one.certainty, 0) + " % of the resamples)"});
   return report::table({"pattern", "S4", "here", ""}, rows, report::Cells::Words);
 }
 
@@ -137,18 +138,18 @@ std::string effect_table(const StudyResult& result) {
   Rows rows;
   for (const Effect& one : result.effects) {
     std::string levels;
-    for (const double mean : one.means) levels += (levels.empty() ? "" : " / ") + fixed(mean);
-    rows.push_back({one.name(), levels, fixed(one.spread, 2), one.p < 0.0015 ? "≤ 0.001" : fixed(one.p, 3)});
+    for (const double mean : one.means) levels += (levels.empty() ? "" : " / ") + fixed_text(mean);
+    rows.push_back({one.name(), levels, fixed_text(one.spread, 2), one.p < 0.0015 ? "≤ 0.001" : fixed_text(one.p, 3)});
   }
   return report::table({"effect", "means of the levels [mm]", "size, RMS [mm]", "p"}, rows);
 }
 
 std::string check_table(const Check& check) {
-  const Rows rows{{"neither", fixed(1e3 * check.neither_m), "", ""},
-                  {"force", fixed(1e3 * check.force_m), change(check.force_m, check.neither_m), "at least -52 %"},
-                  {"live sight of the layers", fixed(1e3 * check.sees_layers_m),
+  const Rows rows{{"neither", fixed_text(1e3 * check.neither_m), "", ""},
+                  {"force", fixed_text(1e3 * check.force_m), change(check.force_m, check.neither_m), "at least -52 %"},
+                  {"live sight of the layers", fixed_text(1e3 * check.sees_layers_m),
                    change(check.sees_layers_m, check.neither_m), "at least -87 %"},
-                  {"force, and sight of the needle alone", fixed(1e3 * check.both_m),
+                  {"force, and sight of the needle alone", fixed_text(1e3 * check.both_m),
                    change(check.both_m, check.neither_m), "not measured there"}};
   return report::table({"condition", "overshoot after the puncture [mm]", "against neither", "Gerovich 2004"}, rows);
 }

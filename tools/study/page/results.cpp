@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "haptic_station/mechanism/held_linkage.h"
+#include "proto/words/numbers/quantile.h"
 
 namespace telepalp::study {
 namespace {
@@ -71,10 +72,11 @@ Correlation correlation_of(const ConditionResult& result) {
   const std::vector<double> paper = paper_overshoots_mm();
   std::vector<double> means;
   for (const Interval& cell : result.cells) means.push_back(cell.mean);
-  Correlation out{.of_means = rank_correlation(means, paper), .of_each_operator = {}};
-  for (const std::vector<double>& person : result.by_operator)
-    out.of_each_operator.push_back(rank_correlation(person, paper));
-  std::sort(out.of_each_operator.begin(), out.of_each_operator.end());
+  std::vector<double> single;
+  for (const std::vector<double>& person : result.by_operator) single.push_back(rank_correlation(person, paper));
+  const auto [least, most] = std::minmax_element(single.begin(), single.end());
+  Correlation out{.of_means = rank_correlation(means, paper), .least = *least, .most = *most};
+  out.median = median_of(single);
   return out;
 }
 

@@ -24,8 +24,10 @@ struct ConditionResult {
 
 /// How the ranks of the mechanisms compare with S4's Table 2.
 struct Correlation {
-  double of_means = 0.0;                 ///< of the means over all operators
-  std::vector<double> of_each_operator;  ///< of each operator on a separate plant; sorted
+  double of_means = 0.0;  ///< of the means over all operators
+  double least = 0.0;     ///< of single operators, each on a separate plant
+  double median = 0.0;
+  double most = 0.0;
 };
 
 struct StudyResult {

@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "support/program/json.h"
-#include "support/program/version.h"
 #include "tools/study/page/files.h"
 #include "tools/study/page/words.h"
-#include "tools/study/run/block_file.h"
+#include "tools/study/run/parts.h"
+#include "tools/study/run/trial_row.h"
 
 namespace telepalp::study {
 namespace {
@@ -32,9 +32,9 @@ void add_paper(program::Json& json, const StudyResult& result) {
     json.begin_object(name(kStudied[i]));
     const Correlation& one = *result.correlations[i];
     json.add("rank_correlation", one.of_means);
-    json.add("of_operators_least", one.of_each_operator.front());
-    json.add("of_operators_median", one.of_each_operator[one.of_each_operator.size() / 2]);
-    json.add("of_operators_most", one.of_each_operator.back());
+    json.add("of_operators_least", one.least);
+    json.add("of_operators_median", one.median);
+    json.add("of_operators_most", one.most);
     json.end_object();
   }
   json.add("lever_alone", result.lever_alone);
@@ -83,14 +83,14 @@ std::string result_text(const StudySettings& settings, const StudyResult& result
     std::array<std::string, 4> cell;
     for (std::size_t c = 0; c < 4; ++c) cell[c] = in_words(result.conditions[c].cells[i]);
     text += line("%-38s %-20s %-20s %-20s %-12s", settings.design.configurations[i].name.c_str(), cell[0].c_str(),
-                 cell[1].c_str(), cell[2].c_str(), fixed(result.conditions[3].cells[i].mean).c_str());
+                 cell[1].c_str(), cell[2].c_str(), fixed_text(result.conditions[3].cells[i].mean).c_str());
     if (settings.design.of_the_paper)
-      text += fixed(paper_table()[i].overshoot_mm) + " (" + fixed(paper_table()[i].deviation_mm) + ")";
+      text += fixed_text(paper_table()[i].overshoot_mm) + " (" + fixed_text(paper_table()[i].deviation_mm) + ")";
     text += "\n";
   }
   text += line("%-38s %-20s %-20s %-20s %-12s\n", "all", in_words(result.conditions[0].all).c_str(),
                in_words(result.conditions[1].all).c_str(), in_words(result.conditions[2].all).c_str(),
-               fixed(result.conditions[3].all.mean).c_str());
+               fixed_text(result.conditions[3].all.mean).c_str());
   text += "\ncheck of the operators, straight needle, against Gerovich 2004: force " +
           change(result.check.force_m, result.check.neither_m) + " (there at least -52 %), live sight of the layers " +
           change(result.check.sees_layers_m, result.check.neither_m) + " (there at least -87 %)\n\n";
@@ -132,7 +132,9 @@ std::string result_json(const StudySettings& settings, const StudyResult& result
 }
 
 std::string trials_csv(const StudySettings& settings, const std::vector<Trial>& trials) {
-  return block_text(identity_of(settings), trials);
+  std::vector<std::string> rows;
+  for (const Trial& trial : trials) rows.push_back(trial_row(trial));
+  return rows_text(identity_of(settings), kTrialColumns, rows);
 }
 
 }  // namespace telepalp::study

@@ -8,24 +8,18 @@ namespace telepalp::study {
 namespace {
 
 std::string difference_in_words(const char* what, const Interval& mm) {
-  const std::string interval = fixed(mm.low) + " to " + fixed(mm.high) + " mm";
+  const std::string interval = fixed_text(mm.low) + " to " + fixed_text(mm.high) + " mm";
   if (mm.low <= 0.0 && mm.high >= 0.0)
-    return std::string(what) + " makes no certain difference to sight alone: " + fixed(mm.mean) + " mm (" + interval +
-           ").";
-  return std::string(what) + " makes the overshoot " + fixed(std::abs(mm.mean)) + " mm " +
+    return std::string(what) + " makes no certain difference to sight alone: " + fixed_text(mm.mean) + " mm (" +
+           interval + ").";
+  return std::string(what) + " makes the overshoot " + fixed_text(std::abs(mm.mean)) + " mm " +
          (mm.mean < 0.0 ? "smaller" : "larger") + " than sight alone (" + interval + ").";
 }
 
 }  // namespace
 
-std::string fixed(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
-
 std::string in_words(const Interval& interval) {
-  return fixed(interval.mean) + " (" + fixed(interval.low) + " to " + fixed(interval.high) + ")";
+  return fixed_text(interval.mean) + " (" + fixed_text(interval.low) + " to " + fixed_text(interval.high) + ")";
 }
 
 std::string change(double to, double from) {
@@ -52,11 +46,12 @@ std::vector<std::string> findings(const StudySettings& settings, const StudyResu
   const auto appear = std::count_if(result.patterns.begin(), result.patterns.end(),
                                     [](const Pattern& one) { return verdict(one) == "appears"; });
   out.push_back("The order of the 36 mechanisms agrees with S4's Table 2 by a rank correlation of " +
-                fixed(result.correlations[2]->of_means, 2) + ". An operator without reflexes reaches " +
-                fixed(result.correlations[3]->of_means, 2) + ", and the hand's lever alone, without any simulation, " +
-                fixed(result.lever_alone, 2) + ". A perfect model would reach " +
-                fixed(result.ceiling_penetrations, 2) + " if S4's deviations are over penetrations, and " +
-                fixed(result.ceiling_subjects, 2) + " if over its four subjects.");
+                fixed_text(result.correlations[2]->of_means, 2) + ". An operator without reflexes reaches " +
+                fixed_text(result.correlations[3]->of_means, 2) +
+                ", and the hand's lever alone, without any simulation, " + fixed_text(result.lever_alone, 2) +
+                ". A perfect model would reach " + fixed_text(result.ceiling_penetrations, 2) +
+                " if S4's deviations are over penetrations, and " + fixed_text(result.ceiling_subjects, 2) +
+                " if over its four subjects.");
   constexpr double kNoDifference = 0.05;  // of two rank correlations
   if (result.correlations[2]->of_means - result.correlations[3]->of_means < kNoDifference)
     out.emplace_back(

@@ -3,12 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "proto/words/numbers/fixed_text.h"
 #include "tools/study/page/results.h"
 
 namespace telepalp::study {
 
-/// "8.24"
-[[nodiscard]] std::string fixed(double value, int digits = 1);
 /// "8.2 (6.9 to 9.8)"
 [[nodiscard]] std::string in_words(const Interval& interval);
 /// "-60 %"

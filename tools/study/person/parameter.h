@@ -1,9 +1,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "haptic_station/device/random.h"
+#include "proto/words/error_line.h"
 
 namespace telepalp::study {
 
@@ -25,6 +27,15 @@ template <class Owner>
   Owner out;
   for (const Drawn<Owner>& range : ranges) out.*range.value = random.uniform(range.least, range.most);
   return out;
+}
+
+/// Names and limits of the ranges, for the checksum in a study's identity.
+template <class Owner>
+[[nodiscard]] std::string ranges_text(std::span<const Drawn<Owner>> ranges) {
+  std::string text;
+  for (const Drawn<Owner>& range : ranges)
+    text += std::string(range.name) + number_text(range.least) + number_text(range.most);
+  return text;
 }
 
 /// The seed of one part of a study. Different parts of one study draw independent numbers.

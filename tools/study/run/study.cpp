@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <mutex>
-#include <numeric>
 #include <optional>
 
-#include "support/program/files/whole_file.h"
 #include "support/program/parallel.h"
-#include "tools/study/run/block_file.h"
+#include "tools/study/figures/shuffle.h"
+#include "tools/study/run/parts.h"
+#include "tools/study/run/trial_row.h"
 
 namespace telepalp::study {
 namespace {
@@ -20,33 +18,6 @@ constexpr int kTrainingPenetrations = 5;
 
 // Parts of the study that draw independent numbers.
 enum Part : std::uint64_t { kPerson = 1, kPlant, kOrder, kFirstGuess, kPenetration, kCheck };
-
-std::filesystem::path file_of(const StudySettings& settings, std::size_t block) {
-  char text[64];
-  std::snprintf(text, sizeof text, "operator-%03zu-%s.csv", block / kStudied.size() + 1,
-                std::string(name(kStudied[block % kStudied.size()])).c_str());
-  return settings.out / "runs" / text;
-}
-
-std::optional<std::vector<Trial>> finished_block(const StudySettings& settings, const std::string& identity,
-                                                 std::size_t block) {
-  std::ifstream in(file_of(settings, block), std::ios::binary);
-  if (!in) return std::nullopt;
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  std::optional<std::vector<Trial>> trials = read_block(identity, text);
-  if (!trials ||
-      trials->size() != settings.design.configurations.size() * static_cast<std::size_t>(settings.penetrations))
-    return std::nullopt;
-  return trials;
-}
-
-std::vector<std::size_t> shuffled(std::size_t count, device::Random& random) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = count; i > 1; --i)
-    std::swap(order[i - 1], order[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
-  return order;
-}
 
 using Model = std::shared_ptr<const tissue::TissueModel>;
 
@@ -102,6 +73,37 @@ Result<std::vector<Model>> models_of(const StudySettings& settings) {
   return models;
 }
 
+/// `models`: of the operators' tissues, one for each; only making a part needs them.
+Parts parts_with(const StudySettings& settings, std::vector<Model> models) {
+  const auto number = [](int part) { return static_cast<std::size_t>(part) / kStudied.size(); };
+  const auto condition = [](int part) { return kStudied[static_cast<std::size_t>(part) % kStudied.size()]; };
+  const std::size_t rows = settings.design.configurations.size() * static_cast<std::size_t>(settings.penetrations);
+  Parts parts{.folder = settings.out / "runs",
+              .identity = identity_of(settings),
+              .columns = kTrialColumns,
+              .count = blocks_of(settings),
+              .file = {},
+              .is_whole = {},
+              .make = {}};
+  parts.file = [=](int part) {
+    char text[64];
+    std::snprintf(text, sizeof text, "operator-%03zu-%s.csv", number(part) + 1,
+                  std::string(name(condition(part))).c_str());
+    return std::string(text);
+  };
+  parts.is_whole = [=](const std::vector<std::string>& found) {
+    return found.size() == rows &&
+           std::all_of(found.begin(), found.end(), [](const auto& row) { return read_trial(row).has_value(); });
+  };
+  parts.make = [=, models = std::move(models), &settings](int part) {
+    std::vector<std::string> made;
+    for (const Trial& trial : run_block(settings, models[number(part)], number(part), condition(part)))
+      made.push_back(trial_row(trial));
+    return made;
+  };
+  return parts;
+}
+
 }  // namespace
 
 Person person_of(const StudySettings& settings, std::size_t number) noexcept {
@@ -112,42 +114,16 @@ Person person_of(const StudySettings& settings, std::size_t number) noexcept {
 
 int blocks_of(const StudySettings& settings) noexcept { return settings.operators * static_cast<int>(kStudied.size()); }
 
-int kept_blocks(const StudySettings& settings) {
-  const std::string identity = identity_of(settings);
-  int kept = 0;
-  for (int i = 0; i < blocks_of(settings); ++i)
-    kept += finished_block(settings, identity, static_cast<std::size_t>(i)) ? 1 : 0;
-  return kept;
-}
+Parts parts_of(const StudySettings& settings) { return parts_with(settings, {}); }
 
 Result<std::vector<Trial>> run_study(const StudySettings& settings, const std::function<void(int)>& finished) {
   const Result<std::vector<Model>> models = models_of(settings);
   if (!models) return models.error();
-  if (const Result<void> made = program::make_folder(settings.out / "runs", program::Readers::Anyone); !made)
-    return made.error();
-  const std::string identity = identity_of(settings);
-  std::vector<std::vector<Trial>> blocks(static_cast<std::size_t>(blocks_of(settings)));
-  std::mutex one_at_a_time;
-  int done = 0;
-  std::optional<Error> failed;
-  program::for_each_parallel(blocks_of(settings), settings.threads, [&](int i) {
-    const auto block = static_cast<std::size_t>(i);
-    const std::size_t number = block / kStudied.size();
-    std::optional<std::vector<Trial>> trials = finished_block(settings, identity, block);
-    Result<void> written;
-    if (!trials) {
-      trials = run_block(settings, (*models)[number], number, kStudied[block % kStudied.size()]);
-      written =
-          program::write_whole_file(file_of(settings, block), block_text(identity, *trials), program::Readers::Anyone);
-    }
-    blocks[block] = std::move(*trials);
-    const std::lock_guard lock(one_at_a_time);
-    if (!written) failed = written.error();
-    finished(++done);
-  });
-  if (failed) return *failed;
+  const auto blocks = run_parts(parts_with(settings, *models), settings.threads, finished);
+  if (!blocks) return blocks.error();
   std::vector<Trial> all;
-  for (const std::vector<Trial>& block : blocks) all.insert(all.end(), block.begin(), block.end());
+  for (const std::vector<std::string>& block : *blocks)
+    for (const std::string& row : block) all.push_back(*read_trial(row));
   return all;
 }
 

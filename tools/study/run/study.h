@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "proto/words/result.h"
+#include "tools/study/run/parts.h"
 #include "tools/study/task/penetration.h"
 
 namespace telepalp::study {
@@ -42,8 +43,8 @@ struct Person {
 [[nodiscard]] Result<std::vector<Trial>> run_study(const StudySettings& settings,
                                                    const std::function<void(int)>& finished);
 [[nodiscard]] int blocks_of(const StudySettings& settings) noexcept;
-/// Number of blocks that already have a file of this study.
-[[nodiscard]] int kept_blocks(const StudySettings& settings);
+/// The study as parts of one operator in one condition, to ask which are finished. Only run_study() makes them.
+[[nodiscard]] Parts parts_of(const StudySettings& settings);
 
 /// The check of the operator against Gerovich 2004: a straight needle, overshoot after the puncture [m] of each
 /// condition, mean of all operators.

@@ -1,4 +1,4 @@
-import {type Group, Vector3, type WebGLRenderer} from 'three';
+import {CanvasTexture, type Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, type Scene, SRGBColorSpace, Vector3, type WebGLRenderer} from 'three';
 
 /** Where the middle of the patient lies for a person who stands or sits before a bed: y up from the floor [m]. */
 const PATIENT_AT = new Vector3(0, 0.95, -0.55);
@@ -26,11 +26,15 @@ export async function headsetIsThere(): Promise<boolean> {
 export class Headset {
   /** Gets the place of the user's hand or controller in the scene's frame [m] at each frame; undefined: untracked. */
   onHand: (at: Vector3 | undefined) => void = () => undefined;
+  /** Called at each frame before it is drawn: the part that anchors the patient to the device (mixed/). */
+  onFrame: ((frame: XRFrame, space: XRReferenceSpace) => void) | undefined;
   private session: XRSession | undefined;
+  private note: Mesh<PlaneGeometry, MeshBasicMaterial> | undefined;
 
   /** `world`: all that the patient's site shows. `draw`: draws one frame. `onEnd`: the headset shows nothing more. */
   constructor(
       private readonly renderer: WebGLRenderer,
+      private readonly scene: Scene,
       private readonly world: Group,
       private readonly draw: () => void,
       private readonly onEnd: () => void,
@@ -38,6 +42,30 @@ export class Headset {
 
   get isOn(): boolean {
     return this.session !== undefined;
+  }
+
+  /** The session and its reference space; undefined: no session. */
+  get present(): {session: XRSession; space: XRReferenceSpace} | undefined {
+    const space = this.renderer.xr.getReferenceSpace();
+    return this.session && space ? {session: this.session, space} : undefined;
+  }
+
+  /** Places the patient: a column-major 4 x 4 matrix, from the scene to the headset's space. */
+  place(matrix: readonly number[]): void {
+    new Matrix4().fromArray(matrix).decompose(this.world.position, this.world.quaternion, this.world.scale);
+  }
+
+  /** Shows a picture of 4 x 1 before a person who stands or sits; undefined: none. */
+  showNote(picture: HTMLCanvasElement | undefined): void {
+    this.note?.removeFromParent();
+    this.note?.material.map?.dispose();
+    this.note = undefined;
+    if (picture === undefined) return;
+    const map = new CanvasTexture(picture);
+    map.colorSpace = SRGBColorSpace;
+    this.note = new Mesh(new PlaneGeometry(0.8, 0.2), new MeshBasicMaterial({map}));
+    this.note.position.set(0, 1.45, -0.9);
+    this.scene.add(this.note);
   }
 
   /** `middle`: the patient's middle in the scene. Throws when the headset or the user refuses. */
@@ -52,6 +80,8 @@ export class Headset {
     this.world.position.copy(PATIENT_AT).sub(middle.clone().applyEuler(this.world.rotation));
     this.renderer.setAnimationLoop((_time, frame?: XRFrame) => {
       if (frame === undefined) return;  // three.js also calls this for the window, without an XRFrame
+      const space = this.renderer.xr.getReferenceSpace();
+      if (space !== null) this.onFrame?.(frame, space);
       this.onHand(this.handIn(frame, session));
       this.draw();
     });
@@ -77,6 +107,8 @@ export class Headset {
 
   private ended(): void {
     this.session = undefined;
+    this.onFrame = undefined;
+    this.showNote(undefined);
     this.onHand(undefined);
     this.renderer.setAnimationLoop(null);
     this.renderer.xr.enabled = false;

@@ -116,7 +116,7 @@ export class SceneView {
           this.onDrawn();
         },
         () => this.onFree());
-    this.headset = new Headset(this.renderer, this.world, () => this.drawForHeadset(), () => this.leaveHeadset());
+    this.headset = new Headset(this.renderer, this.scene, this.world, () => this.drawForHeadset(), () => this.leaveHeadset());
     this.pacer.level = software ? SOFTWARE_LEVEL : 0;
     const lamp = new DirectionalLight('#fff4e6', 2.1);
     lamp.position.set(-0.45, 0.65, 0.85);

@@ -1,10 +1,19 @@
-#include "clients/mixed/calibration/paper_fit.h"
+#pragma once
 
 #include <Eigen/Dense>
 
 namespace telepalp::mixed {
 
-Eigen::Affine3d paper_fit(const Eigen::Matrix3Xd& haptic, const Eigen::Matrix3Xd& world, PaperFit how) {
+/// How the rigid motion is estimated, for comparison with Eigen::umeyama(), which telepalp uses.
+enum class PaperFit {
+  AsPrinted,  ///< S3 eq. (1): translation from the means alone, an affine map about the origin, its rotation
+  Centred,    ///< the affine map of the points about their means, then that map's rotation by polar decomposition
+};
+
+/// The motion `haptic = R * world + T` of paper S3 (docs/sources.md) 4.2. `haptic`, `world`: 3 x N [m]. The rotation
+/// may be improper (determinant -1): an affine map is undetermined across a plane that holds all points.
+[[nodiscard]] inline Eigen::Affine3d paper_fit(const Eigen::Matrix3Xd& haptic, const Eigen::Matrix3Xd& world,
+                                               PaperFit how) {
   const Eigen::Vector3d haptic_mean = haptic.rowwise().mean();
   const Eigen::Vector3d world_mean = world.rowwise().mean();
   const bool printed = how == PaperFit::AsPrinted;

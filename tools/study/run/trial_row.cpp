@@ -1,21 +1,20 @@
-#include "tools/study/run/block_file.h"
+#include "tools/study/run/trial_row.h"
 
 #include <charconv>
 #include <sstream>
 
 #include "codec/bytes/crc32c.h"
 #include "proto/words/error_line.h"
-#include "support/program/version.h"
+#include "tools/study/run/parts.h"
 
 namespace telepalp::study {
 namespace {
 
-constexpr std::string_view kColumns =
-    "operator,condition,place,configuration,penetration,through,stopped,noticed,overshoot_m,deepest_m,"
-    "depth_at_puncture_m,hand_drop_N,most_hand_N,seconds";
 constexpr std::size_t kNumbers = 14;
 
-std::string row_of(const Trial& trial) {
+}  // namespace
+
+std::string trial_row(const Trial& trial) {
   const Outcome& out = trial.outcome;
   std::string row = std::to_string(trial.person + 1) + "," + std::string(name(trial.condition)) + "," +
                     std::to_string(trial.place) + "," + std::to_string(trial.configuration) + "," +
@@ -24,11 +23,11 @@ std::string row_of(const Trial& trial) {
   for (const double value :
        {out.overshoot_m, out.deepest_m, out.depth_at_puncture_m, out.hand_drop_N, out.most_hand_N, out.seconds})
     row += "," + number_text(value);
-  return row + "\n";
+  return row;
 }
 
-std::optional<Trial> read_row(const std::string& line) {
-  std::istringstream cells(line);
+std::optional<Trial> read_trial(const std::string& row) {
+  std::istringstream cells(row);
   std::string cell;
   std::array<double, kNumbers> numbers{};
   Trial trial;
@@ -58,46 +57,15 @@ std::optional<Trial> read_row(const std::string& line) {
   return trial;
 }
 
-template <class Owner>
-std::string text_of(std::span<const Drawn<Owner>> ranges) {
-  std::string text;
-  for (const Drawn<Owner>& range : ranges)
-    text += std::string(range.name) + number_text(range.least) + number_text(range.most);
-  return text;
-}
-
-}  // namespace
-
-std::string block_text(const std::string& identity, const std::vector<Trial>& trials) {
-  std::string text = "# " + identity + "\n" + std::string(kColumns) + "\n";
-  for (const Trial& trial : trials) text += row_of(trial);
-  return text + "# end\n";
-}
-
-std::optional<std::vector<Trial>> read_block(const std::string& identity, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line;
-  if (!std::getline(lines, line) || line != "# " + identity || !std::getline(lines, line)) return std::nullopt;
-  std::vector<Trial> trials;
-  while (std::getline(lines, line)) {
-    if (line == "# end") return trials;
-    const std::optional<Trial> trial = read_row(line);
-    if (!trial) return std::nullopt;
-    trials.push_back(*trial);
-  }
-  return std::nullopt;
-}
-
 std::string identity_of(const StudySettings& settings) {
-  std::string all = text_of(operator_ranges()) + text_of(plant_ranges());
+  std::string all = ranges_text(operator_ranges()) + ranges_text(plant_ranges());
   for (const Configuration& one : settings.design.configurations) {
     all += one.name + (one.l4_given ? "4" : "-") + (one.needle_given ? "n" : "-");
     for (const double value : {one.bar.l1_m, one.bar.l2_m, one.bar.l3_m, one.bar.l4_m, one.bar.needle_rad,
                                one.bar.needle_m, one.bar.handle_rad, one.bar.handle_at_m, one.bar.handle_m})
       all += " " + number_text(value);
   }
-  return "telepalp-study " + std::string(program::version()) + " " + std::string(program::commit()) + ", seed " +
-         std::to_string(settings.seed) + ", " + std::to_string(settings.penetrations) +
+  return program_identity(settings.seed) + ", " + std::to_string(settings.penetrations) +
          " penetrations, mechanisms and ranges " + std::to_string(codec::crc32c(std::as_bytes(std::span(all))));
 }
 

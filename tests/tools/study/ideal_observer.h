@@ -4,10 +4,10 @@
 #include <random>
 #include <vector>
 
-#include "clients/mixed/jnd/quest.h"
-#include "clients/mixed/jnd/staircase.h"
+#include "tools/study/jnd/quest.h"
+#include "tools/study/jnd/staircase.h"
 
-namespace telepalp::mixed {
+namespace telepalp::study {
 
 /// Thresholds that runs found, divided by the observer's true one.
 struct FoundThresholds {
@@ -71,4 +71,4 @@ class IdealObserver {
   return summary_of(found, trials);
 }
 
-}  // namespace telepalp::mixed
+}  // namespace telepalp::study

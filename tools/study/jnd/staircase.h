@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-namespace telepalp::mixed {
+namespace telepalp::study {
 
 /// An adaptive staircase for a difference threshold: one wrong answer makes the difference larger, three right answers
 /// in a row make it smaller. Steps are ratios of the difference. Equal steps do not converge on 79.4 % correct; with
@@ -15,6 +15,7 @@ struct StaircaseSettings {
   int right_in_a_row = 3;      ///< so many right answers in a row make the difference smaller
   int reversals = 24;          ///< the run ends after so many reversals
   int first_reversals = 4;     ///< so many reversals at the start are not averaged
+  double most = 100.0;         ///< the difference is at most this one
 };
 
 inline constexpr double kStaircaseTarget = 0.8315;  ///< share of right answers at the threshold that a run finds
@@ -42,11 +43,10 @@ class Staircase {
   std::vector<double> reversals_;  ///< natural logarithms of the differences at the reversals
 };
 
-/// The share of right answers of an ideal observer who compares two intervals: Phi(difference / (sqrt(2) noise)). The
-/// noise follows from `at`, the share of right answers when the difference is `weber_fraction`.
-[[nodiscard]] double right_share(double difference, double weber_fraction, double at) noexcept;
+/// The standard normal distribution.
+[[nodiscard]] double normal_share(double z) noexcept;
 
 /// The inverse of the standard normal distribution, for shares in (0, 1). Error: below 1e-9.
 [[nodiscard]] double normal_quantile(double share) noexcept;
 
-}  // namespace telepalp::mixed
+}  // namespace telepalp::study

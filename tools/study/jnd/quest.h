@@ -2,11 +2,11 @@
 
 #include <vector>
 
-namespace telepalp::mixed {
+namespace telepalp::study {
 
 /// A Bayesian staircase: each trial is placed at the mean of the threshold's distribution, which each answer narrows.
 /// Source: Watson and Pelli 1983, QUEST, with King-Smith's mean rule; the share of right answers in a
-/// two-interval trial is right_share() of an ideal observer, in place of Weibull's function.
+/// two-interval trial is that of an ideal observer, Phi(z difference / threshold), in place of Weibull's function.
 class Quest {
  public:
   /// `guess`: expected threshold, as a Weber fraction; `deviation`: its uncertainty in natural logarithms. `target`:
@@ -20,10 +20,10 @@ class Quest {
   void answer(bool right) noexcept;
 
  private:
-  double target_;
+  double target_z_;  ///< normal quantile of the target
   double lapses_;
   std::vector<double> log_threshold_;  ///< grid of thresholds, natural logarithms
   std::vector<double> probability_;    ///< of each threshold of the grid; sums to 1
 };
 
-}  // namespace telepalp::mixed
+}  // namespace telepalp::study

@@ -1,10 +1,10 @@
-#include "clients/mixed/jnd/quest.h"
+#include "tools/study/jnd/quest.h"
 
 #include <cmath>
 
-#include "clients/mixed/jnd/staircase.h"
+#include "tools/study/jnd/staircase.h"
 
-namespace telepalp::mixed {
+namespace telepalp::study {
 namespace {
 
 constexpr int kSteps = 241;
@@ -12,7 +12,8 @@ constexpr double kReach = 3.0;  // half of the grid's width around the guess, in
 
 }  // namespace
 
-Quest::Quest(double guess, double deviation, double target, double lapses) : target_(target), lapses_(lapses) {
+Quest::Quest(double guess, double deviation, double target, double lapses)
+    : target_z_(normal_quantile(target)), lapses_(lapses) {
   double sum = 0.0;
   for (int i = 0; i < kSteps; ++i) {
     const double off = kReach * (2.0 * i / (kSteps - 1) - 1.0);
@@ -33,11 +34,12 @@ void Quest::answer(bool right) noexcept {
   const double shown = difference();
   double sum = 0.0;
   for (std::size_t i = 0; i < probability_.size(); ++i) {
-    const double share = 0.5 * lapses_ + (1.0 - lapses_) * right_share(shown, std::exp(log_threshold_[i]), target_);
+    const double share =
+        0.5 * lapses_ + (1.0 - lapses_) * normal_share(target_z_ * shown / std::exp(log_threshold_[i]));
     probability_[i] *= right ? share : 1.0 - share;
     sum += probability_[i];
   }
   for (double& p : probability_) p /= sum;
 }
 
-}  // namespace telepalp::mixed
+}  // namespace telepalp::study

@@ -1,14 +1,11 @@
-#include "clients/mixed/jnd/staircase.h"
+#include "tools/study/jnd/staircase.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace telepalp::mixed {
-namespace {
+namespace telepalp::study {
 
 double normal_share(double z) noexcept { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
-}  // namespace
 
 Staircase::Staircase(const StaircaseSettings& settings)
     : settings_(settings), log_difference_(std::log(settings.first)) {
@@ -35,6 +32,7 @@ void Staircase::turn(int direction) noexcept {
   if (direction_ != 0 && direction != direction_) reversals_.push_back(log_difference_);
   direction_ = direction;
   log_difference_ += direction > 0 ? settings_.step_up : -settings_.step_up * settings_.down_by_up;
+  log_difference_ = std::fmin(log_difference_, std::log(settings_.most));
 }
 
 std::optional<double> Staircase::threshold() const noexcept {
@@ -54,8 +52,4 @@ double normal_quantile(double share) noexcept {
   return z;
 }
 
-double right_share(double difference, double weber_fraction, double at) noexcept {
-  return normal_share(normal_quantile(at) * difference / weber_fraction);
-}
-
-}  // namespace telepalp::mixed
+}  // namespace telepalp::study

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "proto/words/result.h"
+#include "tools/study/experiments/experiment.h"
+#include "tools/study/run/parts.h"
+
+namespace telepalp::study {
+
+struct ExperimentSettings {
+  int observers = 12;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::filesystem::path out;
+};
+
+/// The experiment as parts of one observer; finished parts are files in out/runs.
+[[nodiscard]] Parts parts_of(const Experiment& experiment, const ExperimentSettings& settings);
+
+/// The rows of all observers, in their order. Error: a file cannot be written. `finished`: as run_parts().
+[[nodiscard]] Result<std::vector<Row>> run_experiment(const Experiment& experiment, const ExperimentSettings& settings,
+                                                      const std::function<void(int)>& finished);
+
+/// All rows as CSV.
+[[nodiscard]] std::string rows_csv(const Experiment& experiment, const ExperimentSettings& settings,
+                                   const std::vector<Row>& rows);
+
+}  // namespace telepalp::study

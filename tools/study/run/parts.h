@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proto/words/result.h"
+
+namespace telepalp::study {
+
+/// A study in parts that do not depend on each other. Each part is a list of rows of text, kept in one file.
+struct Parts {
+  std::filesystem::path folder;
+  std::string identity;      ///< all on which the rows depend, in one line; a file of another identity is not taken
+  std::string_view columns;  ///< names of the rows' columns, separated by commas
+  int count = 0;
+  std::function<std::string(int)> file;                           ///< name of a part's file
+  std::function<bool(const std::vector<std::string>&)> is_whole;  ///< true: the rows read from a file can be used
+  std::function<std::vector<std::string>(int)> make;              ///< called from several threads at once
+};
+
+/// Number of parts that already have a file of this identity.
+[[nodiscard]] int kept_parts(const Parts& parts);
+
+/// The rows of all parts, in their order. A part with a file is not made again; a part that is made is written at once.
+/// `finished` is called after each part, from one thread at a time, with the number of parts that are done. Error: a
+/// file cannot be written.
+[[nodiscard]] Result<std::vector<std::vector<std::string>>> run_parts(const Parts& parts, int threads,
+                                                                      const std::function<void(int)>& finished);
+
+/// The rows as a CSV file, under a line that names the study.
+[[nodiscard]] std::string rows_text(const std::string& identity, std::string_view columns,
+                                    const std::vector<std::string>& rows);
+
+/// "program version commit, seed N": how each study's identity begins.
+[[nodiscard]] std::string program_identity(std::uint64_t seed);
+
+}  // namespace telepalp::study
