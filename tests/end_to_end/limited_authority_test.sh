@@ -38,5 +38,5 @@ look https://ward.hospital.example:9444/ >page
 grep -q 's_server' page || fail "the browser does not trust the site's own host, so nothing is proved" browser.log
 look https://bank.example:9443/ >page
 grep -q 's_server' page && fail "the browser believes a bank that the site's authority signed"
-grep -q 'net::ERR_CERT' page || fail "the bank fails for another reason than its certificate" browser.log
+grep -q 'net::ERR_CERT' page browser.log || fail "the bank fails for another reason than its certificate" browser.log
 echo "limited authority: $(chromium --version 2>/dev/null | cut -d' ' -f1,2) believes the site's host, and not the bank"

@@ -30,7 +30,7 @@ struct KeysProgram : testing::Test {
   int run(std::vector<std::string> words) {
     words.insert(words.end(), {"--dir", folder.string()});
     support::ChildProcess process(fs::path(TELEPALP_BINARY_DIR "/bin/telepalp-keys"), words, log);
-    return process.wait(std::chrono::seconds(60)).value_or(-1);
+    return process.wait(std::chrono::seconds(120)).value_or(-1);
   }
   unsigned mode_of(const std::string& name) const {
     struct stat facts {};
