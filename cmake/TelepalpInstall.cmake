@@ -102,6 +102,7 @@ foreach(component clients server station tools)
   string(TOUPPER ${component} upper)
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME telepalp-${component})
   set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "telepalp-data ${same_version}")
+  set(CPACK_DEBIAN_${upper}_PACKAGE_SUGGESTS "libengine-pkcs11-openssl")  # for keys in a hardware token
 endforeach()
 set(CPACK_DEBIAN_DATA_PACKAGE_NAME telepalp-data)
 set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)

@@ -52,8 +52,10 @@ program::Usage usage() {
                        "synthetic"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
                       {"seconds", "S", "stop after S seconds; 0: never", "0"},
-                      {"bind", "ADDRESS", "listen address; a network's needs --key", "127.0.0.1"},
-                      {"key", "FILE", "key file of telepalp-keys server; clients then need keys"},
+                      {"bind", "ADDRESS", "listen here; a network address needs --key", "127.0.0.1"},
+                      {"key", "FILE", "this server's key; clients then need keys; default: none"},
+                      {"web-cert", "FILE", "certificate that browsers see; default: that of --key"},
+                      {"web-key", "FILE", "private key of --web-cert"},
                       {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},
                       {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
                       {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
@@ -151,12 +153,17 @@ Result<std::optional<gateway::HealthPort::Options>> health_options(const program
 }
 
 Result<std::optional<access::Access::Options>> key_options(const program::Arguments& arguments) {
+  for (const auto& [one, other] :
+       {std::pair{"web-cert", "web-key"}, std::pair{"web-key", "web-cert"}, std::pair{"web-cert", "http-port"}})
+    if (arguments.has(one) && !arguments.has(other)) return no_effect_without(other, one);
   if (arguments.has("key"))
     return std::optional(access::Access::Options{.key = arguments.text("key"),
                                                  .revoked = arguments.text("revoked"),
                                                  .audit = arguments.text("audit"),
+                                                 .web_certificate = arguments.text("web-cert"),
+                                                 .web_key = arguments.text("web-key"),
                                                  .say = log_line});
-  for (const char* option : {"revoked", "audit"})
+  for (const char* option : {"revoked", "audit", "web-cert", "web-key"})
     if (arguments.has(option)) return no_effect_without("key", option);
   return std::optional<access::Access::Options>{};
 }
@@ -428,6 +435,10 @@ std::string problem(const Parts& parts, const access::Access& access) {
 
 Result<void> open_recorder(Parts& parts, Asked& asked) {
   if (!asked.recorder) return {};
+  // Told at the start, and not when a doctor presses Record. The patient can be examined without a recording.
+  const auto key =
+      keys::load_client_key(asked.recorder->key, std::chrono::system_clock::now(), keys::passphrase_of_environment);
+  if (!key) log_line("recordings from the web page will fail: " + to_string(key.error()));
   asked.recorder->server = own_address(asked.server.bind, parts.server->port());
   auto opened = recording::SessionRecorder::open(*asked.recorder);
   if (!opened) return opened.error();
@@ -468,9 +479,7 @@ Result<void> open_health(Parts& parts, Asked& asked) {
 /// Lets callers come in through the meeting point.
 Result<void> open_meet(Parts& parts, Asked& asked) {
   if (!asked.meet) return {};
-  Result<keys::KeyFile> key = keys::load_key(asked.keys->key, std::chrono::system_clock::now());
-  if (!key) return key.error();
-  asked.meet->key = std::make_shared<const keys::KeyFile>(std::move(key).value());
+  asked.meet->key = asked.server.access->key();
   asked.meet->takes = [&parts](const meet::MeetDialer::Caller& caller) { return !caller.is_browser || parts.gateway; };
   asked.meet->on_caller = [&parts](boost::asio::ip::tcp::socket socket, const meet::MeetDialer::Caller& caller) {
     if (!caller.is_browser)

@@ -1,6 +1,7 @@
 #include "clients/record/file_commands.h"
 #include "clients/record/live/amounts.h"
 #include "clients/record/live/recording.h"
+#include "support/program/consent.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
@@ -25,7 +26,7 @@ program::Usage usage() {
                       {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                       {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
                       {"keep-last", "TIME", "delete files of this recording older than TIME: 5min"},
-                      {"consent", "TEXT", "note on the patient's consent; needed with --key"},
+                      program::consent_option(),
                       {"scene", "FILE", "the station's scene file, to be attached"},
                       {.name = "attach",
                        .argument = "FILE",
@@ -104,12 +105,8 @@ int run_recording(const program::Arguments& arguments) {
                          program::kAskedWrongly);
   Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
-  if (arguments.has("key") && options->consent.find_first_not_of(' ') == std::string::npos)
-    return program::fail(
-        {.what = "the patient's consent to this recording is not stated, without which no patient is recorded",
-         .where = "--consent",
-         .fix = "ask the patient, then give --consent \"signed form, study 17\", or who heard the consent"},
-        program::kAskedWrongly);
+  if (const Result<void> stated = program::check_consent(arguments, "this recording"); !stated)
+    return program::fail(stated.error(), program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =
       keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
   if (!key) return program::fail(key.error());

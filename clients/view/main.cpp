@@ -12,6 +12,7 @@
 #include "proto/wire/client/client_link.h"
 #include "support/images/image_file.h"
 #include "support/program/address.h"
+#include "support/program/consent.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
@@ -32,6 +33,7 @@ program::Usage usage() {
           .positional = {},
           .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
                       {"key", "FILE", "your key or token file, for a server on another machine"},
+                      program::consent_option(),
                       {"snapshot", "FILE.png", "save a picture of the patient and the doctor's hand"},
                       {"stats", "", "print rates, bytes, ages and losses by topic"},
                       {"json", "", "with --stats: print JSON"},
@@ -43,6 +45,7 @@ program::Usage usage() {
 struct Asked {
   program::Address server;
   std::shared_ptr<const keys::KeyFile> key;
+  std::string consent;
   std::filesystem::path snapshot;
   bool stats = false;
   bool json = false;
@@ -61,8 +64,10 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
     return Error{.what = "neither --snapshot nor --stats is given, or both are",
                  .where = kProgram,
                  .fix = "give --snapshot FILE.png for a picture, or --stats for figures"};
+  if (const Result<void> stated = program::check_consent(arguments, "your watching"); !stated) return stated.error();
   return Asked{.server = *server,
                .key = {},
+               .consent = arguments.text("consent"),
                .snapshot = arguments.text("snapshot"),
                .stats = arguments.has("stats"),
                .json = arguments.has("json"),
@@ -81,6 +86,7 @@ class View {
                .site = asked.server.site,
                .name = kProgram,
                .key = asked.key,
+               .consent = asked.consent,
                .subscribes = asked.stats ? std::vector<std::string>{"*"}
                                          : std::vector<std::string>{"/camera/*", "/station/state"}},
               {.on_message = [this](const wire::Message& message) { on_message(message); },

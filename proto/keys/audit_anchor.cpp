@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "proto/keys/openssl.h"
+#include "proto/keys/x509/openssl.h"
 
 namespace telepalp::keys {
 namespace {
@@ -77,12 +77,12 @@ std::optional<AuditAnchor> anchor_in(const std::string& text) {
 }  // namespace
 
 Result<std::string> anchor_line(const AuditAnchor& anchor, const KeyFile& server) {
-  const PrivateKeyPtr key = private_key_in(server.private_key);
+  EVP_PKEY* const key = server.private_key.get();
   const std::string message = std::string(kSigned) + text_of(anchor);
   const DigestPtr digest(EVP_MD_CTX_new());
   std::string signature(160, '\0');
   std::size_t size = signature.size();
-  if (!key || EVP_DigestSignInit(digest.get(), nullptr, EVP_sha256(), nullptr, key.get()) != 1 ||
+  if (key == nullptr || EVP_DigestSignInit(digest.get(), nullptr, EVP_sha256(), nullptr, key) != 1 ||
       EVP_DigestSign(digest.get(), reinterpret_cast<unsigned char*>(signature.data()), &size, bytes_of(message),
                      message.size()) != 1)
     return openssl_error("anchor of the audit log");

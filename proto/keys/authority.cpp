@@ -1,34 +1,19 @@
 #include "proto/keys/authority.h"
 
+#include <openssl/err.h>
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "proto/keys/certificate.h"
 #include "proto/keys/key_file.h"
 #include "proto/keys/token.h"
+#include "proto/keys/x509/names.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::keys {
 namespace {
-
-constexpr std::size_t kMostHosts = 16;
-
-bool is_plain(std::string_view text, std::string_view also) {
-  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [&](char letter) {
-    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
-           also.find(letter) != std::string_view::npos;
-  });
-}
-
-Result<void> check_name(const std::string& name) {
-  if (is_plain(name, "._@-")) return {};
-  return Error{.what = "'" + name + "' cannot be the name of a key",
-               .where = "--name",
-               .fix = "use 1 to 64 letters, digits, dots, hyphens, underscores and @"};
-}
 
 /// Role::Local is for peers on a server without keys: no key or token may state it.
 Result<void> check_person(const Authority::Issue& asked) {
@@ -38,25 +23,6 @@ Result<void> check_person(const Authority::Issue& asked) {
                        " is only for programs that connect to a server without keys",
                .where = "--role",
                .fix = "give technician, doctor, viewer or qa"};
-}
-
-/// "DNS:patient.example,IP:10.0.0.1": an entry of digits and dots, or with a colon, is an address.
-Result<std::string> alt_names(std::vector<std::string> hosts) {
-  for (const char* own : {"localhost", "127.0.0.1", "::1"})
-    if (std::find(hosts.begin(), hosts.end(), own) == hosts.end()) hosts.emplace_back(own);
-  if (hosts.size() > kMostHosts)
-    return Error{.what = "more than 13 hosts are given", .where = "--host", .fix = "give at most 13"};
-  std::string text;
-  for (const std::string& host : hosts) {
-    if (!is_plain(host, ".-:"))
-      return Error{.what = "'" + host + "' is not a host name or address",
-                   .where = "--host",
-                   .fix = "give the host that clients write after --connect, such as patient.example or 10.0.0.1"};
-    const bool address =
-        host.find(':') != std::string::npos || host.find_first_not_of("0123456789.") == std::string::npos;
-    text += (text.empty() ? "" : ",") + std::string(address ? "IP:" : "DNS:") + host;
-  }
-  return text;
 }
 
 bool add_revoked(X509_CRL& list, const std::string& serial_text, WallTime revoked) {
@@ -79,7 +45,7 @@ bool add_revoked(X509_CRL& list, const std::string& serial_text, WallTime revoke
 
 struct Authority::Parts {
   CertificatePtr certificate;
-  PrivateKeyPtr key;
+  OwnKey own;
 };
 
 Authority::Authority(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -87,53 +53,106 @@ Authority::Authority(Authority&&) noexcept = default;
 Authority& Authority::operator=(Authority&&) noexcept = default;
 Authority::~Authority() = default;
 
-Result<Authority> Authority::create(const std::string& name, WallTime now, std::chrono::days valid) {
-  if (const Result<void> fine = check_name(name); !fine) return fine.error();
-  PrivateKeyPtr key = new_private_key();
-  if (!key) return openssl_error("new key");
-  Result<CertificatePtr> certificate = make_certificate({.name = name,
-                                                         .alt_names = {},
-                                                         .usage = {},
-                                                         .serial = random_serial(),
-                                                         .from = now - kBackdated,
-                                                         .until = now + valid},
-                                                        *key, nullptr, *key);
-  if (!certificate) return certificate.error();
-  return Authority(std::make_unique<Parts>(Parts{std::move(certificate).value(), std::move(key)}));
+namespace {
+
+/// The self-signed certificate of an authority.
+Result<CertificatePtr> self_signed(const std::string& name, WallTime now, std::chrono::days valid,
+                                   const std::vector<std::string>& hosts, EVP_PKEY& key) {
+  const Result<std::string> limits = hosts.empty() ? Result<std::string>("") : name_limits(hosts);
+  if (!limits) return limits.error();
+  return make_certificate({.name = name,
+                           .alt_names = {},
+                           .usage = {},
+                           .limits = *limits,
+                           .serial = random_serial(),
+                           .from = now - kBackdated,
+                           .until = now + valid},
+                          key, nullptr, key);
 }
 
-Result<Authority> Authority::read(std::string_view file_text, const std::string& file) {
+}  // namespace
+
+Result<Authority> Authority::create(const std::string& name, WallTime now, std::chrono::days valid,
+                                    const std::vector<std::string>& hosts, OwnKey own) {
+  if (const Result<void> fine = check_name(name); !fine) return fine.error();
+  if (!own.key) {
+    Result<OwnKey> made = make_private_key("");
+    if (!made) return made.error();
+    own = std::move(made).value();
+  }
+  Result<CertificatePtr> certificate = self_signed(name, now, valid, hosts, *own.key);
+  if (!certificate) return certificate.error();
+  return Authority(std::make_unique<Parts>(Parts{std::move(certificate).value(), std::move(own)}));
+}
+
+Result<Authority> Authority::renewed(WallTime now, std::chrono::days valid,
+                                     const std::vector<std::string>& hosts) const {
+  return create(name(), now, valid, hosts, parts_->own);
+}
+
+Result<Authority> Authority::read(std::string_view file_text, const std::string& file, const AskPassphrase& ask) {
   std::vector<CertificatePtr> certificates = certificates_in(file_text);
-  PrivateKeyPtr key = private_key_in(file_text);
-  if (!key || certificates.size() != 1 || !is_authority(*certificates.front()) ||
-      X509_check_private_key(certificates.front().get(), key.get()) != 1)
-    return Error{.what = "this is not the file of an authority, or it is damaged",
-                 .where = file,
-                 .fix =
-                     "give by --dir the folder in which `telepalp-keys authority` wrote authority.key, or restore that "
-                     "file from a backup"};
-  return Authority(std::make_unique<Parts>(Parts{std::move(certificates.front()), std::move(key)}));
+  const Error not_one{.what = "this is not the file of an authority, or it is damaged",
+                      .where = file,
+                      .fix =
+                          "give by --dir the folder in which `telepalp-keys authority` wrote authority.key, or restore "
+                          "that file from a backup"};
+  if (certificates.size() != 1 || !is_authority(*certificates.front()) || secret_in(file_text) == Secret::None)
+    return not_one;
+  Result<OwnKey> own = open_private_key(file_text, file, ask);
+  if (!own) return own.error();
+  if (X509_check_private_key(certificates.front().get(), own->key.get()) != 1) return not_one;
+  return Authority(std::make_unique<Parts>(Parts{std::move(certificates.front()), std::move(own).value()}));
 }
 
 std::string Authority::file_text() const {
   return "telepalp: the authority " + name() +
          ". Anyone with this file can make keys of every role: keep it on one machine, and never send it.\n" +
-         certificate() + to_pem(*parts_->key);
+         certificate() + parts_->own.text;
 }
 
 std::string Authority::certificate() const { return to_pem(*parts_->certificate); }
 std::string Authority::name() const { return common_name(*parts_->certificate); }
+std::vector<std::string> Authority::hosts() const { return permitted_hosts(*parts_->certificate); }
+
+bool Authority::has_signed(const KeyFile& key) const {
+  if (key.kind == KeyFile::Kind::Token) return read_token(key.token, *parts_->own.key, WallTime{}).ok();
+  const std::vector<CertificatePtr> certificates = certificates_in(key.certificate);
+  const bool is_ours = !certificates.empty() && X509_verify(certificates.front().get(), parts_->own.key.get()) == 1;
+  ERR_clear_error();
+  return is_ours;
+}
 
 namespace {
 
-/// A certificate with a new private key, as the text of a key file.
-Result<std::string> issue(const CertificateRequest& request, const std::string& preamble, X509& authority,
-                          EVP_PKEY& authority_key) {
-  const PrivateKeyPtr key = new_private_key();
-  if (!key) return openssl_error("new key");
-  const Result<CertificatePtr> certificate = make_certificate(request, *key, &authority, authority_key);
+Error not_permitted(X509& authority) {
+  std::string hosts;
+  for (const std::string& host : permitted_hosts(authority)) hosts += (hosts.empty() ? "" : ", ") + host;
+  return {.what = "this authority may not sign for one of these hosts: it is limited to " + hosts,
+          .where = "--host",
+          .fix =
+              "give hosts within these limits, or widen them: telepalp-keys renew DIR/authority.key --host HOST, "
+              "with each host or network"};
+}
+
+/// A certificate as the text of a key file, with its private key if that is made here.
+Result<std::string> issue(const CertificateRequest& request, const std::string& preamble, const Authority::Issue& asked,
+                          X509& authority, EVP_PKEY& authority_key) {
+  OwnKey own = asked.own;
+  if (!asked.key && !own.key) {
+    Result<OwnKey> made = make_private_key("");
+    if (!made) return made.error();
+    own = std::move(made).value();
+  }
+  EVP_PKEY& key = asked.key ? *asked.key : *own.key;
+  const Result<CertificatePtr> certificate = make_certificate(request, key, &authority, authority_key);
   if (!certificate) return certificate.error();
-  return preamble + to_pem(**certificate) + to_pem(*key) + to_pem(authority);
+  if (!is_permitted(**certificate, authority)) return not_permitted(authority);
+  const std::string about = asked.key ? "telepalp: the certificate of " + asked.name +
+                                            ". It holds no secret, and works only with the " + "private key that " +
+                                            asked.name + " has.\n"
+                                      : preamble;
+  return about + to_pem(**certificate) + (asked.key ? "" : own.text) + to_pem(authority);
 }
 
 }  // namespace
@@ -148,8 +167,8 @@ Result<std::string> Authority::server_key(const Issue& asked, const std::vector<
                 .serial = random_serial(),
                 .from = asked.now - kBackdated,
                 .until = asked.now + asked.valid},
-               "telepalp: the key of the server " + asked.name + ". Use it only for telepalp-server --key.\n",
-               *parts_->certificate, *parts_->key);
+               "telepalp: the key of the server " + asked.name + ". Use it only for telepalp-server --key.\n", asked,
+               *parts_->certificate, *parts_->own.key);
 }
 
 Result<std::string> Authority::client_key(const Issue& asked) const {
@@ -162,14 +181,14 @@ Result<std::string> Authority::client_key(const Issue& asked) const {
                 .until = asked.now + asked.valid},
                "telepalp: the key of " + std::string(keys::name(asked.role)) + " " + asked.name +
                    ". It allows: " + permissions(asked.role) + ". Only this person may use it.\n",
-               *parts_->certificate, *parts_->key);
+               asked, *parts_->certificate, *parts_->own.key);
 }
 
 Result<std::string> Authority::token(const Issue& asked) const {
   if (const Result<void> fine = check_person(asked); !fine) return fine.error();
   const Identity bearer{
       .name = asked.name, .role = asked.role, .serial = random_serial(), .expires = asked.now + asked.valid};
-  const Result<std::string> token = sign_token(bearer, *parts_->key);
+  const Result<std::string> token = sign_token(bearer, *parts_->own.key);
   if (!token) return token.error();
   return "telepalp: a token of " + describe(bearer) + ". It allows: " + permissions(asked.role) +
          ". Anyone who has the next line may do this.\n" + std::string(kTokenLine) + *token + "\n" + certificate();
@@ -196,12 +215,10 @@ Result<std::string> Authority::revocation_list(const std::map<std::string, WallT
               X509_CRL_set1_nextUpdate(list.get(), X509_get0_notAfter(parts_->certificate.get())) == 1;
   made = made && set_number(*list, number);
   for (const auto& [serial, at] : revoked) made = made && add_revoked(*list, serial, at);
-  made = made && X509_CRL_sort(list.get()) == 1 && X509_CRL_sign(list.get(), parts_->key.get(), EVP_sha256()) != 0;
+  made = made && X509_CRL_sort(list.get()) == 1 && X509_CRL_sign(list.get(), parts_->own.key.get(), EVP_sha256()) != 0;
   const BytesPtr bytes(BIO_new(BIO_s_mem()));
   if (!made || PEM_write_bio_X509_CRL(bytes.get(), list.get()) != 1) return openssl_error("revocation list");
-  char* text = nullptr;
-  const long size = BIO_get_mem_data(bytes.get(), &text);
-  return std::string(text, static_cast<std::size_t>(size));
+  return text_in(*bytes);
 }
 
 }  // namespace telepalp::keys

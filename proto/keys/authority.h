@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "proto/keys/identity.h"
+#include "proto/keys/key_file.h"
+#include "proto/keys/secret/private_key.h"
 #include "proto/words/result.h"
 
 namespace telepalp::keys {
@@ -25,9 +27,20 @@ class Authority {
     Role role = Role::Viewer;
     WallTime now{};
     std::chrono::days valid{365};
+    /// The holder's public key, of a request that was read (key_request.h); the text then has no private key. Null: the
+    /// key pair is made here.
+    PublicKey key{};
+    OwnKey own{};  ///< the private key, if it exists already; null: a new one
   };
-  [[nodiscard]] static Result<Authority> create(const std::string& name, WallTime now, std::chrono::days valid);
-  [[nodiscard]] static Result<Authority> read(std::string_view file_text, const std::string& file);
+  /// `hosts`: the only names, addresses and networks for which it may sign, as for name_limits(); empty: all, as
+  /// authorities of older versions. `own`: its private key; null: a new one without a passphrase.
+  [[nodiscard]] static Result<Authority> create(const std::string& name, WallTime now, std::chrono::days valid,
+                                                const std::vector<std::string>& hosts = {}, OwnKey own = {});
+  [[nodiscard]] static Result<Authority> read(std::string_view file_text, const std::string& file,
+                                              const AskPassphrase& ask = {});
+  /// The same authority with the same key, so that all that it signed stays valid; with a new certificate.
+  [[nodiscard]] Result<Authority> renewed(WallTime now, std::chrono::days valid,
+                                          const std::vector<std::string>& hosts) const;
   Authority(Authority&&) noexcept;
   Authority& operator=(Authority&&) noexcept;
   ~Authority();
@@ -35,8 +48,13 @@ class Authority {
   [[nodiscard]] std::string file_text() const;    ///< text of the authority's file, with its private key
   [[nodiscard]] std::string certificate() const;  ///< PEM, for browsers and other programs; it is not secret
   [[nodiscard]] std::string name() const;
+  /// The names, addresses and networks for which it may sign; empty: for all.
+  [[nodiscard]] std::vector<std::string> hosts() const;
+  /// True if this authority's key signed `key`.
+  [[nodiscard]] bool has_signed(const KeyFile& key) const;
 
   /// `hosts`: the names and addresses under which clients reach the server; localhost, 127.0.0.1 and ::1 are added.
+  /// Error: this authority may not sign for one of them.
   [[nodiscard]] Result<std::string> server_key(const Issue& issue, const std::vector<std::string>& hosts) const;
   [[nodiscard]] Result<std::string> client_key(const Issue& issue) const;
   [[nodiscard]] Result<std::string> token(const Issue& issue) const;

@@ -1,9 +1,11 @@
 #include "proto/keys/certificate.h"
 
 #include <arpa/inet.h>
+#include <openssl/err.h>
 #include <openssl/x509v3.h>
 
 #include <array>
+#include <bit>
 
 namespace telepalp::keys {
 namespace {
@@ -28,6 +30,10 @@ bool add_extensions(X509& certificate, X509& issuer, const CertificateRequest& r
   if (!authority) {
     added = added && add_extension(certificate, issuer, NID_authority_key_identifier, "keyid:always");
     added = added && add_extension(certificate, issuer, NID_ext_key_usage, request.usage);
+  }
+  if (!request.limits.empty()) {  // nor may it sign programs or mails
+    added = added && add_extension(certificate, issuer, NID_name_constraints, request.limits);
+    added = added && add_extension(certificate, issuer, NID_ext_key_usage, "serverAuth,clientAuth");
   }
   if (!request.alt_names.empty())
     added = added && add_extension(certificate, issuer, NID_subject_alt_name, request.alt_names);
@@ -132,5 +138,52 @@ bool promises_list(X509& certificate) {
 }
 
 bool is_authority(X509& certificate) { return X509_check_ca(&certificate) == 1; }
+
+namespace {
+
+using LimitsPtr = std::unique_ptr<NAME_CONSTRAINTS, Freed<NAME_CONSTRAINTS_free>>;
+using StorePtr = std::unique_ptr<X509_STORE, Freed<X509_STORE_free>>;
+using CheckPtr = std::unique_ptr<X509_STORE_CTX, Freed<X509_STORE_CTX_free>>;
+
+/// Address and mask, one after the other: "10.0.0.0/8".
+std::string network_of(const ASN1_OCTET_STRING& bytes) {
+  const std::string octets = text_of(bytes);
+  const std::size_t half = octets.size() / 2;
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  if (half != 4 && half != 16) return "?";
+  inet_ntop(half == 4 ? AF_INET : AF_INET6, octets.data(), text.data(), text.size());
+  int ones = 0;
+  for (const char byte : octets.substr(half)) ones += std::popcount(static_cast<unsigned char>(byte));
+  const bool is_one = static_cast<std::size_t>(ones) == half * 8;
+  return text.data() + (is_one ? "" : "/" + std::to_string(ones));
+}
+
+}  // namespace
+
+std::vector<std::string> permitted_hosts(X509& authority) {
+  std::vector<std::string> hosts;
+  const LimitsPtr limits(
+      static_cast<NAME_CONSTRAINTS*>(X509_get_ext_d2i(&authority, NID_name_constraints, nullptr, nullptr)));
+  const int count = limits ? sk_GENERAL_SUBTREE_num(limits->permittedSubtrees) : 0;
+  for (int i = 0; i < count; ++i) {
+    const GENERAL_NAME& one = *sk_GENERAL_SUBTREE_value(limits->permittedSubtrees, i)->base;
+    if (one.type == GEN_DNS) hosts.push_back(text_of(*one.d.dNSName));
+    if (one.type == GEN_IPADD) hosts.push_back(network_of(*one.d.iPAddress));
+  }
+  return hosts;
+}
+
+bool is_permitted(X509& certificate, X509& authority) {
+  const StorePtr store(X509_STORE_new());
+  const CheckPtr check(X509_STORE_CTX_new());
+  X509_STORE_add_cert(store.get(), &authority);
+  if (X509_STORE_CTX_init(check.get(), store.get(), &certificate, nullptr) != 1) return false;
+  X509_VERIFY_PARAM* const how = X509_STORE_CTX_get0_param(check.get());
+  X509_VERIFY_PARAM_set_flags(how, X509_V_FLAG_NO_CHECK_TIME);
+  X509_VERIFY_PARAM_set_hostflags(how, X509_CHECK_FLAG_NEVER_CHECK_SUBJECT);
+  const bool permitted = X509_verify_cert(check.get()) == 1;
+  ERR_clear_error();
+  return permitted;
+}
 
 }  // namespace telepalp::keys

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "proto/keys/openssl.h"
+#include "proto/keys/identity.h"
+#include "proto/keys/x509/openssl.h"
 
 namespace telepalp::keys {
 
@@ -13,6 +14,7 @@ struct CertificateRequest {
   std::string name;       ///< common name
   std::string alt_names;  ///< subjectAltName as in OpenSSL's configuration: "DNS:host,IP:10.0.0.1"; empty: none
   std::string usage;      ///< extendedKeyUsage: "serverAuth", "clientAuth"; empty: the certificate of an authority
+  std::string limits{};   ///< of an authority: nameConstraints, as name_limits() writes them; empty: none
   std::string serial;     ///< in hexadecimal
   WallTime from{};
   WallTime until{};
@@ -29,6 +31,11 @@ struct CertificateRequest {
 [[nodiscard]] std::string common_name(X509& certificate);
 [[nodiscard]] std::vector<std::string> host_names(X509& certificate);  ///< DNS names and addresses
 [[nodiscard]] bool is_authority(X509& certificate);
+/// The hosts for which an authority may sign (nameConstraints), such as "hospital.example" and "10.0.0.0/8"; empty: for
+/// all.
+[[nodiscard]] std::vector<std::string> permitted_hosts(X509& authority);
+/// True if OpenSSL accepts `certificate` below `authority`, whatever the date: names and uses are within its limits.
+[[nodiscard]] bool is_permitted(X509& certificate, X509& authority);
 [[nodiscard]] bool promises_list(X509& certificate);  ///< kListUri is among its alternative names
 
 /// The URI in subjectAltName that carries a role: kRoleUri + "doctor".

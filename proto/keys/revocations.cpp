@@ -4,7 +4,7 @@
 #include <openssl/pem.h>
 #include <openssl/x509v3.h>
 
-#include "proto/keys/openssl.h"
+#include "proto/keys/x509/openssl.h"
 
 namespace telepalp::keys {
 namespace {

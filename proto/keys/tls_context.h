@@ -24,6 +24,10 @@ using TlsContextPtr = std::unique_ptr<SSL_CTX, FreeTlsContext>;
 /// True if the certificate of `who` is revoked, and so refused.
 using IsRevoked = std::function<bool(const Identity& who)>;
 
+/// TLS 1.3 without certificate and without trust in anybody. Session resumption is off, so that each session checks the
+/// certificate again.
+[[nodiscard]] Result<TlsContextPtr> bare_context(const SSL_METHOD* method);
+
 /// TLS 1.3 for a server with `key`. A client's certificate is checked if the client sends one, also by `is_revoked`, at
 /// each handshake. Session resumption is off, so that each session checks the certificate again.
 [[nodiscard]] Result<TlsContextPtr> server_context(const KeyFile& key, IsRevoked is_revoked);

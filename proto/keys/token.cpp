@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "proto/keys/openssl.h"
+#include "proto/keys/x509/openssl.h"
 
 namespace telepalp::keys {
 namespace {
@@ -155,6 +155,8 @@ Error refused(std::string what, std::string fix) {
 }
 
 }  // namespace
+
+std::string random_secret() { return random_hexadecimal(kKeyBytes); }
 
 Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) {
   const PrivateKeyPtr secret = new_secret();

@@ -49,7 +49,8 @@ Result<std::shared_ptr<Access>> Access::with_key(Options options) {
   std::shared_ptr<Access> access(new Access());
   access->say_ = options.say ? options.say : [](const std::string&) {};
   if (const Result<void> opened = access->open_key(options); !opened) return opened.error();
-  const fs::path folder = options.key.parent_path();
+  if (const Result<void> opened = access->open_web(options); !opened) return opened.error();
+  const fs::path folder = access->key_->path.parent_path();
   const fs::path beside = folder / "revoked.crl";
   const fs::path log = options.audit.empty() ? folder / "audit.log" : options.audit;
   Result<KeptFacts> kept = KeptFacts::open(log.parent_path() / "telepalp.state");
@@ -94,6 +95,40 @@ Result<void> Access::open_key(const Options& options) {
   web_tls_ = std::move(web).value();
   key_ = std::move(key).value();
   return {};
+}
+
+Result<void> Access::open_web(const Options& options) {
+  if (options.web_certificate.empty()) return {};
+  web_file_.emplace(options.web_certificate, options.web_key);
+  const Result<keys::WebCertificate> read = web_file_->read(keys::ask_passphrase);
+  if (!read) return read.error();
+  Result<wire::TlsSettings> web = wire::tls_settings(keys::web_server_context(*read));
+  if (!web) return web.error();
+  web_tls_ = std::move(web).value();
+  say_("browsers see the certificate of " + read->hosts.front() + ", valid until " + keys::in_words(read->expires));
+  return {};
+}
+
+/// A hospital renews its certificates by itself. New connections see the new one; the old one stays while the new one
+/// cannot be read.
+void Access::look_at_web_certificate() {
+  if (!web_file_ || !web_file_->has_changed()) return;
+  const Result<keys::WebCertificate> read = web_file_->read(keys::passphrase_of_environment);
+  Result<wire::TlsSettings> web =
+      read ? wire::tls_settings(keys::web_server_context(*read)) : Result<wire::TlsSettings>(read.error());
+  if (!web) return say_("the old web certificate stays: " + to_string(web.error()));
+  web_tls_ = std::move(web).value();
+  say_("a new web certificate was read, valid until " + keys::in_words(read->expires));
+}
+
+std::vector<std::string> Access::web_hosts() const {
+  std::vector<std::string> all = web_file_ ? web_file_->hosts() : std::vector<std::string>{};
+  all.insert(all.end(), hosts().begin(), hosts().end());
+  return all;
+}
+
+std::shared_ptr<const keys::KeyFile> Access::key() const {
+  return key_ ? std::make_shared<const keys::KeyFile>(*key_) : nullptr;
 }
 
 const std::vector<std::string>& Access::hosts() const {
@@ -195,6 +230,7 @@ Result<void> Access::read_revocations() {
 
 void Access::look_at_revocations() {
   look_at_anchor(false);
+  look_at_web_certificate();
   if (!has_keys() || !revoked_.has_changed()) return;
   const Result<void> read = read_revocations();
   if (read) {

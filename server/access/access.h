@@ -19,6 +19,7 @@
 #include "server/access/revoked_file.h"
 #include "server/access/token_back_off.h"
 #include "server/access/touch_lease.h"
+#include "server/access/web_certificate_file.h"
 
 namespace telepalp::access {
 
@@ -31,6 +32,8 @@ class Access : public std::enable_shared_from_this<Access> {
     std::filesystem::path key;                      ///< key file that `telepalp-keys server` made
     std::filesystem::path revoked;                  ///< empty: revoked.crl beside the key, if it exists
     std::filesystem::path audit;                    ///< empty: audit.log beside the key
+    std::filesystem::path web_certificate{};        ///< chain that browsers see; empty: the key's own certificate
+    std::filesystem::path web_key{};                ///< private key of `web_certificate`
     std::function<void(const std::string&)> say{};  ///< log lines for the technician
   };
 
@@ -45,6 +48,10 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] const wire::TlsSettings& web_tls() const noexcept { return web_tls_; }
   /// Names and addresses under which clients reach this server, from its key.
   [[nodiscard]] const std::vector<std::string>& hosts() const;
+  /// As hosts(), for browsers: first those of the web certificate, which may begin with "*.".
+  [[nodiscard]] std::vector<std::string> web_hosts() const;
+  /// The server's key; null without keys.
+  [[nodiscard]] std::shared_ptr<const keys::KeyFile> key() const;
 
   /// What a peer (not a browser) shows to prove who uses it.
   struct Shown {
@@ -129,6 +136,8 @@ class Access : public std::enable_shared_from_this<Access> {
  private:
   Access() = default;
   [[nodiscard]] Result<void> open_key(const Options& options);
+  [[nodiscard]] Result<void> open_web(const Options& options);
+  void look_at_web_certificate();
   [[nodiscard]] Result<void> read_revocations();
   [[nodiscard]] Error own_key_is_revoked() const;
   [[nodiscard]] Result<void> open_audit(const std::filesystem::path& log);
@@ -139,6 +148,7 @@ class Access : public std::enable_shared_from_this<Access> {
   std::optional<keys::KeyFile> key_;
   wire::TlsSettings tls_;
   wire::TlsSettings web_tls_;
+  std::optional<WebCertificateFile> web_file_;
   RevokedFile revoked_;
   std::string unread_said_;  ///< the last error of the revocation list; the same error is not logged again
   std::optional<KeptFacts> kept_;

@@ -37,7 +37,7 @@ std::string host_for_visitors(const std::vector<std::string>& hosts) {
   const auto is_own = [](const std::string& host) {
     boost::system::error_code is_name;
     const auto address = asio::ip::make_address(host, is_name);
-    return host == "localhost" || (!is_name && address.is_loopback());
+    return host == "localhost" || host.starts_with('*') || (!is_name && address.is_loopback());
   };
   const auto found = std::ranges::find_if_not(hosts, is_own);
   return found != hosts.end() ? *found : hosts.empty() ? "localhost" : hosts.front();
@@ -61,7 +61,7 @@ Result<std::unique_ptr<Gateway>> Gateway::open(asio::io_context& io, hub::Hub& h
   }
   auto acceptor = listen(io, options);
   if (!acceptor) return acceptor.error();
-  for (const std::string& host : options.access->hosts()) options.policy.allowed_hosts.push_back(host);
+  for (const std::string& host : options.access->web_hosts()) options.policy.allowed_hosts.push_back(host);
   options.policy.scheme = options.access->has_keys() ? "https" : "http";
   options.offer.resources.insert(options.resources.begin(), options.resources.end());
   const std::string session_id = std::to_string(to_nanoseconds(now()));
@@ -97,7 +97,7 @@ Gateway::~Gateway() {
 std::string Gateway::url() const {
   const access::Access& access = *context_->options.access;
   std::string host = context_->options.address;
-  if (asio::ip::make_address(host).is_unspecified()) host = host_for_visitors(access.hosts());
+  if (asio::ip::make_address(host).is_unspecified()) host = host_for_visitors(access.web_hosts());
   return (access.has_keys() ? "https://" : "http://") + program::to_text({host, port_}) + "/";
 }
 

@@ -17,6 +17,12 @@ std::string_view without_port(std::string_view host) {
   return host.substr(0, host.find(':'));
 }
 
+/// "*.hospital.example" of a web certificate stands for one more label before ".hospital.example" (RFC 6125, 6.4.3).
+bool matches_wildcard(const std::vector<std::string>& names, std::string_view name) {
+  const std::size_t dot = name.find('.');
+  return dot != 0 && dot != std::string_view::npos && contains(names, "*" + std::string(name.substr(dot)));
+}
+
 bool is_address(std::string_view host) {
   boost::system::error_code failed;
   boost::asio::ip::make_address(std::string(host), failed);
@@ -28,7 +34,7 @@ bool is_address(std::string_view host) {
 bool host_is_ours(const RequestPolicy& policy, std::string_view host) {
   const std::string_view name = without_port(host);
   return name == "localhost" || is_address(name) || contains(policy.allowed_hosts, name) ||
-         contains(policy.allowed_hosts, host);
+         contains(policy.allowed_hosts, host) || matches_wildcard(policy.allowed_hosts, name);
 }
 
 bool origin_is_allowed(const RequestPolicy& policy, std::string_view origin, std::string_view host,

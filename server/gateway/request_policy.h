@@ -10,7 +10,7 @@ namespace telepalp::gateway {
 
 /// Access rules of the gateway, applied to a request's headers.
 struct RequestPolicy {
-  /// Host names of this server, as "host" or "host:port". IP addresses and "localhost" are always allowed.
+  /// Host names of this server, as "host", "host:port" or "*.domain". IP addresses and "localhost" are always allowed.
   std::vector<std::string> allowed_hosts;
   /// Scheme of the server's own pages: "https" with keys.
   std::string scheme = "http";

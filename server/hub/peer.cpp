@@ -148,11 +148,11 @@ void Peer::join(PlaceKind kind, const msg::Hello& peer) {
       name_, connection_->peer(), [this] { wake(); }, sender_);
   site_.note(name_ + " (" + (site_.access.has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
              connection_->peer());
-  const std::string by = connection_->identity() || !site_.access.has_keys() ? "" : "by=token";
-  stream_ = site_.access.enter(*who_, name_, connection_->peer(), by);
-  if (kind == PlaceKind::Recorder)
-    audit(access::AuditEvent::Records,
-          "consent=" + access::audit_text(peer.consent().empty() ? "not stated" : peer.consent()));
+  const std::string consent = "consent=" + access::audit_text(peer.consent().empty() ? "not stated" : peer.consent());
+  std::string more = kind == PlaceKind::Viewer ? consent : "";
+  if (!connection_->identity() && site_.access.has_keys()) more += (more.empty() ? "" : " ") + std::string("by=token");
+  stream_ = site_.access.enter(*who_, name_, connection_->peer(), more);
+  if (kind == PlaceKind::Recorder) audit(access::AuditEvent::Records, consent);
 }
 
 /// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random

@@ -42,8 +42,8 @@ Result<asio::ip::address> listening_address(const std::string& address, bool has
     return Error{.what = address + " is reachable from the network, and this server has no key to protect the patient",
                  .where = "--bind",
                  .fix =
-                     "telepalp-keys authority && telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER, then add "
-                     "--key keys/server.key"};
+                     "telepalp-keys authority --host HOST && telepalp-keys server --host HOST, with this server's name "
+                     "or address, then add --key keys/server.key"};
   return parsed;
 }
 

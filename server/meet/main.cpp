@@ -75,7 +75,9 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
   if (!arguments.has("key"))
     return Error{.what = "no key is given",
                  .where = "--key",
-                 .fix = "telepalp-keys authority && telepalp-keys server --host ITS-NAME, then --key keys/server.key"};
+                 .fix =
+                     "telepalp-keys authority --host ITS-NAME && telepalp-keys server --host ITS-NAME, then --key "
+                     "keys/server.key"};
   const Result<std::int64_t> port = arguments.whole("port", 0, 65535);
   if (!port) return port.error();
   const Result<double> seconds = arguments.number("seconds", 0.0, 1e7);
@@ -95,7 +97,7 @@ Result<void> read_keys(const program::Arguments& arguments, meet::Meet::Options&
   if (key->kind != keys::KeyFile::Kind::Server)
     return Error{
         .what = "this is not a server's key", .where = file.string(), .fix = "telepalp-keys server --host ITS-NAME"};
-  const std::filesystem::path beside = file.parent_path() / "revoked.crl";
+  const std::filesystem::path beside = key->path.parent_path() / "revoked.crl";
   access::RevokedFile revoked(arguments.has("revoked") ? std::filesystem::path(arguments.text("revoked")) : beside,
                               key->authority);
   if (arguments.has("revoked") || std::filesystem::exists(beside))

@@ -63,7 +63,7 @@ test('a doctor signs in by the form of a server with keys, after a mistyped toke
   try {
     const folder = join(workplace.folder, 'keys');
     const keys = (...words) => execFileSync(join(dirname(server), 'telepalp-keys'), [...words, '--dir', folder]);
-    keys('authority');
+    keys('authority', '--host', '127.0.0.1');
     keys('server', '--host', '127.0.0.1');
     keys('token', '--name', 'dora', '--role', 'doctor');
     const [, token] = /^token: (.*)$/m.exec(readFileSync(join(folder, 'dora.token'), 'utf8'));

@@ -34,7 +34,7 @@ images() { # FILE: prints how many depth images the recording has, and how many 
   telepalp-record info "$1" | awk '$1 == "/camera/depth" {print $3, $3 + $NF}'
 }
 
-for command in "authority" "server --host 127.0.0.1" "client --name anna --role doctor" "client --name tom --role technician"; do
+for command in "authority --host 127.0.0.1" "server --host 127.0.0.1" "client --name anna --role doctor" "client --name tom --role technician"; do
   # shellcheck disable=SC2086
   telepalp-keys $command >>"$work/keys.log" 2>&1 || fail "telepalp-keys $command" "$work/keys.log"
 done

@@ -279,7 +279,7 @@ test('at a server with keys, Foxglove\'s client comes over TLS from an allowed o
   try {
     const dir = join(workplace.folder, 'keys');
     const keys = (...words) => execFileSync(join(dirname(server), 'telepalp-keys'), [...words, '--dir', dir]);
-    keys('authority');
+    keys('authority', '--host', '127.0.0.1');
     keys('server', '--host', '127.0.0.1');
     keys('token', '--name', 'vera', '--role', 'viewer');
     const token = /^token: (.*)$/m.exec(readFileSync(join(dir, 'vera.token'), 'utf8'))[1];

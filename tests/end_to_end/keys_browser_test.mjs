@@ -19,7 +19,7 @@ const studio = 'https://studio.example';
 let server, station, web, origin;
 
 before(async () => {
-  keys('authority');
+  keys('authority', '--host', '127.0.0.1');
   keys('server', '--host', '127.0.0.1');
   keys('client', '--name', 'anna', '--role', 'doctor');
   for (const [name, role] of [['dora', 'doctor'], ['vera', 'viewer'], ['quinn', 'qa'], ['studio', 'viewer'], ['walt', 'viewer'], ['meter', 'qa'],

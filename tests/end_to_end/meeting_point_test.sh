@@ -58,6 +58,9 @@ done 3< <(blocks)
 # What the page promises.
 ip netns exec "$doctor" timeout 3 bash -c 'exec 3<>/dev/tcp/10.0.1.5/7400' 2>/dev/null && fail "the two networks reach each other: nothing is proved"
 grep -q "event=records who=doctor anna" "$work/patient/keys/audit.log" || fail "the site's audit does not name anna" "$work/patient/keys/audit.log"
+grep -q 'event=joined who=doctor anna program="telepalp-view".*consent="signed-form"' "$work/patient/keys/audit.log" || fail "the audit has no consent of telepalp-view" "$work/patient/keys/audit.log"
+unasked=$(cd "$work/doctor" && telepalp-view --connect ward3.meet.example@meet.example --key anna.key --snapshot no.png 2>&1)
+[ $? = 2 ] && grep -q 'consent to your watching is not stated' <<<"$unasked" || fail "telepalp-view watches without the patient's consent: $unasked"
 kill -KILL "${background[0]}" && wait "${background[0]}" 2>/dev/null
 wait_for "the server notices" "$work/patient.log" "no connection with the meeting point"
 : >"$work/patient.log"

@@ -26,7 +26,7 @@ before(async () => {
   await promisify(execFile)(join(bin, 'telepalp-record'), ['--connect', `127.0.0.1:${live.port}`, '--out', file, '--seconds', '5']);
   live.child.kill('SIGTERM');
   copyFileSync(file, join(recordings, 'earlier.mcap'));
-  keys('authority');
+  keys('authority', '--host', '127.0.0.1');
   keys('server', '--host', '127.0.0.1');
   keys('client', '--name', 'recorder', '--role', 'technician');
   for (const [name, role] of [['dora', 'doctor'], ['vera', 'viewer'], ['quinn', 'qa']]) keys('token', '--name', name, '--role', role);

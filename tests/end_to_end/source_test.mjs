@@ -80,7 +80,7 @@ test('another source is chosen: all see it, and what belongs to the old one goes
 test('only a technician may, and the audit log has it', async () => {
   const folder = join(place.folder, 'keys');
   const keys = (...words) => execFileSync(join(binDir, 'telepalp-keys'), [...words, '--dir', folder], {encoding: 'utf8'});
-  keys('authority');
+  keys('authority', '--host', '127.0.0.1');
   keys('server', '--host', '127.0.0.1');
   keys('client', '--name', 'recorder', '--role', 'technician');
   for (const [name, role] of [['dora', 'doctor'], ['tina', 'technician'], ['quinn', 'qa']]) keys('token', '--name', name, '--role', role);

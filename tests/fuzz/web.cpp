@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "proto/keys/audit_anchor.h"
-#include "proto/keys/openssl.h"
 #include "proto/keys/token.h"
+#include "proto/keys/x509/openssl.h"
 #include "proto/words/demand.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/request/request_headers.h"

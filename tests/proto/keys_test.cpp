@@ -11,10 +11,11 @@
 #include "proto/keys/authority.h"
 #include "proto/keys/key_file.h"
 #include "proto/keys/known_list.h"
-#include "proto/keys/openssl.h"
 #include "proto/keys/revocations.h"
 #include "proto/keys/tls_context.h"
 #include "proto/keys/token.h"
+#include "proto/keys/x509/openssl.h"
+#include "tests/proto/handshake.h"
 #include "tests/support/child_process.h"
 
 namespace telepalp::keys {
@@ -95,8 +96,8 @@ TEST(KeyFiles, PartsOfDifferentKeysDoNotMakeOne) {
   const Authority by = authority();
   const KeyFile a = *read_key(*by.client_key({.name = "a", .role = Role::Viewer, .now = kNow}), "a");
   const KeyFile b = *read_key(*by.client_key({.name = "b", .role = Role::Doctor, .now = kNow}), "b");
-  EXPECT_FALSE(read_key(b.certificate + a.private_key + a.authority, "mixed").ok());
-  EXPECT_FALSE(read_key(a.certificate + a.private_key + authority().certificate(), "other authority").ok());
+  EXPECT_FALSE(read_key(b.certificate + to_pem(*a.private_key) + a.authority, "mixed").ok());
+  EXPECT_FALSE(read_key(a.certificate + to_pem(*a.private_key) + authority().certificate(), "other authority").ok());
   EXPECT_FALSE(read_key(by.file_text(), "authority.key").ok());
   EXPECT_FALSE(read_key("", "empty").ok());
   EXPECT_FALSE(read_key(std::string(kMaxKeyFileBytes + 1, 'x'), "large").ok());
@@ -115,26 +116,7 @@ bool accepts_server_as(const std::string& host) {
   const KeyFile server_key =
       *read_key(*by.server_key({.name = "s", .now = kNow}, {"10.0.0.5", "patient.example"}), "server.key");
   const KeyFile client_key = *read_key(*by.client_key({.name = "a", .role = Role::Doctor, .now = kNow}), "a.key");
-  const Result<TlsContextPtr> servers = server_context(server_key, [](const Identity&) { return false; });
-  const Result<TlsContextPtr> clients = client_context(client_key);
-  SSL* const server = SSL_new(servers->get());
-  SSL* const client = SSL_new(clients->get());
-  BIO* to_server = nullptr;
-  BIO* to_client = nullptr;
-  EXPECT_EQ(BIO_new_bio_pair(&to_client, 0, &to_server, 0), 1);
-  SSL_set_bio(server, to_client, to_client);
-  SSL_set_bio(client, to_server, to_server);
-  SSL_set_accept_state(server);
-  SSL_set_connect_state(client);
-  expect_host(*client, host);
-  for (int round = 0; round < 10; ++round) {
-    (void)SSL_do_handshake(client);
-    (void)SSL_do_handshake(server);
-  }
-  const bool accepted = SSL_is_init_finished(client) == 1;
-  SSL_free(client);
-  SSL_free(server);
-  return accepted;
+  return shake_hands(server_key, client_key, host);
 }
 
 TEST(ServerNames, OnlyTheExpectedOneIsAcceptedAndOneThatCannotBeCheckedNever) {

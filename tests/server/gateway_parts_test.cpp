@@ -223,6 +223,15 @@ TEST(RequestPolicy, AServerWithKeysTakesItsPagesByHttpsAlone) {
   EXPECT_FALSE(gateway::origin_is_allowed(policy, "http://10.0.0.5:8765", "10.0.0.5:8765", false));
 }
 
+TEST(RequestPolicy, AWildcardOfAWebCertificateStandsForOneLabel) {
+  const gateway::RequestPolicy policy{.allowed_hosts = {"*.hospital.example"}, .allowed_origins = {}};
+  EXPECT_TRUE(gateway::host_is_ours(policy, "tele.hospital.example:8765"));
+  for (const char* other :
+       {"hospital.example", "a.tele.hospital.example", ".hospital.example", "tele.hospital.example.evil",
+        "telehospital.example", "*.hospital.example.evil", "example", ""})
+    EXPECT_FALSE(gateway::host_is_ours(policy, other)) << other;
+}
+
 TEST(RequestPolicy, AHostNameMustBeAllowedByName) {
   const gateway::RequestPolicy policy{.allowed_hosts = {"theatre-3.hospital"}, .allowed_origins = {}};
   EXPECT_TRUE(gateway::host_is_ours(policy, "theatre-3.hospital:8080"));

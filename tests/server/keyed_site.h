@@ -83,13 +83,15 @@ struct KeyedClient {
   wire::ClientLink link;
 
   KeyedClient(Site& site, std::shared_ptr<const keys::KeyFile> key, std::string role = "viewer",
-              std::vector<wire::Topic> publishes = {}, std::string host = "127.0.0.1", std::uint16_t port = 0)
+              std::vector<wire::Topic> publishes = {}, std::string host = "127.0.0.1", std::uint16_t port = 0,
+              std::string consent = {})
       : link(site.io,
              {.host = std::move(host),
               .port = port != 0 ? port : site.listener->port(),
               .name = "test",
               .role = std::move(role),
               .key = std::move(key),
+              .consent = std::move(consent),
               .subscribes = {"*"},
               .publishes = std::move(publishes)},
              {.on_message = [this](const wire::Message& message) { messages.push_back(message); },

@@ -4,6 +4,7 @@
 #include <pty.h>
 #include <signal.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
@@ -45,6 +46,14 @@ void Terminal::close() {
 void Terminal::type(std::string_view keys) const {
   demand(::write(keyboard_and_screen_, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()),
          "a terminal takes what is typed");
+}
+
+bool Terminal::await_hidden_typing(std::chrono::milliseconds patience) {
+  for (const auto end = Clock::now() + patience; Clock::now() < end; read_some()) {
+    termios settings{};
+    if (::tcgetattr(keyboard_and_screen_, &settings) == 0 && (settings.c_lflag & ECHO) == 0) return true;
+  }
+  return false;
 }
 
 void Terminal::read_some() {

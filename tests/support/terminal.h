@@ -25,6 +25,8 @@ class Terminal {
   void close();
   /// All that was shown so far, once it holds `text`; whether it does within `patience`.
   [[nodiscard]] bool await_text(std::string_view text, std::chrono::milliseconds patience);
+  /// Whether what is typed is no longer shown, as while a passphrase is typed, within `patience`.
+  [[nodiscard]] bool await_hidden_typing(std::chrono::milliseconds patience);
   /// The command's exit code, or 128 + signal; nullopt while it still runs after `patience`.
   [[nodiscard]] std::optional<int> wait(std::chrono::milliseconds patience);
   [[nodiscard]] const std::string& shown() const noexcept { return shown_; }

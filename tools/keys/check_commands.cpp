@@ -10,16 +10,12 @@
 
 namespace telepalp::keys_tool {
 
-Result<std::string> list(const Asked& asked) {
-  const Result<KeyFolder> folder = KeyFolder::open(asked.folder);
-  if (!folder) return folder.error();
-  return folder->list();
-}
+Result<std::string> list(const Asked& asked) { return KeyFolder::list(asked.folder); }
 
 Result<std::string> show(const Asked& asked) {
-  const Result<std::string> text = read_file(asked.file, keys::kMaxKeyFileBytes);
+  const Result<std::string> text = keys::read_key_text(asked.file);
   if (!text) return text.error();
-  const Result<keys::KeyFile> key = keys::read_key(*text, asked.file);
+  const Result<keys::KeyFile> key = keys::read_public_part(*text, asked.file);
   if (!key) return key.error();
   const bool expired = key->identity.expires <= asked.now;
   return keys::in_words(*key) +

@@ -14,9 +14,12 @@ namespace telepalp::keys_tool {
 /// for each issued key or token), revoked.crl (the revocation list, for the server), and the keys and tokens.
 class KeyFolder {
  public:
-  /// Creates the folder with a new authority. Error: the folder already has an authority.
-  [[nodiscard]] static Result<KeyFolder> create(const std::filesystem::path& folder, const std::string& name,
-                                                keys::WallTime now, std::chrono::days valid);
+  /// Error: the folder already has an authority.
+  [[nodiscard]] static Result<void> check_has_none(const std::filesystem::path& folder);
+  /// Creates the folder with a new authority. Error: as for check_has_none().
+  [[nodiscard]] static Result<KeyFolder> create(const std::filesystem::path& folder, keys::Authority authority,
+                                                keys::WallTime now);
+  /// Reads the authority's key, and asks for its passphrase if it has one.
   [[nodiscard]] static Result<KeyFolder> open(const std::filesystem::path& folder);
 
   [[nodiscard]] const keys::Authority& authority() const noexcept { return authority_; }
@@ -25,11 +28,19 @@ class KeyFolder {
   /// Writes a new key to `file` and notes it in issued.txt. Error: `file` exists and `replace` is false.
   [[nodiscard]] Result<void> keep(const std::string& key_text, const std::filesystem::path& file, bool replace) const;
 
-  /// Adds `serial` to revoked.crl, which gets the next number; returns the number of serials in revoked.crl.
+  /// Adds `serial`, and all other certificates of the same key pair, to revoked.crl, which gets the next number;
+  /// returns the number of serials in revoked.crl.
   [[nodiscard]] Result<std::size_t> revoke(const std::string& serial, keys::WallTime now) const;
 
-  /// The text of issued.txt, with "REVOKED" after each revoked entry.
-  [[nodiscard]] Result<std::string> list() const;
+  /// The text of issued.txt, with "REVOKED" after each revoked entry. Needs no private key.
+  [[nodiscard]] static Result<std::string> list(const std::filesystem::path& folder);
+
+  /// Error: a certificate of the key pair with this fingerprint was revoked, so whoever stole the private key could use
+  /// a new certificate. `file`: for the error.
+  [[nodiscard]] Result<void> check_not_revoked(const std::string& fingerprint, const std::string& file) const;
+
+  /// Writes `renewed`, the same authority with a new certificate, to authority.crt and authority.key.
+  [[nodiscard]] Result<void> replace_authority(const keys::Authority& renewed) const;
 
  private:
   KeyFolder(std::filesystem::path folder, keys::Authority authority)

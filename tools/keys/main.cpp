@@ -18,24 +18,30 @@ constexpr std::string_view kProgram = "telepalp-keys";
 
 program::Usage usage() {
   return {.program = kProgram,
-          .purpose = "makes, renews and revokes the keys of a server and its peers; checks an audit log",
+          .purpose = "makes, signs, renews and revokes keys; checks an audit log",
           .positional = {},
           .options = {{"dir", "DIR", "folder with the authority and the keys", "keys"},
                       {"name", "NAME", "name of the person, server or authority to make a key for"},
                       {"role", "ROLE", "technician, doctor, viewer or qa: what the key allows"},
                       {.name = "host",
                        .argument = "HOST",
-                       .help = "server: a name or address that clients connect to; may be repeated",
+                       .help = "server: a host that clients connect to; authority: a host or network for which it may "
+                               "sign; may be repeated",
                        .repeatable = true},
+                      {"passphrase", "", "protect the new private key with a passphrase"},
+                      {"key", "pkcs11:ADDRESS", "use the private key in a hardware token"},
                       {"anchors", "FILE",
                        "audit-verify: lines 'anchor …' of the server, kept elsewhere, after its certificate"},
                       {"days", "N", "days of validity; default: authority 3650, keys 365, tokens 30"}},
-          .example = "telepalp-keys authority && telepalp-keys server --host 10.0.0.5",
-          .commands = {{"authority", "", "make a folder with a new certificate authority"},
+          .example = "telepalp-keys authority --host 10.0.0.5 --passphrase",
+          .commands = {{"authority", "", "make a new certificate authority; needs --host"},
                        {"server", "", "make a key for telepalp-server --key; needs --host"},
                        {"client", "", "make a key for a person's programs; needs --name and --role"},
                        {"token", "",
                         "make a token with which a person signs in on the browser page; needs --name and --role"},
+                       {"request", "", "make your own key, and a request to send; needs --name"},
+                       {"sign", "FILE", "make a certificate of a request; needs --role or --host"},
+                       {"passphrase", "FILE", "protect the private key in FILE with a new passphrase"},
                        {"renew", "FILE", "replace the key or token in FILE by a new one, valid for --days from now"},
                        {"revoke", "FILE|SERIAL", "revoke a key or token"},
                        {"list", "", "print all keys and tokens that were issued"},
@@ -51,10 +57,13 @@ struct Row {
   Result<std::string> (*run)(const Asked&);
   Result<void> (*check)(const Asked&) = nullptr;  // of the command line; nullptr: no option is needed
 };
-constexpr std::array kCommands{Row{"authority", false, keys_tool::make_authority},
+constexpr std::array kCommands{Row{"authority", false, keys_tool::make_authority, keys_tool::check_hosts},
                                Row{"server", false, keys_tool::make_server_key, keys_tool::check_hosts},
                                Row{"client", false, keys_tool::make_client_key, keys_tool::check_person},
                                Row{"token", false, keys_tool::make_token, keys_tool::check_person},
+                               Row{"request", false, keys_tool::make_key_and_request, keys_tool::check_name_given},
+                               Row{"sign", true, keys_tool::sign, keys_tool::check_person_or_hosts},
+                               Row{"passphrase", true, keys_tool::set_passphrase},
                                Row{"renew", true, keys_tool::renew},
                                Row{"revoke", true, keys_tool::revoke},
                                Row{"list", false, keys_tool::list},
@@ -84,6 +93,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
               .role = arguments.text("role"),
               .hosts = arguments.all("host"),
               .anchors = arguments.text("anchors"),
+              .key = arguments.text("key"),
+              .passphrase = arguments.has("passphrase"),
               .valid = {},
               .now = std::chrono::system_clock::now()};
   if (!arguments.has("days")) return asked;

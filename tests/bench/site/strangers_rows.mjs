@@ -127,7 +127,7 @@ async function streams(server, web) {
   const cookie = await signedIn(server, web, 'cora');
   const address = await web.upgrade({authorization: `Bearer ${tokenOf('adam')}`});
   const view = place.start(join(programs, 'telepalp-view'), ['--connect', `127.0.0.1:${server.port}`, '--key', join(folder, 'theo.token'),
-    '--snapshot', join(place.folder, 'view.png')]);
+    '--consent', 'none: a test', '--snapshot', join(place.folder, 'view.png')]);
   await view.over;
   recorder.kill('SIGTERM');
   for (const {socket} of [cookie, address]) socket?.destroy();
@@ -163,7 +163,7 @@ async function revoked(server, web) {
 }
 
 try {
-  keys('authority');
+  keys('authority', '--host', '127.0.0.1');
   keys('server', '--host', '127.0.0.1');
   for (const name of ['tom', 'rita', 'ruth']) keys('client', '--name', name, '--role', 'technician');
   for (const name of ['cora', 'adam', 'theo', 'abel', 'olga']) keys('token', '--name', name, '--role', 'viewer');

@@ -41,7 +41,7 @@ Result<void> make_keys(const std::filesystem::path& programs, const std::filesys
   const std::string keys = (folder / "keys").string();
   const std::filesystem::path log = folder / "keys.log";
   for (const std::vector<std::string>& command :
-       std::vector<std::vector<std::string>>{{"authority", "--dir", keys},
+       std::vector<std::vector<std::string>>{{"authority", "--dir", keys, "--host", TwoNetworks::kPatient},
                                              {"server", "--dir", keys, "--host", TwoNetworks::kPatient},
                                              {"client", "--dir", keys, "--name", "doc", "--role", "doctor"},
                                              {"client", "--dir", keys, "--name", "rec", "--role", "technician"}})

@@ -39,6 +39,20 @@ TEST(AuditLog, APersonWhoJoinsWithoutEndFillsNoDiskAndEachStreamHasItsLine) {
   EXPECT_LT(24 * ring.audit().size(), 20u << 20) << "bytes a day";
 }
 
+TEST(AuditLog, TheLineOfAWatchersStreamHasTheConsentThatTheWatcherStated) {
+  KeyedSite site;
+  KeyedClient asked(site, site.ring.key("vera", Role::Viewer), "viewer", {}, "127.0.0.1", 0, "signed form 12");
+  KeyedClient silent(site, site.ring.key("walt", Role::Viewer));
+  ASSERT_TRUE(site.run_until([&] { return asked.connected() && silent.connected(); }));
+  const auto line_of = [&](const std::string& who) {
+    const std::string text = site.ring.audit();
+    const std::size_t at = text.find("event=joined who=" + who);
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_NE(line_of("viewer vera").find("consent=\"signed form 12\""), std::string::npos) << site.ring.audit();
+  EXPECT_NE(line_of("viewer walt").find("consent=\"not stated\""), std::string::npos) << site.ring.audit();
+}
+
 TEST(AuditLog, APersonWhoIsRefusedWithoutEndFillsNoDisk) {
   const KeyRing ring;
   const auto log = access::AuditLog::open(ring.folder.path() / "audit.log", no_words);

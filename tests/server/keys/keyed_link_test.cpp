@@ -158,7 +158,8 @@ TEST(KeyedLink, AKeyThatAnybodyMayReadIsRefused) {
 TEST(KeyedLink, OffThisMachineAServerNeedsAKey) {
   const auto without = hub::listening_address("0.0.0.0", false);
   ASSERT_FALSE(without.ok());
-  EXPECT_NE(without.error().fix.find("telepalp-keys authority && telepalp-keys server --host"), std::string::npos);
+  EXPECT_NE(without.error().fix.find("telepalp-keys authority --host HOST && telepalp-keys server --host"),
+            std::string::npos);
   EXPECT_TRUE(hub::listening_address("0.0.0.0", true).ok());
   EXPECT_TRUE(hub::listening_address("127.0.0.1", false).ok());
 }

@@ -4,12 +4,13 @@
 #include <openssl/evp.h>
 #include <openssl/x509.h>
 
+#include <chrono>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "proto/keys/identity.h"
 #include "proto/words/result.h"
 
 namespace telepalp::keys {
@@ -31,14 +32,18 @@ using BytesPtr = std::unique_ptr<BIO, Freed<BIO_free_all>>;
 [[nodiscard]] PrivateKeyPtr new_private_key();  ///< ECDSA on P-256: browsers take no Ed25519 certificates
 [[nodiscard]] std::string random_serial();      ///< 80 bits in hexadecimal, 78 of them random
 
+[[nodiscard]] std::string random_hexadecimal(std::size_t bytes);
+[[nodiscard]] std::string in_hexadecimal(std::span<const unsigned char> bytes);
+
 [[nodiscard]] BytesPtr reader_of(std::string_view text);
+[[nodiscard]] std::string text_in(BIO& bytes);  ///< what was written to a memory BIO
 [[nodiscard]] std::string to_pem(X509& certificate);
 [[nodiscard]] std::string to_pem(EVP_PKEY& key);
 [[nodiscard]] std::vector<CertificatePtr> certificates_in(std::string_view pem);  ///< at most 8
 [[nodiscard]] PrivateKeyPtr private_key_in(std::string_view pem);                 ///< null: `pem` has none
 
 [[nodiscard]] std::string serial_of(const ASN1_INTEGER& number);
-[[nodiscard]] WallTime time_of(const ASN1_TIME& time);
+[[nodiscard]] std::chrono::system_clock::time_point time_of(const ASN1_TIME& time);
 /// The error of a failed OpenSSL call: no memory, no entropy, or wrong arguments.
 [[nodiscard]] Error openssl_error(std::string where);
 

@@ -1,4 +1,4 @@
-#include "proto/keys/openssl.h"
+#include "proto/keys/x509/openssl.h"
 
 #include <openssl/bn.h>
 #include <openssl/ec.h>
@@ -6,12 +6,9 @@
 #include <openssl/pem.h>
 #include <openssl/rand.h>
 
-#include <array>
 #include <cstdio>
 #include <ctime>
-#include <span>
 
-#include "proto/keys/token.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::keys {
@@ -19,20 +16,17 @@ namespace {
 
 constexpr std::size_t kMostCertificates = 8;
 constexpr std::size_t kSerialBytes = 10;
-constexpr std::size_t kSecretBytes = 32;
 
-std::string text_of(BIO& bytes) {
-  char* data = nullptr;
-  const long size = BIO_get_mem_data(&bytes, &data);
-  return {data, static_cast<std::size_t>(size)};
-}
-
-template <std::size_t kBytes>
-std::array<unsigned char, kBytes> random_bytes() {
-  std::array<unsigned char, kBytes> bytes{};
+std::vector<unsigned char> random_bytes(std::size_t count) {
+  std::vector<unsigned char> bytes(count);
   demand(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "OpenSSL generates random bytes");
   return bytes;
 }
+
+/// Without it, OpenSSL would stop at a terminal and ask. Passphrases are asked for elsewhere (passphrase.h).
+int no_password(char*, int, int, void*) { return -1; }
+
+}  // namespace
 
 std::string in_hexadecimal(std::span<const unsigned char> bytes) {
   std::string text;
@@ -44,36 +38,40 @@ std::string in_hexadecimal(std::span<const unsigned char> bytes) {
   return text;
 }
 
-/// No key of ours has a password: the program must not stop at a terminal and ask for one.
-int no_password(char*, int, int, void*) { return -1; }
-
-}  // namespace
-
 PrivateKeyPtr new_private_key() { return PrivateKeyPtr(EVP_EC_gen("P-256")); }
 
 std::string random_serial() {
-  std::array<unsigned char, kSerialBytes> bytes = random_bytes<kSerialBytes>();
+  std::vector<unsigned char> bytes = random_bytes(kSerialBytes);
   bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7f) | 0x40);  // positive, and of a fixed length
   return in_hexadecimal(bytes);
 }
 
-std::string random_secret() { return in_hexadecimal(random_bytes<kSecretBytes>()); }
+std::string random_hexadecimal(std::size_t bytes) {
+  const std::vector<unsigned char> made = random_bytes(bytes);
+  return in_hexadecimal(made);
+}
 
 BytesPtr reader_of(std::string_view text) {
   return BytesPtr(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
 }
 
+std::string text_in(BIO& bytes) {
+  char* data = nullptr;
+  const long size = BIO_get_mem_data(&bytes, &data);
+  return {data, static_cast<std::size_t>(size)};
+}
+
 std::string to_pem(X509& certificate) {
   const BytesPtr bytes(BIO_new(BIO_s_mem()));
   demand(PEM_write_bio_X509(bytes.get(), &certificate) == 1, "OpenSSL writes a certificate as PEM text");
-  return text_of(*bytes);
+  return text_in(*bytes);
 }
 
 std::string to_pem(EVP_PKEY& key) {
   const BytesPtr bytes(BIO_new(BIO_s_mem()));
   demand(PEM_write_bio_PrivateKey(bytes.get(), &key, nullptr, nullptr, 0, nullptr, nullptr) == 1,
          "OpenSSL writes a private key as PEM text");
-  return text_of(*bytes);
+  return text_in(*bytes);
 }
 
 std::vector<CertificatePtr> certificates_in(std::string_view pem) {
@@ -105,9 +103,9 @@ std::string serial_of(const ASN1_INTEGER& number) {
   return text;
 }
 
-WallTime time_of(const ASN1_TIME& time) {
+std::chrono::system_clock::time_point time_of(const ASN1_TIME& time) {
   std::tm parts{};
-  if (ASN1_TIME_to_tm(&time, &parts) != 1) return WallTime{};
+  if (ASN1_TIME_to_tm(&time, &parts) != 1) return {};
   return std::chrono::system_clock::from_time_t(timegm(&parts));
 }
 
