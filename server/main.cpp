@@ -75,6 +75,7 @@ program::Usage usage() {
                        "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
                       {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
+                      {"video-rate", "KBIT_PER_S", "rate of colour as video, for those who ask for it", "800"},
                       {"name", "NAME", "server name that clients show", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
 }
@@ -208,7 +209,9 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<std::int64_t> port = arguments.whole("port", 0, 65535);
   if (!port) return port.error();
   const Result<std::int64_t> quality = arguments.whole("jpeg-quality", 1, 100);
+  const Result<std::int64_t> video_rate = arguments.whole("video-rate", 50, 50'000);
   if (!quality) return quality.error();
+  if (!video_rate) return video_rate.error();
   const Result<codec::DepthStreamSettings> depth =
       pipeline::read_depth_settings(arguments, {.mode = "depth-mode", .bound = "depth-bound"});
   if (!depth) return depth.error();
@@ -236,7 +239,9 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .port = static_cast<std::uint16_t>(*port),
                           .software = program::software(kProgram),
                           .log = log_line},
-               .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
+               .encode = {.depth = *depth,
+                          .jpeg_quality = static_cast<int>(*quality),
+                          .video_kbit_per_s = static_cast<int>(*video_rate)},
                .gateway = *gateway,
                .health = *health,
                .meet = *meet,
