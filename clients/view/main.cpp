@@ -9,6 +9,7 @@
 #include "clients/view/live_figures.h"
 #include "clients/view/newest_instant.h"
 #include "proto/keys/key_file.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/client/client_link.h"
 #include "support/images/image_file.h"
 #include "support/program/address.h"
@@ -33,6 +34,7 @@ program::Usage usage() {
           .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
                       {"key", "FILE", "your key or token file, for a server on another machine"},
                       {"snapshot", "FILE.png", "save a picture of the patient and the doctor's hand"},
+                      {"color", "jpeg|vp8", "take colour as pictures, or as video", "jpeg"},
                       {"stats", "", "print rates, bytes, ages and losses by topic"},
                       {"json", "", "with --stats: print JSON"},
                       {"seconds", "S", "with --stats: how long to listen", "5"},
@@ -44,6 +46,7 @@ struct Asked {
   program::Address server;
   std::shared_ptr<const keys::KeyFile> key;
   std::filesystem::path snapshot;
+  wire::ColorCoding color = wire::ColorCoding::Pictures;
   bool stats = false;
   bool json = false;
   std::chrono::duration<double> seconds{5.0};
@@ -61,9 +64,12 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
     return Error{.what = "neither --snapshot nor --stats is given, or both are",
                  .where = kProgram,
                  .fix = "give --snapshot FILE.png for a picture, or --stats for figures"};
+  const Result<wire::ColorCoding> color = wire::color_coding(arguments.text("color"), "--color");
+  if (!color) return color.error();
   return Asked{.server = *server,
                .key = {},
                .snapshot = arguments.text("snapshot"),
+               .color = *color,
                .stats = arguments.has("stats"),
                .json = arguments.has("json"),
                .seconds = std::chrono::duration<double>(*seconds),
@@ -81,8 +87,9 @@ class View {
                .site = asked.server.site,
                .name = kProgram,
                .key = asked.key,
-               .subscribes = asked.stats ? std::vector<std::string>{"*"}
-                                         : std::vector<std::string>{"/camera/*", "/station/state"}},
+               .subscribes = wire::subscription_for(
+                   asked.color, asked.stats ? std::vector<std::string>{"*"}
+                                            : std::vector<std::string>{"/camera/*", "/station/state"})},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state = [this](wire::LinkState state, const std::string&) { on_state(state); }}) {}
 
