@@ -21,6 +21,7 @@
 #include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"
+#include "tests/bench/thin/thin_bench.h"
 #include "tests/bench/users/users_bench.h"
 
 namespace {
@@ -45,6 +46,7 @@ constexpr std::array kBenches{
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
     bench::Bench{"surface", "touch of a noisy, moving surface: time, error and steadiness", bench::run_surface},
+    bench::Bench{"thin", "colour as video beside pictures: bytes at equal quality, time", bench::run_thin},
     bench::Bench{"users", "programs and page, driven as a user drives them, under faults", bench::run_users},
 };
 
@@ -56,7 +58,7 @@ program::Usage usage() {
       .options = {{"json", "", "print JSON instead of a table"},
                   {"list", "", "print the benchmarks' names and exit"},
                   {"input", "FILE|DIR",
-                   "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
+                   "depth: images or a recording; link, pipeline, thin: a source, as for telepalp-server --source"},
                   {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
                   {"part", "NAME", "accuracy, mixed, site, users: only this part"},
                   {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
