@@ -71,11 +71,10 @@ program::Usage usage() {
                       {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
                       {"depth-mode", "MODE",
                        "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
-                      {"depth-bound", "LEAST,PER_M2",
-                       "mode bounded: largest error at a depth of z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
+                      {"depth-bound", "LEAST,PER_M2", "error at z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
                       {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
-                      {"video-rate", "KBIT_PER_S", "rate of colour as video, for those who ask for it", "800"},
+                      {"video-rate", "KBIT/S", "rate of colour as video", "800"},
                       {"name", "NAME", "server name that clients show", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
 }

@@ -51,25 +51,23 @@ constexpr std::array kBenches{
 };
 
 program::Usage usage() {
-  program::Usage usage{
-      .program = "telepalp-bench",
-      .purpose = "measures one part of telepalp and compares it with its budget",
-      .positional = {},
-      .options = {{"json", "", "print JSON instead of a table"},
-                  {"list", "", "print the benchmarks' names and exit"},
-                  {"input", "FILE|DIR",
-                   "depth: images or a recording; link, pipeline, thin: a source, as for telepalp-server --source"},
-                  {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
-                  {"part", "NAME", "accuracy, mixed, site, users: only this part"},
-                  {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
-                  {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
-                  {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
-                  {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
-                  {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
-                  {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
-      .example = "telepalp-bench pipeline --json",
-      .commands = {},
-      .needs_command = true};
+  program::Usage usage{.program = "telepalp-bench",
+                       .purpose = "measures one part of telepalp and compares it with its budget",
+                       .positional = {},
+                       .options = {{"json", "", "print JSON instead of a table"},
+                                   {"list", "", "print the benchmarks' names and exit"},
+                                   {"input", "FILE|DIR", "depth: images; link, pipeline, thin: a server's --source"},
+                                   {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
+                                   {"part", "NAME", "accuracy, mixed, site, users: only this part"},
+                                   {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
+                                   {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+                                   {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
+                                   {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
+                                   {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
+                                   {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
+                       .example = "telepalp-bench pipeline --json",
+                       .commands = {},
+                       .needs_command = true};
   for (const bench::Bench& bench : kBenches) usage.commands.push_back({bench.name, "", bench.purpose});
   return usage;
 }
