@@ -75,9 +75,10 @@ program::Usage usage() {
                       {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
                       {"depth-mode", "MODE",
                        "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
-                      {"depth-bound", "LEAST,PER_M2", "bounded: errors to max(LEAST, PER_M2 z²) mm; 1,2.85"},
+                      {"depth-bound", "LEAST,PER_M2", "error at z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
                       {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
+                      {"video-rate", "KBIT/S", "rate of colour as video", "800"},
                       {"name", "NAME", "server name that clients show", kProgram}},
           .example = "telepalp-server --source synthetic --seconds 60"};
 }
@@ -220,7 +221,9 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   const Result<std::int64_t> port = arguments.whole("port", 0, 65535);
   if (!port) return port.error();
   const Result<std::int64_t> quality = arguments.whole("jpeg-quality", 1, 100);
+  const Result<std::int64_t> video_rate = arguments.whole("video-rate", 50, 50'000);
   if (!quality) return quality.error();
+  if (!video_rate) return video_rate.error();
   const Result<codec::DepthStreamSettings> depth =
       pipeline::read_depth_settings(arguments, {.mode = "depth-mode", .bound = "depth-bound"});
   if (!depth) return depth.error();
@@ -248,7 +251,9 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .port = static_cast<std::uint16_t>(*port),
                           .software = program::software(kProgram),
                           .log = log_line},
-               .encode = {.depth = *depth, .jpeg_quality = static_cast<int>(*quality)},
+               .encode = {.depth = *depth,
+                          .jpeg_quality = static_cast<int>(*quality),
+                          .video_kbit_per_s = static_cast<int>(*video_rate)},
                .relay = *relay,
                .gateway = *gateway,
                .health = *health,

@@ -10,6 +10,7 @@
 
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
+#include "proto/wire/camera/color_message.h"
 #include "server/hub/server_stats.h"
 
 namespace telepalp::server {
@@ -59,8 +60,8 @@ Server::Server(boost::asio::io_context& io, Options options)
       second_(io),
       content_timer_(io) {
   if (options_.clock_upstream) hub_.keep_numbers();
-  hub_.on_key_frame_request([this](std::string_view) {
-    if (origin_) origin_->show_again();
+  hub_.on_key_frame_request([this](std::string_view topic) {
+    if (origin_) origin_->show_again(topic);
   });
 }
 
@@ -109,8 +110,12 @@ void Server::stop(const std::string& reason) {
 void Server::publish(wire::Message message) {
   if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
-  if (message.topic.name == wire::kCameraDepth.name) last_depth_ = std::chrono::steady_clock::now();
-  if (message.topic.name == wire::kCameraDepth.name || message.topic.name == wire::kCameraColor.name)
+  if (message.topic.name == wire::kCameraDepth.name) {
+    last_depth_ = std::chrono::steady_clock::now();
+    origin_->want_color(
+        {.pictures = hub_.is_wanted(wire::kCameraColor.name), .video = hub_.is_wanted(wire::kCameraColorVideo.name)});
+  }
+  if (message.topic.name == wire::kCameraDepth.name || wire::carries_color(message.topic))
     image_B_ += static_cast<double>(message.payload->size());
   hub_.publish(std::move(message));
 }
@@ -137,7 +142,7 @@ void Server::publish_every_second() {
 
 /// Repeats a picture that stands still for a subscriber that came after its publication.
 void Server::show_newcomers_the_picture() {
-  if (origin_->is_still() && hub_.is_missed(wire::kCameraDepth.name)) origin_->show_again();
+  if (origin_->is_still() && hub_.is_missed(wire::kCameraDepth.name)) origin_->show_again(wire::kCameraDepth.name);
 }
 
 void Server::publish_clock_and_stats() {

@@ -23,6 +23,7 @@ program::Usage usage() {
                       {"key", "FILE", "your key file, for a server on another machine"},
                       {"out", "FILE.mcap", "new session file; FILE.mcap.partial until complete"},
                       {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
+                      {"color", "jpeg|vp8", "colour as pictures, or as video, over a thin line", "jpeg"},
                       {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
                       {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
                       {"keep-last", "TIME", "delete files of this recording older than TIME: 5min"},
@@ -82,11 +83,14 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
   if (!patience) return patience.error();
   const Result<record::Splitting> splitting = splitting_of(arguments);
   if (!splitting) return splitting.error();
+  const Result<wire::ColorCoding> color = wire::color_coding(arguments.text("color"), "--color");
+  if (!color) return color.error();
   const std::vector<std::string> attached = arguments.all("attach");
   return record::RecordingOptions{.server = *server,
                                   .key = {},
                                   .file = arguments.text("out"),
                                   .topics = record::TopicFilter(arguments.text("topics")),
+                                  .color = *color,
                                   .splitting = *splitting,
                                   .consent = arguments.text("consent"),
                                   .scene = arguments.text("scene"),

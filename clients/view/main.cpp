@@ -9,6 +9,7 @@
 #include "clients/view/live_figures.h"
 #include "clients/view/newest_instant.h"
 #include "proto/keys/key_file.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/client/client_link.h"
 #include "support/images/image_file.h"
 #include "support/program/address.h"
@@ -35,6 +36,7 @@ program::Usage usage() {
                       {"key", "FILE", "your key or token file, for a server on another machine"},
                       program::consent_option(),
                       {"snapshot", "FILE.png", "save a picture of the patient and the doctor's hand"},
+                      {"color", "jpeg|vp8", "take colour as pictures, or as video", "jpeg"},
                       {"stats", "", "print rates, bytes, ages and losses by topic"},
                       {"json", "", "with --stats: print JSON"},
                       {"seconds", "S", "with --stats: how long to listen", "5"},
@@ -47,6 +49,7 @@ struct Asked {
   std::shared_ptr<const keys::KeyFile> key;
   std::string consent;
   std::filesystem::path snapshot;
+  wire::ColorCoding color = wire::ColorCoding::Pictures;
   bool stats = false;
   bool json = false;
   std::chrono::duration<double> seconds{5.0};
@@ -65,10 +68,13 @@ Result<Asked> asked_of(const program::Arguments& arguments) {
                  .where = kProgram,
                  .fix = "give --snapshot FILE.png for a picture, or --stats for figures"};
   if (const Result<void> stated = program::check_consent(arguments, "your watching"); !stated) return stated.error();
+  const Result<wire::ColorCoding> color = wire::color_coding(arguments.text("color"), "--color");
+  if (!color) return color.error();
   return Asked{.server = *server,
                .key = {},
                .consent = arguments.text("consent"),
                .snapshot = arguments.text("snapshot"),
+               .color = *color,
                .stats = arguments.has("stats"),
                .json = arguments.has("json"),
                .seconds = std::chrono::duration<double>(*seconds),
@@ -87,8 +93,9 @@ class View {
                .name = kProgram,
                .key = asked.key,
                .consent = asked.consent,
-               .subscribes = asked.stats ? std::vector<std::string>{"*"}
-                                         : std::vector<std::string>{"/camera/*", "/station/state"}},
+               .subscribes = wire::subscription_for(
+                   asked.color, asked.stats ? std::vector<std::string>{"*"}
+                                            : std::vector<std::string>{"/camera/*", "/station/state"})},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state = [this](wire::LinkState state, const std::string&) { on_state(state); }}) {}
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <utility>
 
-#include "codec/color.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::view {
@@ -34,17 +34,19 @@ NewestInstant::Taken NewestInstant::take(const wire::Message& message) {
   };
   const std::string_view topic = message.topic.name;
   if (topic == wire::kCameraDepth.name) return read(&NewestInstant::take_depth);
-  if (topic == wire::kCameraColor.name) return read(&NewestInstant::take_color);
+  if (wire::carries_color(message.topic)) return take_color(message);
   if (topic == wire::kCameraInfo.name) return read(&NewestInstant::take_camera);
   if (topic == wire::kCameraColorInfo.name) return read(&NewestInstant::take_color_camera);
   if (topic == wire::kStationState.name) return read(&NewestInstant::take_state);
   return Taken::NotNeeded;
 }
 
-NewestInstant::Taken NewestInstant::take_color(const foxglove::CompressedImage& color) {
-  Result<ColorImage> image = codec::decode_color(bytes_of(color.data()));
-  if (!image) return Taken::Unreadable;
-  keep_newest(colors_, Color{wire::stamp_ns(color.timestamp()), std::move(image).value()}, kMostColors);
+NewestInstant::Taken NewestInstant::take_color(const wire::Message& message) {
+  const std::optional<wire::CompressedColor> color = wire::compressed_color(message);
+  if (!color) return Taken::Unreadable;
+  Result<ColorImage> image = color_reader_.read(color->format, bytes_of(color->data), color->number);
+  if (!image) return message.topic.predicted ? Taken::NeedsKeyFrame : Taken::Unreadable;
+  keep_newest(colors_, Color{color->captured_ns, std::move(image).value()}, kMostColors);
   return Taken::Yes;
 }
 

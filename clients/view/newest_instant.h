@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "clients/ar/messages/from_messages.h"
+#include "codec/color_reader.h"
 #include "codec/depth_stream.h"
 #include "foxglove/CameraCalibration.pb.h"
-#include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
 #include "proto/wire/message.h"
 
@@ -17,8 +17,9 @@ namespace telepalp::view {
 /// within 20 ms of it. It uses no input, output, clock or thread. Owner: one thread.
 class NewestInstant {
  public:
-  /// How a message was used. NeedsKeyFrame: depth cannot be decoded before the next key frame. Unreadable: the message
-  /// is not of its topic's type, such as one that was cut short, or its colour image is damaged.
+  /// How a message was used. NeedsKeyFrame: the message's topic cannot be decoded before its next key frame.
+  /// Unreadable: the message is not of its topic's type, such as one that was cut short, or its colour image is
+  /// damaged.
   enum class Taken { Yes, NotNeeded, NeedsKeyFrame, Unreadable };
   Taken take(const wire::Message& message);
 
@@ -29,7 +30,7 @@ class NewestInstant {
 
  private:
   Taken take_depth(const msg::DepthImage& image);
-  Taken take_color(const foxglove::CompressedImage& color);
+  Taken take_color(const wire::Message& message);
   Taken take_camera(const foxglove::CameraCalibration& info);
   Taken take_color_camera(const foxglove::CameraCalibration& info);
   Taken take_state(const msg::StationState& state);
@@ -41,6 +42,7 @@ class NewestInstant {
     ColorImage image;
   };
   codec::DepthReader reader_;
+  codec::ColorReader color_reader_;
   RgbdFrame frame_;  ///< only its depth is used; `captured` is 0 before the first image
   std::int64_t captured_ns_ = 0;
   std::optional<Intrinsics> depth_camera_;

@@ -52,6 +52,7 @@ struct Topic {
   std::optional<std::uint8_t> datagram_channel = std::nullopt;
   bool predicted = false;           ///< its messages may need the one before: Message::key_frame says which ones do not
   bool kept_while_away = false;     ///< a client without a connection keeps its messages for the next connection
+  bool only_by_name = false;        ///< a second coding of another topic's content: no prefix subscribes to it
   PublishingRate most_from_peer{};  ///< of a topic whose publisher is Station
 
   [[nodiscard]] constexpr bool latched() const noexcept { return validity != Validity::Instant; }
@@ -65,6 +66,13 @@ inline constexpr Topic kCameraColor{.name = "/camera/color",
                                     .lane = Lane::First,
                                     .backlog = Backlog::Newest,
                                     .datagram_channel = 1};
+inline constexpr Topic kCameraColorVideo{.name = "/camera/color/video",
+                                         .schema = "foxglove.CompressedVideo",
+                                         .lane = Lane::First,
+                                         .backlog = Backlog::Newest,
+                                         .datagram_channel = 4,
+                                         .predicted = true,
+                                         .only_by_name = true};
 inline constexpr Topic kCameraDepth{.name = "/camera/depth",
                                     .schema = "telepalp.msg.DepthImage",
                                     .lane = Lane::First,
@@ -133,9 +141,9 @@ inline constexpr Topic kHandHolder{.name = "/viewer/hand_holder",
                                    .validity = Validity::UntilChanged};
 
 inline constexpr std::array kTopics{
-    kCameraColor,  kCameraDepth,  kCameraInfo,      kCameraStatus,      kClock,        kServerStats,
-    kStationState, kStationTicks, kStationSurface,  kStationEvents,     kStationStats, kStationCompensation,
-    kViewerHand,   kHandHolder,   kCameraColorInfo, kStationUltrasound, kStationInside};
+    kCameraColor,  kCameraDepth,  kCameraInfo,      kCameraStatus,      kClock,         kServerStats,
+    kStationState, kStationTicks, kStationSurface,  kStationEvents,     kStationStats,  kStationCompensation,
+    kViewerHand,   kHandHolder,   kCameraColorInfo, kStationUltrasound, kStationInside, kCameraColorVideo};
 
 /// The topic of this name; nullopt if telepalp has no such topic.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

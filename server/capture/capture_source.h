@@ -22,7 +22,7 @@ struct CompressedFrame {
   std::string depth;         ///< a packet of the depth codec
   std::string depth_format;  ///< name of its codec mode
   std::string color;         ///< empty: no colour was recorded with this frame
-  std::string color_format;  ///< "jpeg"
+  std::string color_format;  ///< "jpeg", or "vp8"
 };
 
 /// A source of RGB-D frames: a camera, a recording or a simulation. Owner: the capture thread.

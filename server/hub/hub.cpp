@@ -7,8 +7,14 @@
 namespace telepalp::hub {
 namespace {
 
+bool is_only_by_name(std::string_view name) noexcept {
+  const std::optional<wire::Topic> topic = wire::find_topic(name);
+  return topic && topic->only_by_name;
+}
+
 bool matches(std::string_view wanted, std::string_view topic) noexcept {
-  if (!wanted.empty() && wanted.back() == '*') return topic.starts_with(wanted.substr(0, wanted.size() - 1));
+  if (!wanted.empty() && wanted.back() == '*')
+    return topic.starts_with(wanted.substr(0, wanted.size() - 1)) && !is_only_by_name(topic);
   return wanted == topic;
 }
 

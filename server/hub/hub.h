@@ -36,7 +36,8 @@ class Hub {
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
   void leave(SubscriberId subscriber);
 
-  /// Replaces the subscriber's topics. A name ending in '*' is a prefix. Unknown names are kept, because their
+  /// Replaces the subscriber's topics. A name ending in '*' is a prefix, which covers all topics but those that are
+  /// only_by_name. Unknown names are kept, because their
   /// publisher may come later.
   void subscribe(SubscriberId subscriber, const std::vector<std::string>& topics);
 

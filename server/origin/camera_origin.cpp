@@ -86,8 +86,14 @@ class CameraOrigin final : public Origin {
   void stop() override {
     if (thread_) thread_->stop();
   }
-  void show_again() override {
-    if (thread_) thread_->request_key_frame();
+  void show_again(std::string_view topic) override {
+    if (!thread_) return;
+    const bool is_video = topic == wire::kCameraColorVideo.name;
+    if (is_video) return thread_->request_video_key_frame();
+    thread_->request_key_frame();
+  }
+  void want_color(pipeline::ColorWanted wanted) override {
+    if (thread_) thread_->want_color(wanted);
   }
   [[nodiscard]] bool is_still() const override { return false; }
   [[nodiscard]] bool withholds(const wire::Topic&, std::size_t) const override { return false; }

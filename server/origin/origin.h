@@ -11,6 +11,7 @@
 #include "proto/wire/message.h"
 #include "proto/words/result.h"
 #include "server/origin/resources.h"
+#include "server/pipeline/color_wanted.h"
 
 namespace telepalp::origin {
 
@@ -46,8 +47,8 @@ class Origin {
   /// Publishes nothing more; handlers that wait in the io_context may still be called.
   virtual void stop() = 0;
 
-  /// A subscriber cannot decode the predicted messages that come next: publishes those from which it can.
-  virtual void show_again() = 0;
+  /// A subscriber cannot decode the predicted messages of `topic` that come next: publishes those from which it can.
+  virtual void show_again(std::string_view topic) = 0;
   /// True while no new picture is due, such as in a pause. A newcomer then needs show_again().
   [[nodiscard]] virtual bool is_still() const = 0;
 
@@ -61,6 +62,8 @@ class Origin {
   /// Makes images smaller, so that their rate need not fall: link::ContentLevel::level(). An origin whose images are as
   /// they were recorded ignores it.
   virtual void shrink(std::size_t level) { (void)level; }
+  /// In which codings subscribers want colour images. An origin whose images are as they were recorded ignores it.
+  virtual void want_color(pipeline::ColorWanted wanted) { (void)wanted; }
 
   /// Number of depth images so far.
   [[nodiscard]] virtual std::uint64_t images() const = 0;

@@ -29,8 +29,8 @@ void Reading::open(Result<std::unique_ptr<Origin>> origin) {
   Offer offer = origin_->offer();
   offer_.playback = offer.playback;
   offer_.resources.merge(offer.resources);
-  hub_.on_key_frame_request([this](std::string_view) {
-    if (started_ && !stopped_) origin_->show_again();
+  hub_.on_key_frame_request([this](std::string_view topic) {
+    if (started_ && !stopped_) origin_->show_again(topic);
   });
   if (awaited_) look();
 }
@@ -52,7 +52,7 @@ void Reading::look() {
                            .on_end = [] {},
                            .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
   if (!origin_->is_still() || !hub_.is_missed(wire::kCameraDepth.name)) return;
-  origin_->show_again();
+  origin_->show_again(wire::kCameraDepth.name);
   timer_.expires_after(kLooksAgain);
   timer_.async_wait([this](const boost::system::error_code& cancelled) {
     if (!cancelled && !stopped_) look();

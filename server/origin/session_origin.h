@@ -32,7 +32,7 @@ class SessionOrigin final : public Origin {
 
   void start(Handlers handlers) override;
   void stop() override;
-  void show_again() override { parts_.player->show_again(); }
+  void show_again(std::string_view) override { parts_.player->show_again(); }
   [[nodiscard]] bool is_still() const override { return !parts_.player->state().playing(); }
   [[nodiscard]] bool withholds(const wire::Topic& topic, std::size_t stations) const override;
   [[nodiscard]] bool chooses_prediction() const override { return false; }  // its images are as they were recorded

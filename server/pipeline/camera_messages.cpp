@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "codec/color.h"
+#include "codec/video.h"
 #include "proto/wire/camera/camera_stamp.h"
 
 namespace telepalp::pipeline {
@@ -69,6 +70,15 @@ foxglove::CompressedImage color_message(const RgbdFrame& frame, const std::strin
   image.set_format(format);
   image.set_data(std::move(compressed));
   return image;
+}
+
+foxglove::CompressedVideo video_message(const RgbdFrame& frame, std::string encoded) {
+  foxglove::CompressedVideo video;
+  wire::set_stamp(*video.mutable_timestamp(), frame.captured);
+  video.set_frame_id(std::string(color_frame_id(frame)));
+  video.set_format(codec::kVideoFormat);
+  video.set_data(std::move(encoded));
+  return video;
 }
 
 foxglove::CameraCalibration calibration_message(const RgbdFrame& frame) {

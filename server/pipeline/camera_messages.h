@@ -3,6 +3,7 @@
 #include "codec/depth.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
+#include "foxglove/CompressedVideo.pb.h"
 #include "messages/camera.pb.h"
 #include "proto/words/rgbd_frame.h"
 #include "server/capture/capture_source.h"
@@ -19,6 +20,9 @@ namespace telepalp::pipeline {
 /// The colour message of `frame` with the image `compressed`, whose coding is `format`.
 [[nodiscard]] foxglove::CompressedImage color_message(const RgbdFrame& frame, const std::string& format,
                                                       std::string compressed);
+
+/// The colour message of `frame` as video: the codec made `encoded` of it.
+[[nodiscard]] foxglove::CompressedVideo video_message(const RgbdFrame& frame, std::string encoded);
 
 /// The depth camera's model: an undistorted pinhole.
 [[nodiscard]] foxglove::CameraCalibration calibration_message(const RgbdFrame& frame);

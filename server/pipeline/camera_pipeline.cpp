@@ -18,12 +18,16 @@ constexpr Nanoseconds kRepeat = 1s;
 constexpr int kSmallerColour = 60;
 constexpr int kSmallestColour = 25;
 
+/// `kbit_per_s` at levels 1 and 2: the same shares.
+int shrunk_rate(int kbit_per_s, std::size_t level) { return std::max(1, kbit_per_s * (level == 1 ? 60 : 35) / 100); }
+
 }  // namespace
 
 EncodeOptions shrunk(EncodeOptions asked, std::size_t level) noexcept {
   if (level == 0) return asked;
   if (asked.depth.mode == codec::DepthMode::Fast) asked.depth.mode = codec::DepthMode::Intra;
   asked.jpeg_quality = std::min(asked.jpeg_quality, level == 1 ? kSmallerColour : kSmallestColour);
+  asked.video_kbit_per_s = shrunk_rate(asked.video_kbit_per_s, level);
   if (level == 1) return asked;
   asked.depth.bound.least_m *= 2.0;
   asked.depth.bound.per_m *= 2.0;
@@ -39,6 +43,7 @@ CameraPipeline::CameraPipeline(capture::CaptureSource& source, std::string sourc
       clock_(clock),
       handlers_(std::move(handlers)),
       encoder_(options.depth),
+      video_(options.video_kbit_per_s),
       rate_since_(clock_.now()) {}
 
 bool CameraPipeline::step() {
@@ -59,9 +64,27 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
   shrink_when_asked();
   if (link::ContentLevel::leaves_out(level_, frames_)) return;
   publish_depth(frame);
+  publish_color(frame);
+}
+
+/// Each coding is made once, and only while a subscriber takes it.
+void CameraPipeline::publish_color(const RgbdFrame& frame) {
+  const ColorWanted wanted = handlers_.color_wanted ? handlers_.color_wanted() : ColorWanted{};
+  if (!wanted.video) video_.end();
   if (frame.color.rgb.empty()) return;
+  if (wanted.video) publish_video(frame);
+  if (!wanted.makes_pictures()) return;
   const foxglove::CompressedImage color = color_message(frame, options_.jpeg_quality);
   publish(wire::make_message(wire::kCameraColor, clock_.now(), color));
+}
+
+void CameraPipeline::publish_video(const RgbdFrame& frame) {
+  if (handlers_.take_video_key_frame_request && handlers_.take_video_key_frame_request()) video_.request_key_frame();
+  std::optional<codec::EncodedVideo> encoded = video_.encode(frame);
+  if (!encoded) return;
+  const bool is_key = encoded->key_frame;
+  const foxglove::CompressedVideo color = video_message(frame, std::move(encoded->bytes));
+  if (!publish(wire::make_message(wire::kCameraColorVideo, clock_.now(), color, is_key))) video_.lost_frame();
 }
 
 /// A new encoder begins with a key frame.
@@ -70,6 +93,7 @@ void CameraPipeline::shrink_when_asked() {
   if (std::exchange(level_, level) == level) return;
   options_ = shrunk(asked_, level);
   encoder_ = codec::DepthEncoder(options_.depth);
+  video_.set_rate(options_.video_kbit_per_s);
 }
 
 void CameraPipeline::publish_depth(const RgbdFrame& frame) {

@@ -11,16 +11,20 @@
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
+#include "server/pipeline/color_wanted.h"
+#include "server/pipeline/video_stage.h"
 
 namespace telepalp::pipeline {
 
 struct EncodeOptions {
   codec::DepthStreamSettings depth{.mode = codec::DepthMode::Fast, .key_every = 12};
   int jpeg_quality = 85;
+  int video_kbit_per_s = 800;  ///< target rate of colour as video
 };
 
 /// `asked`, made smaller for a line that other flows use (link::ContentLevel). Level 1: fast depth becomes intra, which
-/// is as exact, and colour loses quality. From level 2: colour loses more, and near-lossless depth has twice the bound.
+/// is as exact, and colour loses quality, as pictures and as video. From level 2: colour loses more, and near-lossless
+/// depth has twice the bound.
 [[nodiscard]] EncodeOptions shrunk(EncodeOptions asked, std::size_t level) noexcept;
 
 /// Turns the frames of a capture source into the messages of /camera/…. Depth is published before colour, because touch
@@ -34,6 +38,9 @@ class CameraPipeline {
     /// true.
     std::function<bool()> may_predict{};
     std::function<std::size_t()> content_level{};  ///< for shrunk(); empty: always 0
+    /// As take_key_frame_request, of colour as video.
+    std::function<bool()> take_video_key_frame_request{};
+    std::function<ColorWanted()> color_wanted{};  ///< empty: pictures alone
   };
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                  wire::SessionClock clock, Handlers handlers);
@@ -50,6 +57,8 @@ class CameraPipeline {
   void publish_status_when_due();
   void measure_rate(SessionTime now);
   void publish_depth(const RgbdFrame& frame);
+  void publish_color(const RgbdFrame& frame);
+  void publish_video(const RgbdFrame& frame);
   void shrink_when_asked();
   bool publish(wire::Message message);
 
@@ -62,6 +71,7 @@ class CameraPipeline {
   Handlers handlers_;
   codec::DepthEncoder encoder_;
   wire::KeyFramePacing key_frame_pacing_;
+  VideoStage video_;
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was sent

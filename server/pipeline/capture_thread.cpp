@@ -28,11 +28,14 @@ void CaptureThread::stop() {
 }
 
 void CaptureThread::run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock) {
-  CameraPipeline pipeline(*source_, source_name, options, clock,
-                          {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
-                           .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); },
-                           .may_predict = [this] { return may_predict_.load(); },
-                           .content_level = [this] { return content_level_.load(); }});
+  CameraPipeline pipeline(
+      *source_, source_name, options, clock,
+      {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
+       .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); },
+       .may_predict = [this] { return may_predict_.load(); },
+       .content_level = [this] { return content_level_.load(); },
+       .take_video_key_frame_request = [this] { return video_key_frame_requested_.exchange(false); },
+       .color_wanted = [this] { return color_wanted_.load(); }});
   while (!stopping_) {
     set_wanted_exposure();
     const bool more = pipeline.step();

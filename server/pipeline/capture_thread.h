@@ -38,8 +38,11 @@ class CaptureThread {
   ~CaptureThread();
 
   void stop();  ///< as the destructor; may be called more than once
-  /// Requests a key frame; at most one of four frames becomes a requested key frame. Any thread.
+  /// Requests a key frame of depth; at most one of four frames becomes a requested key frame. Any thread.
   void request_key_frame() noexcept { key_frame_requested_ = true; }
+  void request_video_key_frame() noexcept { video_key_frame_requested_ = true; }  ///< the same, of colour as video
+  /// From the next image on, colour is encoded as `wanted` says. Any thread.
+  void want_color(ColorWanted wanted) noexcept { color_wanted_ = wanted; }
   /// False: from the next image on, each depth image is a key frame. Any thread.
   void let_predict(bool may) noexcept { may_predict_ = may; }
   /// From the next image on, images are encoded as shrunk() says for `level`. Any thread.
@@ -61,6 +64,8 @@ class CaptureThread {
   LatestValue<capture::Exposure> wanted_exposure_;  // from the network thread to the capture thread
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_frame_requested_{false};
+  std::atomic<bool> video_key_frame_requested_{false};
+  std::atomic<ColorWanted> color_wanted_{};
   std::atomic<bool> may_predict_{true};
   std::atomic<std::size_t> content_level_{0};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled

@@ -74,8 +74,8 @@ std::vector<std::string> Timeline::needed_topics() const {
   std::set<std::string_view> needed;  // a topic may have several channels
   for (const auto& [id, stored] : reader_.summary().channels.all()) {
     if (!stored.topic || !is_played(stored.topic->name)) continue;
-    for (const std::string_view name :
-         {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraDepth.name, wire::kCameraColor.name})
+    for (const std::string_view name : {wire::kCameraInfo.name, wire::kCameraColorInfo.name, wire::kCameraDepth.name,
+                                        wire::kCameraColor.name, wire::kCameraColorVideo.name})
       if (stored.topic->name == name) needed.insert(name);
   }
   return {needed.begin(), needed.end()};

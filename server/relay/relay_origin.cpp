@@ -62,14 +62,15 @@ class RelayOrigin final : public origin::Origin {
     const Result<void> subscribed =
         nats_->subscribe("telepalp." + site_ + ".>", [this](const NatsConnection::Note& note) { post(note); });
     if (!subscribed) log_(to_string(subscribed.error()));
-    show_again();
+    ask_again();
   }
   void stop() override {
     nats_.reset();  // first: its threads read running_
     running_.reset();
     again_.cancel();
   }
-  void show_again() override {
+  void show_again(std::string_view) override { ask_again(); }
+  void ask_again() {
     if (!running_ || std::exchange(waits_to_ask_, true)) return;
     again_.expires_at(std::max(std::chrono::steady_clock::now(), asked_ + kAsksAgainAtMostEvery));
     again_.async_wait(while_running([this](const boost::system::error_code& cancelled) {
@@ -93,7 +94,7 @@ class RelayOrigin final : public origin::Origin {
   void changed(bool is_connected) {
     boost::asio::post(io_, while_running([this, is_connected] {
                         log_(is_connected ? "connected to the cluster again" : "the connection to the cluster is lost");
-                        if (is_connected && handlers_.on_message) show_again();
+                        if (is_connected && handlers_.on_message) ask_again();
                       }));
   }
 

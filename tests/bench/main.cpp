@@ -23,6 +23,7 @@
 #include "tests/bench/station_bench.h"
 #include "tests/bench/surface_bench.h"
 #include "tests/bench/synthetic_bench.h"
+#include "tests/bench/thin/thin_bench.h"
 #include "tests/bench/users/users_bench.h"
 
 namespace {
@@ -49,27 +50,29 @@ constexpr std::array kBenches{
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
     bench::Bench{"surface", "touch of a noisy, moving surface: time, error and steadiness", bench::run_surface},
+    bench::Bench{"thin", "colour as video beside pictures: bytes at equal quality, time", bench::run_thin},
     bench::Bench{"users", "programs and page, driven as a user drives them, under faults", bench::run_users},
 };
 
 program::Usage usage() {
-  program::Usage usage{.program = "telepalp-bench",
-                       .purpose = "measures one part of telepalp and compares it with its budget",
-                       .positional = {},
-                       .options = {{"json", "", "print JSON instead of a table"},
-                                   {"list", "", "print the benchmarks' names and exit"},
-                                   {"input", "FILE|DIR", "depth, needle: measured data; link, pipeline: a --source"},
-                                   {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
-                                   {"part", "NAME", "accuracy, mixed, needle, site, users: only this part"},
-                                   {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
-                                   {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
-                                   {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
-                                   {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
-                                   {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
-                                   {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
-                       .example = "telepalp-bench pipeline --json",
-                       .commands = {},
-                       .needs_command = true};
+  program::Usage usage{
+      .program = "telepalp-bench",
+      .purpose = "measures one part of telepalp and compares it with its budget",
+      .positional = {},
+      .options = {{"json", "", "print JSON instead of a table"},
+                  {"list", "", "print the benchmarks' names and exit"},
+                  {"input", "FILE|DIR", "depth, needle: measured data; link, pipeline, thin: a --source"},
+                  {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
+                  {"part", "NAME", "accuracy, mixed, needle, site, users: only this part"},
+                  {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
+                  {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+                  {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
+                  {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
+                  {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
+                  {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
+      .example = "telepalp-bench pipeline --json",
+      .commands = {},
+      .needs_command = true};
   for (const bench::Bench& bench : kBenches) usage.commands.push_back({bench.name, "", bench.purpose});
   return usage;
 }

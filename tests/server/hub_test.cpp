@@ -23,6 +23,22 @@ TEST(Hub, AllSubscribersShareOnePayload) {
   EXPECT_EQ(to_a->payload.get(), to_b->payload.get());
 }
 
+TEST(Hub, ASecondCodingGoesOnlyToThoseWhoNameIt) {
+  hub::Hub hub;
+  const hub::SubscriberId all = hub.join("a recorder", "", [] {});
+  const hub::SubscriberId thin = hub.join("a thin viewer", "", [] {});
+  hub.subscribe(all, {"*", "/camera/*"});
+  EXPECT_FALSE(hub.is_wanted(wire::kCameraColorVideo.name));
+  hub.subscribe(thin, {wire::kCameraColorVideo.name.data()});
+  EXPECT_TRUE(hub.is_wanted(wire::kCameraColorVideo.name));
+  hub.publish(message(wire::kCameraColorVideo, 1));
+  hub.publish(message(wire::kCameraColor, 2));
+  ASSERT_TRUE(hub.next(thin));
+  EXPECT_FALSE(hub.next(thin)) << "only the coding that it named";
+  ASSERT_EQ(hub.next(all)->topic.name, wire::kCameraColor.name);
+  EXPECT_FALSE(hub.next(all));
+}
+
 TEST(Hub, AStalledSubscriberLosesOnlyItsOwnOldImagesAndTheyAreCountedByTopic) {
   hub::Hub hub;
   const hub::SubscriberId stalled = hub.join("stalled", "", [] {});

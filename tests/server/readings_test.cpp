@@ -18,7 +18,7 @@ class CountedOrigin final : public Origin {
   explicit CountedOrigin(int& starts) : starts_(starts) {}
   void start(Handlers) override { ++starts_; }
   void stop() override {}
-  void show_again() override {}
+  void show_again(std::string_view) override {}
   [[nodiscard]] bool is_still() const override { return false; }
   [[nodiscard]] bool withholds(const wire::Topic&, std::size_t) const override { return false; }
   [[nodiscard]] bool chooses_prediction() const override { return false; }

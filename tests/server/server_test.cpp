@@ -228,6 +228,66 @@ TEST(CameraPipeline, ImagesShrinkWhileALineIsSharedAndDepthStaysExact) {
   EXPECT_EQ(color_B.size(), 6u);
 }
 
+/// The colour messages of a pipeline: "J" a picture, "K" a key frame of video, "p" a predicted one.
+struct ColorLog {
+  std::string letters;
+  bool drop_video = false;
+  bool publish(const wire::Message& message) {
+    if (message.topic.name == wire::kCameraColor.name) letters += 'J';
+    if (message.topic.name != wire::kCameraColorVideo.name) return true;
+    letters += message.key_frame ? 'K' : 'p';
+    return !drop_video;
+  }
+};
+
+TEST(CameraPipeline, EachCodingOfColourIsMadeOnlyWhileSomebodyTakesIt) {
+  const wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
+  StillSource source(100, 0ms, clock);
+  ColorLog log;
+  pipeline::ColorWanted wanted{};
+  pipeline::CameraPipeline pipeline(source, "still", {}, clock,
+                                    {.publish = [&](const wire::Message& message) { return log.publish(message); },
+                                     .take_key_frame_request = [] { return false; },
+                                     .color_wanted = [&] { return wanted; }});
+  const auto after = [&](int images, pipeline::ColorWanted now) {
+    wanted = now;
+    log.letters.clear();
+    for (int image = 0; image < images; ++image) (void)pipeline.step();
+    return log.letters;
+  };
+  EXPECT_EQ(after(2, {.pictures = false, .video = false}), "JJ") << "pictures are ready for a newcomer";
+  EXPECT_EQ(after(3, {.pictures = false, .video = true}), "Kpp");
+  EXPECT_EQ(after(2, {.pictures = true, .video = true}), "pJpJ");
+  EXPECT_EQ(after(2, {.pictures = true, .video = false}), "JJ");
+  EXPECT_EQ(after(2, {.pictures = false, .video = true}), "Kp") << "who comes later begins with a key frame";
+}
+
+TEST(CameraPipeline, AKeyFrameOfVideoComesOnDemandAndAfterADroppedFrame) {
+  const wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
+  StillSource source(100, 0ms, clock);
+  ColorLog log;
+  int requests = 0;
+  pipeline::CameraPipeline pipeline(
+      source, "still", {}, clock,
+      {.publish = [&](const wire::Message& message) { return log.publish(message); },
+       .take_key_frame_request = [] { return false; },
+       .take_video_key_frame_request = [&] { return requests > 0 && requests-- > 0; },
+       .color_wanted = [] { return pipeline::ColorWanted{.pictures = false, .video = true}; }});
+  const auto step = [&](int images) {
+    for (int image = 0; image < images; ++image) (void)pipeline.step();
+  };
+  step(6);
+  requests = 3;
+  step(6);
+  EXPECT_EQ(log.letters, "KpppppKpppKp") << "at most one of four frames is a requested key frame";
+  log.letters.clear();
+  log.drop_video = true;
+  step(1);
+  log.drop_video = false;
+  step(2);
+  EXPECT_EQ(log.letters.substr(1), "Kp") << "a dropped frame is no reference";
+}
+
 TEST(CameraPipeline, EachDepthImageIsAKeyFrameWhileALostOneCannotBeRepairedInTime) {
   const wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
   StillSource source(30, 0ms, clock);

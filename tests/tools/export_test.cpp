@@ -9,10 +9,14 @@
 
 #include "codec/color.h"
 #include "codec/depth_stream.h"
+#include "codec/video.h"
 #include "foxglove/CameraCalibration.pb.h"
+#include "foxglove/CompressedVideo.pb.h"
 #include "foxglove/PointCloud.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/station.pb.h"
+#include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/camera/color_message.h"
 #include "server/capture/open_recording.h"
 #include "support/models/point_model.h"
 #include "tests/proto/mcap_samples.h"
@@ -225,6 +229,69 @@ TEST_F(Export, AFoxgloveSessionHoldsFoxglovesTypesAndTheNumbersOfTheStation) {
     ASSERT_TRUE(message && *message && state.ParseFromString(*(*message)->payload));
     EXPECT_EQ(state.force_n().y(), 0.25 * frame);
   }
+}
+
+/// The session with its colour as video. `lost`: number of the frame that is left out.
+void with_video(const std::string& from, const std::string& to, std::size_t lost) {
+  codec::ColorVideoEncoder encoder({.kbit_per_s = 800, .key_every = 8});
+  auto reader = wire::McapReader::open(from);
+  ASSERT_TRUE(reader.ok());
+  std::vector<wire::Message> messages;
+  std::uint64_t number = 0;
+  for (;;) {
+    const auto message = reader->next();
+    ASSERT_TRUE(message.ok());
+    if (!*message) break;
+    const auto color = wire::compressed_color(**message);
+    if (!color) {
+      messages.push_back(**message);
+      continue;
+    }
+    const auto image = codec::decode_color(std::as_bytes(std::span(color->data)));
+    ASSERT_TRUE(image.ok());
+    const codec::EncodedVideo encoded = encoder.encode(*image, session_time(color->captured_ns));
+    foxglove::CompressedVideo video;
+    wire::set_stamp(*video.mutable_timestamp(), session_time(color->captured_ns));
+    video.set_frame_id(color->frame_id);
+    video.set_format(codec::kVideoFormat);
+    video.set_data(encoded.bytes);
+    messages.push_back(wire::make_message(wire::kCameraColorVideo, (*message)->published, video, encoded.key_frame));
+    messages.back().sequence = ++number;
+    if (number == lost) messages.pop_back();
+  }
+  ASSERT_TRUE(wire::samples::write_file(to, messages));
+}
+
+TEST_F(Export, ColourAsVideoBecomesPicturesForFoxglove) {
+  with_video(in("session.mcap"), in("video.mcap"), 0);
+  const auto count = write_foxglove(in("video.mcap"), in("foxglove.mcap"));
+  ASSERT_TRUE(count) << to_string(count.error());
+  EXPECT_EQ(count->left_out, 0U);
+  auto reader = wire::McapReader::open(in("foxglove.mcap"));
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(topics_of(*reader).at("/camera/color"), static_cast<std::uint64_t>(kFrames));
+  EXPECT_FALSE(topics_of(*reader).contains("/camera/color/video"));
+  ASSERT_TRUE(write_foxglove(in("video.mcap"), in("rare.mcap"), {.station = false, .images_per_s = 10.0}));
+  EXPECT_EQ(topics_of(*wire::McapReader::open(in("rare.mcap"))).at("/camera/color"), 7U);
+}
+
+TEST_F(Export, AFrameInTheMidstOfAGroupOfVideoHasItsColour) {
+  with_video(in("session.mcap"), in("video.mcap"), 0);
+  auto frames = Frames::open(in("video.mcap"));
+  ASSERT_TRUE(frames);
+  const auto frame = frames->at(0.45);
+  ASSERT_TRUE(frame) << to_string(frame.error());
+  ASSERT_EQ(frame->color.width, 32);
+  EXPECT_NEAR(frame->color.rgb[0], 200, 8) << "red";
+  EXPECT_LT(frame->color.rgb[1], 16) << "green";
+}
+
+TEST_F(Export, AfterALostFrameOfVideoNoPictureIsShownUntilTheNextKeyFrame) {
+  with_video(in("session.mcap"), in("video.mcap"), 11);  // groups begin at 1, 9 and 17
+  const auto count = write_foxglove(in("video.mcap"), in("foxglove.mcap"));
+  ASSERT_TRUE(count);
+  EXPECT_EQ(topics_of(*wire::McapReader::open(in("foxglove.mcap"))).at("/camera/color"), 14U);
+  EXPECT_GE(count->left_out, 5U);
 }
 
 TEST_F(Export, TheCloudsOfAFoxgloveSessionAreColoured) {

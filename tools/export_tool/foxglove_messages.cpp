@@ -1,10 +1,16 @@
 #include "tools/export_tool/foxglove_messages.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "codec/color.h"
+#include "codec/color_reader.h"
+#include "foxglove/CompressedImage.pb.h"
 #include "messages/inside.pb.h"
 #include "messages/station.pb.h"
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/inside/inside_message.h"
 #include "server/views/depth_views.h"
 #include "server/views/inside_views.h"
@@ -77,7 +83,8 @@ bool is_of_camera(std::string_view topic) { return topic.starts_with("/camera/")
 std::vector<std::string> topics_of(const FoxgloveParts& parts) {
   std::vector<std::string> topics{std::string(wire::kCameraInfo.name)};
   if (parts.color)
-    for (const wire::Topic& topic : {wire::kCameraColor, wire::kCameraColorInfo}) topics.emplace_back(topic.name);
+    for (const wire::Topic& topic : {wire::kCameraColor, wire::kCameraColorVideo, wire::kCameraColorInfo})
+      topics.emplace_back(topic.name);
   if (parts.station)
     for (const wire::Topic& topic :
          {wire::kStationState, wire::kStationCompensation, wire::kStationSurface, wire::kStationEvents,
@@ -86,11 +93,59 @@ std::vector<std::string> topics_of(const FoxgloveParts& parts) {
   return topics;
 }
 
-/// True for a colour image that is not chosen.
-bool is_thinned_out(const wire::Message& message, Thinning& thinning) {
-  foxglove::CompressedImage image;
-  return message.topic.name == wire::kCameraColor.name && image.ParseFromString(*message.payload) &&
-         !thinning.takes(session_time(wire::stamp_ns(image.timestamp())));
+/// Gives on the colour images that are chosen, as pictures: Foxglove does not decode VP8.
+class ColorPictures {
+ public:
+  /// `has_pictures`: the session has pictures, beside which its video is left out.
+  ColorPictures(const TakeMessage& take, Thinning thinning, bool has_pictures)
+      : take_(take), thinning_(thinning), has_pictures_(has_pictures) {}
+
+  Result<void> add(const wire::Message& message) {
+    const bool is_video = message.topic.predicted;
+    if (is_video && has_pictures_) return {};
+    const std::optional<wire::CompressedColor> color = wire::compressed_color(message);
+    if (!is_video) return color && !takes(*color) ? Result<void>{} : take_(message);
+    if (!color) {
+      ++unreadable_;
+      return {};
+    }
+    return add_video(message, *color);
+  }
+  [[nodiscard]] std::uint64_t unreadable() const noexcept { return unreadable_; }
+
+ private:
+  bool takes(const wire::CompressedColor& color) { return thinning_.takes(session_time(color.captured_ns)); }
+  Result<void> add_video(const wire::Message& message, const wire::CompressedColor& color) {
+    const auto bytes = std::as_bytes(std::span(color.data));
+    if (!takes(color)) {
+      reader_.skip(color.format, bytes, color.number);
+      return {};
+    }
+    const Result<ColorImage> image = reader_.read(color.format, bytes, color.number);
+    if (!image) {
+      ++unreadable_;
+      return {};
+    }
+    foxglove::CompressedImage picture;
+    wire::set_stamp(*picture.mutable_timestamp(), session_time(color.captured_ns));
+    picture.set_frame_id(color.frame_id);
+    picture.set_format("jpeg");
+    picture.set_data(codec::encode_color(*image));
+    return take_(wire::make_message(wire::kCameraColor, message.published, picture));
+  }
+
+  const TakeMessage& take_;
+  Thinning thinning_;
+  bool has_pictures_;
+  codec::ColorReader reader_;
+  std::uint64_t unreadable_ = 0;
+};
+
+bool has_topic(const wire::McapReader& session, const wire::Topic& wanted) {
+  const auto& channels = session.summary().channels.all();
+  return std::any_of(channels.begin(), channels.end(), [&](const auto& channel) {
+    return channel.second.topic && channel.second.topic->name == wanted.name;
+  });
 }
 
 }  // namespace
@@ -105,16 +160,19 @@ Result<std::uint64_t> give_station_and_color(wire::McapReader& session, const Fo
                                              const TakeMessage& take) {
   session.select({.topics = topics_of(parts)});
   const auto begin = static_cast<std::int64_t>(session.summary().statistics.message_start_time);
-  Thinning thinning(session_time(begin), parts.images_per_s);
+  ColorPictures pictures(take, Thinning(session_time(begin), parts.images_per_s),
+                         has_topic(session, wire::kCameraColor));
   StationViews station(take);
   std::uint64_t damaged_chunks = 0;
   for (;;) {
     const Result<std::optional<wire::Message>> message = session.next();
     damaged_chunks += message ? 0 : 1;
     if (!message) continue;  // the reader continues after the damaged chunk
-    if (!*message) return damaged_chunks + station.unreadable();
-    if (is_thinned_out(**message, thinning)) continue;
-    const Result<void> given = is_of_camera((*message)->topic.name) ? take(**message) : station.add(**message);
+    if (!*message) return damaged_chunks + station.unreadable() + pictures.unreadable();
+    const wire::Topic& topic = (*message)->topic;
+    const Result<void> given = wire::carries_color(topic) ? pictures.add(**message)
+                               : is_of_camera(topic.name) ? take(**message)
+                                                          : station.add(**message);
     if (!given) return given.error();
   }
 }

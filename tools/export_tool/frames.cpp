@@ -17,7 +17,8 @@ constexpr std::int64_t kLookBack_ns = 10 * kSecond_ns;  // a key frame and a cam
 
 std::vector<std::string> camera_topics() {
   return {std::string(wire::kCameraInfo.name), std::string(wire::kCameraDepth.name),
-          std::string(wire::kCameraColor.name), std::string(wire::kCameraColorInfo.name)};
+          std::string(wire::kCameraColor.name), std::string(wire::kCameraColorVideo.name),
+          std::string(wire::kCameraColorInfo.name)};
 }
 
 Error no_frame(const std::string& what) {
@@ -50,7 +51,7 @@ std::optional<wire::Message> Frames::next() {
 
 /// Takes in a camera's model or a colour image.
 void Frames::note(const wire::Message& message) {
-  if (message.topic.name == wire::kCameraColor.name) return note_color(*message.payload);
+  if (wire::carries_color(message.topic)) return note_color(message);
   const bool is_color = message.topic.name == wire::kCameraColorInfo.name;
   foxglove::CameraCalibration model;
   if (!is_color && message.topic.name != wire::kCameraInfo.name) return;
@@ -58,15 +59,26 @@ void Frames::note(const wire::Message& message) {
   if (const auto pinhole = wire::intrinsics_of(model)) (is_color ? color_pinhole_ : pinhole_) = pinhole;
 }
 
-void Frames::note_color(const std::string& payload) {
-  foxglove::CompressedImage color;
-  if (!color.ParseFromString(payload)) {
+void Frames::note_color(const wire::Message& message) {
+  std::optional<wire::CompressedColor> compressed = wire::compressed_color(message);
+  if (!compressed) {
     ++damaged_;
-  } else if (waiting_ && wire::stamp_ns(color.timestamp()) == waiting_->captured_ns) {
-    waiting_->color = std::move(color);
-  } else {
-    color_ = std::move(color);
+    return;
   }
+  Color color{std::move(*compressed), std::nullopt};
+  if (message.topic.predicted) {
+    Result<ColorImage> image = color_reader_.read(
+        color.compressed.format, std::as_bytes(std::span(color.compressed.data)), color.compressed.number);
+    if (!image) {
+      ++damaged_;
+      return;
+    }
+    color.decoded = std::move(*image);
+  }
+  if (waiting_ && color.compressed.captured_ns == waiting_->captured_ns)
+    waiting_->color = std::move(color);
+  else
+    color_ = std::move(color);
 }
 
 /// Takes in a depth image, which then waits for its colour.
@@ -79,7 +91,7 @@ void Frames::take_depth(const wire::Message& message) {
   }
   if (waiting_) depth_.skip(std::move(waiting_->packet));
   waiting_ = Waiting{std::move(*image.mutable_data()), static_cast<std::int64_t>(image.captured_ns()), {}};
-  if (color_ && wire::stamp_ns(color_->timestamp()) == waiting_->captured_ns)
+  if (color_ && color_->compressed.captured_ns == waiting_->captured_ns)
     waiting_->color = std::exchange(color_, std::nullopt);
 }
 
@@ -93,10 +105,12 @@ Result<RgbdFrame> Frames::decode(const Waiting& waiting) {
   frame.camera = {.depth = *pinhole_, .color = *pinhole_, .color_registered = true};
   frame.depth = std::move(depth->image);
   if (waiting.color) {
-    Result<ColorImage> color = codec::decode_color(std::as_bytes(std::span(waiting.color->data())));
+    Result<ColorImage> color = waiting.color->decoded
+                                   ? Result<ColorImage>(*waiting.color->decoded)
+                                   : codec::decode_color(std::as_bytes(std::span(waiting.color->compressed.data)));
     if (!color) ++damaged_;
     if (color) frame.color = std::move(*color);
-    frame.camera.color_registered = waiting.color->frame_id() == wire::kDepthFrameId;
+    frame.camera.color_registered = waiting.color->compressed.frame_id == wire::kDepthFrameId;
     if (!frame.camera.color_registered) frame.camera.color = color_pinhole_.value_or(*pinhole_);
   }
   if (!is_well_formed(frame))
@@ -128,8 +142,10 @@ Result<void> Frames::for_each(const std::function<Result<bool>(const RgbdFrame&)
 Result<RgbdFrame> Frames::at(double at_s) {
   const auto begin = static_cast<std::int64_t>(reader_.summary().statistics.message_start_time);
   const std::int64_t asked = begin + static_cast<std::int64_t>(at_s * 1e9);
+  const SessionTime from = session_time(std::max(begin, asked - kLookBack_ns));
+  const auto video_key = reader_.last_key_frame(wire::kCameraColorVideo, session_time(asked));
   reader_.select({.topics = camera_topics(),
-                  .from = session_time(std::max(begin, asked - kLookBack_ns)),
+                  .from = std::min(from, video_key.value_or(from)),
                   .until = session_time(asked + kSecond_ns)});
   while (const std::optional<wire::Message> message = next()) {
     const bool is_depth = message->topic.name == wire::kCameraDepth.name;

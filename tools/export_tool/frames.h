@@ -5,8 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "codec/color_reader.h"
 #include "codec/depth_stream.h"
-#include "foxglove/CompressedImage.pb.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -41,23 +42,28 @@ class Frames {
 
  private:
   explicit Frames(wire::McapReader reader) : reader_(std::move(reader)) {}
+  struct Color {
+    wire::CompressedColor compressed;
+    std::optional<ColorImage> decoded;  ///< of video, which is decoded as it comes
+  };
   struct Waiting {
     std::string packet;
     std::int64_t captured_ns = 0;
-    std::optional<foxglove::CompressedImage> color;
+    std::optional<Color> color;
   };
   [[nodiscard]] std::optional<wire::Message> next();
   void note(const wire::Message& message);
   void take_depth(const wire::Message& message);
-  void note_color(const std::string& payload);
+  void note_color(const wire::Message& message);
   [[nodiscard]] Result<RgbdFrame> decode(const Waiting& waiting);
 
   wire::McapReader reader_;
   codec::DepthReader depth_;
+  codec::ColorReader color_reader_;
   std::optional<Intrinsics> pinhole_;
   std::optional<Intrinsics> color_pinhole_;
-  std::optional<foxglove::CompressedImage> color_;  // colour image whose depth image has not come yet
-  std::optional<Waiting> waiting_;                  // depth image whose colour may follow
+  std::optional<Color> color_;      // colour image whose depth image has not come yet
+  std::optional<Waiting> waiting_;  // depth image whose colour may follow
   std::uint64_t damaged_ = 0;
 };
 

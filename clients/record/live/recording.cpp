@@ -87,7 +87,7 @@ class Recording {
                .role = "recorder",
                .key = options.key,
                .consent = options.consent,
-               .subscribes = options.topics.subscription(),
+               .subscribes = wire::subscription_for(options.color, options.topics.subscription()),
                // Without a key the server is on this machine. There TCP is in time and loses no image.
                .datagrams = options.key != nullptr},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
@@ -119,10 +119,16 @@ class Recording {
  private:
   /// After a dropped message, those predicted from it are useless in the file, so a key frame is requested.
   void on_message(const wire::Message& message) {
-    if (!options_.topics.matches(message.topic.name)) return;
+    if (!is_asked(message.topic)) return;
     const bool taken = disk_.offer(message);
     if (message.topic.predicted && (!taken || files_->needs_key_frame())) link_.request_key_frame(message);
     if (taken && message.topic.name == wire::kCameraDepth.name) note_depth(message);
+  }
+
+  /// Colour as video stands for /camera/color.
+  [[nodiscard]] bool is_asked(const wire::Topic& topic) const {
+    return options_.topics.matches(topic.name) ||
+           (wire::carries_color(topic) && options_.topics.matches(wire::kCameraColor.name));
   }
 
   void note_depth(const wire::Message& message) {

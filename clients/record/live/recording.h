@@ -11,6 +11,7 @@
 #include "clients/record/live/session_files.h"
 #include "clients/record/selection/topic_filter.h"
 #include "proto/keys/key_file.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/words/result.h"
 #include "support/program/address.h"
 #include "support/program/patience.h"
@@ -22,6 +23,7 @@ struct RecordingOptions {
   std::shared_ptr<const keys::KeyFile> key;  ///< null: the server is on this machine
   std::filesystem::path file;
   TopicFilter topics{"*"};
+  wire::ColorCoding color = wire::ColorCoding::Pictures;  ///< how /camera/color is taken, if `topics` covers it
   Splitting splitting;
   std::string consent;                             ///< the patient's, as the operator states it
   std::filesystem::path scene;                     ///< scene file to attach; empty: none

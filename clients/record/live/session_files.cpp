@@ -111,6 +111,7 @@ void SessionFiles::put(const wire::Message& published) {
   const wire::Message message = published.topic.latched() ? as_of(newest_, published) : published;
   newest_ = std::max(newest_, message.published);
   has_groups_ = has_groups_ || message.topic.predicted;
+  if (!message.key_frame && predicted_topic_.empty()) predicted_topic_ = message.topic.name;
   if (!writer_ || is_full(message)) go_on_in_new_part(message);
   if (writer_) {
     if (!part_began_) part_began_ = message.published;
@@ -135,7 +136,8 @@ bool SessionFiles::is_full(const wire::Message& message) const {
 void SessionFiles::go_on_in_new_part(const wire::Message& message) {
   if (!writer_ && !may_try_again()) return;
   if (!waiting_since_) waiting_since_ = message.published;
-  const bool begins = !has_groups_ || (message.topic.predicted && message.key_frame);
+  const bool may_begin = predicted_topic_.empty() || message.topic.name == predicted_topic_;
+  const bool begins = !has_groups_ || (message.topic.predicted && message.key_frame && may_begin);
   const bool waits = !begins && message.published - *waiting_since_ < kLongestWaitForKeyFrame;
   needs_key_frame_ = waits && !writer_;  // a part that is still written needs the images until the key frame
   if (waits) return;

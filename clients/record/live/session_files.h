@@ -101,6 +101,8 @@ class SessionFiles {
   SessionTime newest_{};
   std::optional<Error> failed_;  // the first failure
   bool has_groups_ = false;      // without a topic that may be predicted, no part waits for a key frame
+  /// Topic of the first predicted message; a part begins with a key frame of it. Empty: all messages were key frames.
+  std::string_view predicted_topic_;
   bool is_failing_ = false;
   std::chrono::steady_clock::time_point failed_at_{};
   std::atomic<std::uint64_t> dropped_{0};

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::report {
@@ -147,6 +147,13 @@ bool keep_last(const wire::Message& message, std::optional<Proto>& last) {
   });
 }
 
+bool keep_color_time(Session& session, const wire::Message& message) {
+  const std::optional<wire::CompressedColor> color = wire::compressed_color(message);
+  if (!color) return false;
+  session.color_captured_ns.push_back(color->captured_ns);
+  return true;
+}
+
 bool add_readable(Session& session, const wire::Message& message) {
   const std::string_view topic = message.topic.name;
   if (topic == wire::kStationTicks.name) return keep_ticks(session, message);
@@ -171,11 +178,7 @@ bool add_readable(Session& session, const wire::Message& message) {
                                                                                        : session.depth_key_ns.back());
       return true;
     });
-  if (topic == wire::kCameraColor.name)
-    return read<foxglove::CompressedImage>(message, [&](const auto& image) {
-      session.color_captured_ns.push_back(wire::stamp_ns(image.timestamp()));
-      return true;
-    });
+  if (wire::carries_color(message.topic)) return keep_color_time(session, message);
   return true;
 }
 

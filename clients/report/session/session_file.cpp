@@ -5,11 +5,11 @@
 #include <span>
 
 #include "clients/ar/messages/from_messages.h"
-#include "codec/color.h"
+#include "codec/color_reader.h"
 #include "codec/depth_stream.h"
-#include "foxglove/CompressedImage.pb.h"
 #include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
 
@@ -53,10 +53,13 @@ void take_depth(RgbdFrame& frame, msg::DepthImage& image, std::int64_t wanted_ns
   frame.depth = std::move(depth->image);
 }
 
-void take_color(RgbdFrame& frame, const foxglove::CompressedImage& image, std::optional<std::int64_t> wanted_ns) {
-  if (wire::stamp_ns(image.timestamp()) != wanted_ns || image.format() != "jpeg") return;
-  Result<ColorImage> color = codec::decode_color(bytes_of(image.data()));
-  if (color) frame.color = std::move(color).value();
+void take_color(RgbdFrame& frame, const wire::Message& message, std::optional<std::int64_t> wanted_ns,
+                codec::ColorReader& reader) {
+  const std::optional<wire::CompressedColor> color = wire::compressed_color(message);
+  if (!color) return;
+  if (color->captured_ns != wanted_ns) return reader.skip(color->format, bytes_of(color->data), color->number);
+  Result<ColorImage> image = reader.read(color->format, bytes_of(color->data), color->number);
+  if (image) frame.color = std::move(image).value();
 }
 
 }  // namespace
@@ -94,10 +97,14 @@ Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, c
 
   Result<wire::McapReader> reader = wire::McapReader::open(file);
   if (!reader) return reader.error();
-  reader->select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name)},
-                  .from = std::min(session_time(depth_ns) - kReach, session_time(key_ns)),
+  const SessionTime from = std::min(session_time(depth_ns) - kReach, session_time(key_ns));
+  const auto video_key = reader->last_key_frame(wire::kCameraColorVideo, session_time(depth_ns));
+  reader->select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name),
+                             std::string(wire::kCameraColorVideo.name)},
+                  .from = std::min(from, video_key.value_or(from)),
                   .until = session_time(depth_ns) + kReach});
   codec::DepthReader depth_reader;
+  codec::ColorReader color_reader;
   RgbdFrame frame;
   for (;;) {
     Result<std::optional<wire::Message>> message = reader->next();
@@ -105,11 +112,10 @@ Result<std::optional<RgbdFrame>> read_frame(const std::filesystem::path& file, c
     if (!message.value()) break;
     const std::string& payload = *(**message).payload;
     msg::DepthImage depth;
-    foxglove::CompressedImage color;
     if ((**message).topic.name == wire::kCameraDepth.name) {
       if (depth.ParseFromString(payload)) take_depth(frame, depth, depth_ns, depth_reader);
-    } else if (color.ParseFromString(payload)) {
-      take_color(frame, color, color_ns);
+    } else {
+      take_color(frame, **message, color_ns, color_reader);
     }
   }
   if (frame.depth.samples.empty()) return std::optional<RgbdFrame>();

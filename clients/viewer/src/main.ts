@@ -27,6 +27,7 @@ import {type Note, type NoteCommand, readNotes} from './playback/session_notes';
 import {readOverview} from './playback/session_overview';
 import {TimelineBar} from './playback/timeline_bar';
 import {InsideView} from './inside/inside_view';
+import {ColorSwitch} from './color_switch';
 import type {Instant} from './present/instant';
 import {showInstant} from './scene/show_instant';
 import {SceneView} from './scene/scene_view';
@@ -182,6 +183,7 @@ const views = new ViewSwitch((chosen) => {
 });
 wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards});
 new TimelineBar(playback);
+const colorSwitch = new ColorSwitch(browserStore(), (coding) => link.askForColor(coding));
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 measureHeight('tools', '--tools');
 measureHeight('readings', '--readings');
@@ -208,6 +210,7 @@ window.setInterval(() => {
   views.setRole(reading.role);
   steering.feel(reading.force_N);
   readouts.showDetail(view.detail);
+  colorSwitch.show(reading.colorSaid);
   inside.look(performance.now());
   for (const panel of panels[views.view]) panel.show(reading);
 }, READOUTS_EVERY_MS);

@@ -31,7 +31,7 @@ Result<SessionFrames> SessionFrames::open(const std::filesystem::path& file, boo
 
 void SessionFrames::rewind() {
   reader_.select({.topics = {std::string(wire::kCameraDepth.name), std::string(wire::kCameraColor.name),
-                             std::string(wire::kCameraInfo.name)}});
+                             std::string(wire::kCameraColorVideo.name), std::string(wire::kCameraInfo.name)}});
   color_.reset();
   gathering_.reset();
   next_.reset();
@@ -63,18 +63,8 @@ void SessionFrames::note(const wire::Message& message) {
     foxglove::CameraCalibration calibration;
     if (!calibration.ParseFromString(*message.payload)) ++damaged_;
     if (const auto pinhole = wire::intrinsics_of(calibration)) pinhole_ = pinhole;
-  } else if (message.topic.name == wire::kCameraColor.name) {
-    foxglove::CompressedImage color;
-    if (!color.ParseFromString(*message.payload)) {
-      ++damaged_;
-      return;
-    }
-    if (gathering_ && wire::stamp_ns(color.timestamp()) == captured_ns(gathering_->depth)) {
-      gathering_->color = std::move(color);
-      next_ = std::exchange(gathering_, std::nullopt);
-    } else {
-      color_ = std::move(color);
-    }
+  } else if (wire::carries_color(message.topic)) {
+    note_color(message);
   } else {
     Encoded encoded;
     if (!encoded.depth.ParseFromString(*message.payload)) {
@@ -84,9 +74,33 @@ void SessionFrames::note(const wire::Message& message) {
     next_ = std::exchange(gathering_, std::nullopt);
     if (!pinhole_) return depth_.skip(std::move(*encoded.depth.mutable_data()));
     encoded.pinhole = *pinhole_;
-    if (color_ && wire::stamp_ns(color_->timestamp()) == captured_ns(encoded.depth))
+    if (color_ && color_->compressed.captured_ns == captured_ns(encoded.depth))
       encoded.color = std::exchange(color_, std::nullopt);
     gathering_ = std::move(encoded);
+  }
+}
+
+void SessionFrames::note_color(const wire::Message& message) {
+  std::optional<wire::CompressedColor> compressed = wire::compressed_color(message);
+  if (!compressed) {
+    ++damaged_;
+    return;
+  }
+  Color color{std::move(*compressed), std::nullopt};
+  if (message.topic.predicted && !keep_compressed_) {
+    Result<ColorImage> image =
+        color_reader_.read(color.compressed.format, bytes_of(color.compressed.data), color.compressed.number);
+    if (!image) {
+      ++damaged_;
+      return;
+    }
+    color.decoded = std::move(*image);
+  }
+  if (gathering_ && color.compressed.captured_ns == captured_ns(gathering_->depth)) {
+    gathering_->color = std::move(color);
+    next_ = std::exchange(gathering_, std::nullopt);
+  } else {
+    color_ = std::move(color);
   }
 }
 
@@ -95,14 +109,15 @@ void SessionFrames::skip() {
   depth_.skip(std::move(*passed.depth.mutable_data()));
 }
 
-void SessionFrames::take_color(foxglove::CompressedImage color, RgbdFrame& frame) {
-  frame.camera.color_registered = color.frame_id() == wire::kDepthFrameId;
+void SessionFrames::take_color(Color color, RgbdFrame& frame) {
+  frame.camera.color_registered = color.compressed.frame_id == wire::kDepthFrameId;
   if (compressed_) {
-    compressed_->color = std::move(*color.mutable_data());
-    compressed_->color_format = color.format();
+    compressed_->color = std::move(color.compressed.data);
+    compressed_->color_format = std::move(color.compressed.format);
     return;
   }
-  Result<ColorImage> image = codec::decode_color(bytes_of(color.data()));
+  Result<ColorImage> image = color.decoded ? Result<ColorImage>(std::move(*color.decoded))
+                                           : codec::decode_color(bytes_of(color.compressed.data));
   if (image) frame.color = std::move(*image);
   if (!image) ++damaged_;
 }

@@ -3,9 +3,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "codec/color_reader.h"
 #include "codec/depth_stream.h"
-#include "foxglove/CompressedImage.pb.h"
 #include "messages/camera.pb.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/mcap/reader.h"
 #include "server/capture/pacing/recorded_frames.h"
 
@@ -36,21 +37,28 @@ class SessionFrames final : public RecordedFrames {
   void read_on();
   void note(const wire::Message& message);
 
+  void note_color(const wire::Message& message);
+
+  struct Color {
+    wire::CompressedColor compressed;
+    std::optional<ColorImage> decoded;  ///< of video, which is decoded as it comes
+  };
   struct Encoded {
     msg::DepthImage depth;
-    std::optional<foxglove::CompressedImage> color;
+    std::optional<Color> color;
     Intrinsics pinhole;
   };
-  void take_color(foxglove::CompressedImage color, RgbdFrame& frame);
+  void take_color(Color color, RgbdFrame& frame);
 
   wire::McapReader reader_;
   bool keep_compressed_;
   std::optional<CompressedFrame> compressed_;  // of the frame that was taken last
   std::optional<Intrinsics> pinhole_;
-  std::optional<foxglove::CompressedImage> color_;  // last colour message
-  std::optional<Encoded> gathering_;                // depth image whose colour may follow
+  std::optional<Color> color_;        // last colour message
+  std::optional<Encoded> gathering_;  // depth image whose colour may follow
   std::optional<Encoded> next_;
   codec::DepthReader depth_;
+  codec::ColorReader color_reader_;
   std::uint64_t damaged_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "clients/view/live_figures.h"
 #include "clients/view/newest_instant.h"
 #include "codec/depth_stream.h"
+#include "codec/video.h"
 #include "server/pipeline/camera_messages.h"
 #include "tests/server/still_source.h"
 
@@ -74,6 +75,29 @@ TEST(NewestInstant, AsksForAKeyFrameWhereItCannotDecode) {
   EXPECT_EQ(instant.take(camera.depth), Taken::Yes);
   EXPECT_EQ(instant.take({wire::kServerStats, session_time(1), std::make_shared<const std::string>("x"), 0, true}),
             Taken::NotNeeded);
+}
+
+TEST(NewestInstant, TakesColourAsVideoFromItsKeyFrameOn) {
+  const Camera camera;
+  codec::ColorVideoEncoder encoder({});
+  const auto video = [&](std::uint64_t number) {
+    codec::EncodedVideo encoded = encoder.encode(camera.frame.color, session_time(kCaptured_ns));
+    const bool is_key = encoded.key_frame;
+    wire::Message message = wire::make_message(wire::kCameraColorVideo, camera.frame.captured,
+                                               pipeline::video_message(camera.frame, std::move(encoded.bytes)), is_key);
+    message.sequence = number;
+    return message;
+  };
+  const wire::Message key = video(1);
+  const wire::Message second = video(2);
+  const wire::Message third = video(3);
+  NewestInstant instant;
+  EXPECT_EQ(instant.take(second), Taken::NeedsKeyFrame);
+  EXPECT_EQ(instant.take(key), Taken::Yes);
+  EXPECT_EQ(instant.take(third), Taken::NeedsKeyFrame) << "the second one was lost";
+  (void)instant.take(camera.depth);
+  (void)instant.take(camera.info);
+  EXPECT_TRUE(instant.is_complete(false));
 }
 
 TEST(NewestInstant, AMessageThatIsCutShortIsSaidToBeUnreadable) {

@@ -193,3 +193,18 @@ test('what was being decoded when the connection ended is not presented by the n
   answer();
   assert.equal(seen.presented[0].decoded.frame, 2000);
 });
+
+test('a frame of video is closed when it is not shown, and given away when it is', () => {
+  const {seen, instants, depth, station, answer} = bench();
+  const closed = [];
+  const frame = (at_ms) => instants.colorCame({data: {close: () => closed.push(at_ms)}, captured_ns: ms(at_ms)});
+  station(1010);
+  for (const at of [900, 950, 1000, 1050]) frame(at);
+  depth(1000);
+  instants.ask();
+  answer();
+  assert.equal(seen.presented[0].color.captured_ns, ms(1000));
+  assert.deepEqual(closed, [900, 950]);
+  instants.restart();
+  assert.deepEqual(closed, [900, 950, 1050]);
+});

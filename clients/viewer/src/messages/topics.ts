@@ -1,5 +1,5 @@
 import type {
-  CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, DepthImage, ExposureState, HandHolder,
+  CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, CompressedVideo, DepthImage, ExposureState, HandHolder,
   InnerStructures,
   NetworkState, PeopleState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList,
   SessionNotes, SourceState,
@@ -58,6 +58,7 @@ export interface Topics extends StateTopics {
   '/clock': Clock;
   '/camera/depth': DepthImage;
   '/camera/color': CompressedImage;
+  '/camera/color/video': CompressedVideo;
   '/camera/info': CameraCalibration;
   '/camera/status': CaptureStatus;
   '/station/state': StationState;

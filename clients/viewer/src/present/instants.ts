@@ -13,8 +13,12 @@ export interface DepthPacket extends Packet {
   published_ns: bigint;
 }
 export interface ColorPicture {
-  data: Uint8Array;
+  data: Uint8Array | ImageBitmap;  // a JPEG, or a decoded frame of video, which its holder closes
   captured_ns: bigint;
+}
+
+function release(color: ColorPicture | undefined): void {
+  if (color !== undefined && 'close' in color.data) color.data.close();
 }
 
 /** Arrival times of the parts of a picture, in session time and on this computer's clock. */
@@ -86,7 +90,7 @@ export class Instants {
 
   colorCame(color: ColorPicture): void {
     this.colors.push(color);
-    if (this.colors.length > MOST_COLORS) this.colors.shift();
+    if (this.colors.length > MOST_COLORS) release(this.colors.shift());
   }
 
   stationCame(state: StationState): void {
@@ -115,6 +119,7 @@ export class Instants {
   restart(): void {
     this.line.clear();
     this.states = [];
+    this.colors.forEach(release);
     this.colors = [];
     this.arrivals = [];
     this.ready = this.presentedCapture_ns = this.first_ns = undefined;
@@ -165,7 +170,8 @@ export class Instants {
     const newest = this.newestState;
     const late_ms = station === undefined && newest !== undefined ? Number(captured_ns - newest.stampNs) / 1e6 : undefined;
     const color = nearest(this.colors, (one) => one.captured_ns, captured_ns);
-    this.colors = this.colors.filter((one) => one.captured_ns > captured_ns);
+    for (const one of this.colors) if (one.captured_ns <= captured_ns && one !== color) release(one);
+    this.colors = this.colors.filter((one) => one.captured_ns > captured_ns && one !== color);
     this.arrivals = this.arrivals.filter((one) => one.captured_ns > captured_ns);
     this.presentedCapture_ns = captured_ns;
     const hand = station === undefined ? 'none' : 'new';

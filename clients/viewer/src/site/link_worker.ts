@@ -10,8 +10,10 @@ import {milliseconds, now_ms, SessionClock} from '../link/session_clock';
 import {SilenceWatch} from '../link/silence_watch';
 import {Stream} from '../link/stream';
 import {isAtRest} from '../messages/capture_rest';
-import type {CompressedImage, StationState} from '../messages/generated';
-import {STATE_TOPICS, type StateTopic, type StateTopics} from '../messages/topics';
+import type {CompressedImage, CompressedVideo, StationState} from '../messages/generated';
+import {STATE_TOPICS, type StateTopic, type StateTopics, type Topics} from '../messages/topics';
+import {ColorChoice, type ColorCoding} from '../present/color_choice';
+import {ColorVideo, decodesVideo} from '../present/color_video';
 import {DeviceWatch} from '../present/device_watch';
 import {type Arrival, type Chosen, Instants} from '../present/instants';
 import {LightMeter} from '../present/light_meter';
@@ -66,7 +68,7 @@ async function present({decoded, station, hand, late_ms, color, arrival, trail: 
   const compensation = station && past.compensationAt(station.stampNs);
   const numbers = {station, hand, late_ms, compensation, trail, times};
   if (decoded === undefined || arrival === undefined) return post({instant: {picture: undefined, ...numbers}});
-  const bitmap = color && await bitmapOf('/camera/color', color.data);
+  const bitmap = color && ('close' in color.data ? color.data : await bitmapOf('/camera/color', color.data));
   if (bitmap !== undefined) lightMeter?.measure(bitmap, now_ms());
   const picture = {...decoded, captured_ns: arrival.captured_ns, published_ns: arrival.published_ns, color: bitmap, cameraMatrix};
   const own: Transferable[] = [decoded.frame.samples.buffer as ArrayBuffer];
@@ -87,8 +89,28 @@ const instants = new Instants({
   requestKeyFrame,
 });
 
+const colorChoice = new ColorChoice();
+let viewTopics: readonly (keyof Topics)[] = [];  // that the present view needs besides
+const chooseTopics = () => stream.setExtraTopics([...viewTopics, ...colorChoice.topics]);
+
+let colorKeyRequested_ms = 0;
+const video = new ColorVideo({
+  picture: (data, captured_ns) => instants.colorCame({data, captured_ns}),
+  needsKeyFrame: () => {
+    if (now_ms() - colorKeyRequested_ms < KEY_FRAME_REQUEST_INTERVAL_MS) return;
+    colorKeyRequested_ms = now_ms();
+    stream.subscribeAgain('/camera/color/video');
+  },
+});
+
+function askForColor(asked: ColorCoding): void {
+  colorChoice.asked = asked;
+  chooseTopics();
+  if (!colorChoice.topics.includes('/camera/color/video')) video.restart();
+}
+
 /** Capture time of the picture, or its publishing time if the server does not state the capture time. */
-function takenAt({timestamp}: CompressedImage, published_ns: bigint): bigint {
+function takenAt({timestamp}: CompressedImage | CompressedVideo, published_ns: bigint): bigint {
   return timestamp === undefined ? published_ns : timestamp.seconds * 1_000_000_000n + BigInt(timestamp.nanos);
 }
 
@@ -129,6 +151,7 @@ const stream = new Stream(
       '/clock': () => undefined,  // one message a second: the stream treats silence as a lost connection
       '/camera/depth': (image, published_ns) => {
         facts.depthCame(image);
+        if (colorChoice.depthCame()) chooseTopics();
         silence.imageCame();
         const captured_ms = local_ms(image.capturedNs);
         if (captured_ms !== undefined) leastAge.note(now_ms() - captured_ms, now_ms());
@@ -136,8 +159,14 @@ const stream = new Stream(
         clearTimeout(waitEnds);
         waitEnds = setTimeout(() => instants.timePassed(), LONGEST_WAIT_MS + 1);
       },
-      '/camera/color': (image, published_ns) =>
-          instants.colorCame({data: image.data, captured_ns: takenAt(image, published_ns)}),
+      '/camera/color': (image, published_ns) => {
+        colorChoice.colorCame();
+        instants.colorCame({data: image.data, captured_ns: takenAt(image, published_ns)});
+      },
+      '/camera/color/video': (image, published_ns) => {
+        colorChoice.colorCame();
+        video.came(image.data, takenAt(image, published_ns));
+      },
       '/camera/info': ({K}) => {
         cameraMatrix = K.length === 9 ? K : undefined;
       },
@@ -168,6 +197,7 @@ const stream = new Stream(
     {
       publishes: ['/viewer/hand'],
       onRequest: [
+        '/camera/color', '/camera/color/video',
         '/station/compensation', '/station/surface', '/station/events', '/station/ultrasound', '/station/inside',
         '/playback/network', '/playback/comparison', '/recording', '/sessions', '/source', '/exposure', '/people',
       ],
@@ -180,6 +210,9 @@ const stream = new Stream(
         device.forget();
         taker.inUse = undefined;
         instants.restart();
+        video.restart();
+        colorChoice.restart();
+        chooseTopics();
         silence.restart();
         leastAge = new LeastAge();
       },
@@ -213,17 +246,20 @@ function news(): News {
     motion: device.motion,
     waiting: timesOf(instants.waiting),
     overtaken: instants.overtaken,
-    undecodable: stream.undecodable + decoder.undecodable,
+    undecodable: stream.undecodable + decoder.undecodable + video.undecodable,
+    colorSaid: colorChoice.said,
   };
 }
 
 onmessage = ({data}: MessageEvent<ToWorker>) => {
   if ('hand' in data) stream.publish('/viewer/hand', data.hand);
   else if ('extra' in data) {
-    stream.setExtraTopics(data.extra.topics);
+    viewTopics = data.extra.topics;
+    chooseTopics();
     lightMeter = data.extra.light ? lightMeter ?? new LightMeter() : undefined;
   }
   else if ('ultrasound' in data) ultrasound = new WorkerCanvas(data.ultrasound);
+  else if ('color' in data) askForColor(data.color);
   else if ('takePlace' in data) taker.take(data.takePlace);
   else if (data.ask === 'instant') instants.ask();
   else if (data.ask === 'probe') probeImages.ask();
@@ -233,6 +269,11 @@ onmessage = ({data}: MessageEvent<ToWorker>) => {
   }
 };
 
+chooseTopics();
+void decodesVideo().then((offered) => {
+  colorChoice.offered = offered;
+  chooseTopics();
+});
 clock.start();
 instants.ask();  // for the page, whose own requests wait until its large script has run
 post({news: news()});

@@ -1,6 +1,7 @@
 import type {Touch} from '../calibration/offset_fit';
 import type {InnerStructures} from '../messages/generated';
 import type {OwnTopics} from '../messages/topics';
+import type {ColorCoding} from '../present/color_choice';
 import type {Instant} from '../present/instant';
 import type {ProbeView} from '../present/probe_view';
 import {linkWorker} from './early_worker';
@@ -48,6 +49,11 @@ export class SiteLink {
   /** Asks for the touches of a place, for a calibration; undefined: of none. */
   takePlace(takePlace: number | undefined): void {
     this.say({takePlace});
+  }
+
+  /** How the camera's colour comes. */
+  askForColor(color: ColorCoding): void {
+    this.say({color});
   }
 
   /** What the present view needs besides the usual. */

@@ -9,6 +9,7 @@ import type {
   CaptureStatus, HandHolder, InnerStructures, Phase, ServerStats, StationEvent, SurfaceReport,
 } from '../messages/generated';
 import type {ChangedStates, OwnTopics, Topics} from '../messages/topics';
+import type {ColorCoding} from '../present/color_choice';
 import type {DeviceMotion} from '../present/device_watch';
 import type {Instant, Light} from '../present/instant';
 import type {ProbeView} from '../present/probe_view';
@@ -53,6 +54,7 @@ export interface News {
   dropped: number;     // frames dropped on the way to this viewer
   overtaken: number;   // frames that this viewer skipped before decoding
   undecodable: number;
+  colorSaid: string;   // which coding of colour the page takes, in one sentence; empty: pictures, as nobody asked otherwise
 }
 
 /** What only some views need: topics that are not always subscribed, and the brightness of the colour picture. */
@@ -63,7 +65,7 @@ export interface Extra {
 
 export type Asked = 'instant' | 'news' | 'probe';
 export type ToWorker = {ask: Asked} | {hand: OwnTopics['/viewer/hand']} | {extra: Extra} |
-    {ultrasound: OffscreenCanvas} | {takePlace: number | undefined};
+    {ultrasound: OffscreenCanvas} | {color: ColorCoding} | {takePlace: number | undefined};
 /**
  * An answer to each request. The layers below the skin come without a request, once for a station; so do the touches of
  * a place once it is taken.

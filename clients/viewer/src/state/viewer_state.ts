@@ -55,6 +55,7 @@ export interface Reading extends Health {
   sessionNow_ns: bigint | undefined;                // the session clock; undefined while it is not known
   light: Light | undefined;                         // only in views that show it
   cameraFrames_per_s: number;
+  colorSaid: string;  // which coding of colour the page takes; empty: nothing to say
   taking: Taking | undefined;  // of a calibration; undefined: there is no live station whose tracker needs one
 }
 
@@ -179,6 +180,7 @@ export class ViewerState {
       frames: this.frames,
       dropped: (news?.dropped ?? 0) + (news?.overtaken ?? 0),
       undecodable: news?.undecodable ?? 0,
+      colorSaid: news?.colorSaid ?? '',
       lateTicks: news?.lateTicks,
       pictureInstant_ms: picture?.captured_ms,
       picturePublished_ms: picture?.published_ms,

@@ -6,6 +6,7 @@
 
 #include "foxglove/CameraCalibration.pb.h"
 #include "foxglove/CompressedImage.pb.h"
+#include "foxglove/CompressedVideo.pb.h"
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
 #include "messages/inside.pb.h"
@@ -25,6 +26,7 @@ using google::protobuf::FileDescriptor;
 const DescriptorPool& pool_with_our_types() {
   static const Descriptor* const linked[] = {foxglove::CameraCalibration::descriptor(),
                                              foxglove::CompressedImage::descriptor(),
+                                             foxglove::CompressedVideo::descriptor(),
                                              msg::DepthImage::descriptor(),
                                              msg::Clock::descriptor(),
                                              msg::StationState::descriptor(),
