@@ -214,7 +214,7 @@ int run_anchor(int argc, const char* const* argv) {
        .options = {{"touches", "FILE", "the touches; see docs/mixed.md", "touches.csv"},
                    {"gravity", "WHAT", "known: the device's base is level; unknown: it may be tilted", "known"},
                    {"out", "FILE", "the headset's pose of the device", "anchor.csv"}},
-       .example = "telepalp-mixed anchor --touches touches.csv"},
+       .example = "telepalp-mixed anchor --touches desk/touches.csv"},
       argc, argv, run<anchor>);
 }
 

@@ -24,6 +24,18 @@ Result<AnchorTouches> read_touches(const std::filesystem::path& file) {
   return touches;
 }
 
+std::string touches_table(const AnchorTouches& touches) {
+  std::string text = std::string(kTouchesHeader) + "\n";
+  const auto add = [&](int place, const Eigen::Vector3d& known, const Eigen::Isometry3d& headset_from_tool) {
+    std::vector<double> row{1.0 * place, known.x(), known.y(), known.z()};
+    for (const double number : pose_numbers(headset_from_tool)) row.push_back(number);
+    text += numbers(row) + "\n";
+  };
+  for (const Eigen::Isometry3d& turned : touches.pivot) add(-1, Eigen::Vector3d::Zero(), turned);
+  for (const AnchorTouches::AtPlace& one : touches.places) add(one.place, one.known.m, one.headset_from_tool);
+  return text;
+}
+
 std::string anchor_table(const HeadsetAnchor& anchor) {
   std::vector<double> row = pose_numbers(anchor.headset_from_haptic.iso);
   row.push_back(anchor.rms_m);

@@ -26,6 +26,7 @@ struct AnchorTouches {
 /// Error, with file and line: as each_row(), or a place that is no whole number from -1 to 1000.
 [[nodiscard]] Result<AnchorTouches> read_touches(const std::filesystem::path& file);
 
+[[nodiscard]] std::string touches_table(const AnchorTouches& touches);
 [[nodiscard]] std::string anchor_table(const HeadsetAnchor& anchor);
 
 }  // namespace telepalp::mixed

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "clients/mixed/files/anchor_touches.h"
 #include "clients/mixed/files/image_sequence.h"
 #include "clients/mixed/scene/desk_props.h"
 #include "support/images/image_file.h"
@@ -86,6 +87,25 @@ std::vector<Click> clicked(const StandingDevice& device) {
   return clicks;
 }
 
+/// Touches with a finger at three places, twice each, with 1 mm of noise an axis, by a headset whose space is turned
+/// and moved against the device.
+AnchorTouches touched() {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal(0.0, 1e-3);
+  const Eigen::Isometry3d headset_from_haptic =
+      Eigen::Translation3d(0.1, 0.9, -0.5) * Eigen::AngleAxisd(0.6, Vector3d::UnitY());
+  AnchorTouches touches;
+  for (int place = 0; place < 3; ++place)
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      const double at = 2.0 * std::numbers::pi / 3.0 * place;
+      const Point<HapticBase> known{Vector3d(0.12 * std::cos(at), 0.12, 0.12 * std::sin(at))};
+      const Vector3d off(normal(random), normal(random), normal(random));
+      const Vector3d tip = headset_from_haptic * known.m + off;
+      touches.places.push_back({place, known, Eigen::Isometry3d(Eigen::Translation3d(tip))});
+    }
+  return touches;
+}
+
 }  // namespace
 
 Result<void> write_rendered_sequence(const fs::path& folder, int background, int frames, double gap_m,
@@ -110,6 +130,7 @@ Result<void> write_rendered_sequence(const fs::path& folder, int background, int
       {"proxy.obj", proxy_obj(proxy == ProxyKind::Planes ? desk_planes() : desk_depths(false, program::processors()))},
       {"device.csv", device_table({device.world_from_haptic, 0.3e-3, 0.002})},
       {"clicks.csv", clicks_table(clicked(device))},
+      {"touches.csv", touches_table(touched())},
       {"frames.csv", frames_table(live)},
       {"coupling.csv", coupling_table(coupled(frames, gap_m))}};
   for (const auto& [name, text] : tables)

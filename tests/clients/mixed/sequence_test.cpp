@@ -119,6 +119,11 @@ TEST(MixedProgram, ComposesCalibratesAndWritesABoard) {
                 log),
             0);
   EXPECT_NE(text_of(log).find("36 clicks miss their rings by 1."), std::string::npos) << text_of(log);
+  ASSERT_EQ(
+      run({"anchor", "--touches", (rendered() / "touches.csv").string(), "--out", (out.path() / "anchor.csv").string()},
+          log),
+      0);
+  EXPECT_NE(text_of(log).find("residual 1."), std::string::npos) << text_of(log);
   ASSERT_EQ(run({"board", "--out", (out.path() / "board.svg").string()}, log), 0);
   EXPECT_TRUE(fs::exists(out.path() / "board.csv"));
   EXPECT_EQ(run({"compose", "--images", "/no/such/folder"}, log), 1);
