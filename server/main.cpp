@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "proto/keys/secret/passphrase.h"
 #include "server/capture/capture_source.h"
 #include "server/gateway/gateway.h"
 #include "server/gateway/health/metrics.h"

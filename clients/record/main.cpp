@@ -1,12 +1,12 @@
 #include "clients/record/file_commands.h"
 #include "clients/record/live/amounts.h"
 #include "clients/record/live/recording.h"
-#include "support/program/consent.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
+#include "support/program/people/consent.h"
 #include "support/program/terminal.h"
 
 namespace {

@@ -13,13 +13,13 @@
 #include "proto/wire/client/client_link.h"
 #include "support/images/image_file.h"
 #include "support/program/address.h"
-#include "support/program/consent.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
+#include "support/program/people/consent.h"
 
 namespace {
 

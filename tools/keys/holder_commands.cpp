@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "proto/keys/request/key_request.h"
+#include "proto/keys/secret/passphrase.h"
 #include "support/program/files/whole_file.h"
 #include "tools/keys/commands.h"
 #include "tools/keys/key_folder.h"

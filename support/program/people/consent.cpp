@@ -1,4 +1,4 @@
-#include "support/program/consent.h"
+#include "support/program/people/consent.h"
 
 namespace telepalp::program {
 
