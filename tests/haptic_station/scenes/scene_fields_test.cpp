@@ -203,25 +203,26 @@ TEST(SceneFields, LayersOfTissueAreReadIntoTheirSettings) {
   EXPECT_EQ(recipe.tip_m, Eigen::Vector3d(0.0, 0.0, -0.12));
   const tissue::TissueSettings& tissue = tissue::settings_of(*recipe.model);
   EXPECT_EQ(tissue.at_m.y(), -0.01);
-  EXPECT_EQ(std::array({tissue.net_radius_m, tissue.net_edge_m, tissue.net.spread_m, 1.0 * tissue.net.subdivisions}),
-            std::array({0.04, 0.01, 0.02, 0.0}));
-  EXPECT_EQ(std::array({tissue.shaft.side_N_per_m, tissue.shaft.tears_at_N_per_m, tissue.shaft.bevel_rad}),
-            std::array({70.0, 9.0, 0.2}));
+  EXPECT_EQ(
+      std::vector<double>({tissue.net_radius_m, tissue.net_edge_m, tissue.net.spread_m, 1.0 * tissue.net.subdivisions}),
+      std::vector<double>({0.04, 0.01, 0.02, 0.0}));
+  EXPECT_EQ(std::vector<double>({tissue.shaft.side_N_per_m, tissue.shaft.tears_at_N_per_m, tissue.shaft.bevel_rad}),
+            std::vector<double>({70.0, 9.0, 0.2}));
   ASSERT_EQ(tissue.layers.size(), 2U);
   EXPECT_EQ(tissue.layers[1].top_m, 0.02);
   EXPECT_FALSE(tissue.layers[1].bulk);
   const tissue::LayerSettings& layer = tissue.layers[0];
   EXPECT_EQ(layer.name, "skin");
   const tissue::SurfaceSettings& surface = *layer.surface;
-  EXPECT_EQ(
-      std::array({layer.thickness_m, surface.stiffness_N_per_m, surface.stiffening_N_per_m2, surface.punctures_at_N,
-                  surface.friction_N, surface.bristle_N_per_m, surface.side_grip, surface.falls_in_s}),
-      std::array({0.02, 99.0, 7.0, 1.5, 0.4, 88.0, 0.7, 0.03}));
+  EXPECT_EQ(std::vector<double>({layer.thickness_m, surface.stiffness_N_per_m, surface.stiffening_N_per_m2,
+                                 surface.punctures_at_N, surface.friction_N, surface.bristle_N_per_m, surface.side_grip,
+                                 surface.falls_in_s}),
+            std::vector<double>({0.02, 99.0, 7.0, 1.5, 0.4, 88.0, 0.7, 0.03}));
   const tissue::BulkSettings& bulk = *layer.bulk;
   EXPECT_EQ(bulk.law, tissue::BulkLaw::Paper);
-  EXPECT_EQ(std::array({bulk.stick_N_per_m, bulk.slips_at_N, bulk.slips_at_N_per_m, bulk.cuts_at_N,
-                        bulk.damping_N_s_per_m, bulk.resolution_m, 1.0 * bulk.equal_readings}),
-            std::array({77.0, 0.6, 5.0, 0.8, 3.0, 1e-4, 9.0}));
+  EXPECT_EQ(std::vector<double>({bulk.stick_N_per_m, bulk.slips_at_N, bulk.slips_at_N_per_m, bulk.cuts_at_N,
+                                 bulk.damping_N_s_per_m, bulk.resolution_m, 1.0 * bulk.equal_readings}),
+            std::vector<double>({77.0, 0.6, 5.0, 0.8, 3.0, 1e-4, 9.0}));
   EXPECT_EQ(layer.relaxation.branches, 1);
   EXPECT_EQ(layer.relaxation.share[0], 0.25);
   EXPECT_EQ(layer.relaxation.time_s[0], 2.0);
