@@ -95,7 +95,7 @@ std::vector<Row> run_needle_insertion_section(const std::string& folder) {
   std::vector<tissue::InsertionCurve> all;
   for (const auto& [name, curve] : first) all.push_back(curve);
   const Result<tissue::InsertionFit> of_first = tissue::fit_insertion(all);
-  for (const Curves* liver : {&first, &second})
+  for (const Curves* liver : std::initializer_list<const Curves*>{&first, &second})
     for (const auto& [name, curve] : *liver) add_error(own, tissue::fit_insertion({&curve, 1}), curve);
   for (const auto& [name, curve] : second) add_error(held_out, of_first, curve);
   rows.push_back(at_most("insertions, fitted to their own curve: RMS over peak force, median", own.p50(), "%", 5.0));
