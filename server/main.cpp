@@ -54,7 +54,7 @@ program::Usage usage() {
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
                       {"seconds", "S", "stop after S seconds; 0: never", "0"},
                       {"bind", "ADDRESS", "listen here; a network address needs --key", "127.0.0.1"},
-                      {"key", "FILE", "this server's key; clients then need keys; default: none"},
+                      {"key", "FILE", "this server's key; clients then need one each"},
                       {"web-cert", "FILE", "certificate that browsers see; default: that of --key"},
                       {"web-key", "FILE", "private key of --web-cert"},
                       {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},

@@ -4,7 +4,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/effects/presets/tissue_presets.h"
 #include "haptic_station/organs/organ_shape.h"
 #include "haptic_station/scenes/layer.h"
 #include "haptic_station/scenes/read_tissue.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "haptic_station/core/built_effects.h"
-#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/effects/presets/tissue_presets.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/commands/calibrate_command.h"
 #include "haptic_station/station/commands/hand_over.h"

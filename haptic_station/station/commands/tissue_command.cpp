@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "haptic_station/calibration/tissue_fit.h"
-#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/effects/presets/tissue_presets.h"
 #include "support/program/options.h"
 
 namespace telepalp::station {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/effects/presets/tissue_presets.h"
 #include "haptic_station/station/picture/ground.h"
 #include "haptic_station/station/picture/picture_view.h"
 #include "haptic_station/station/picture/pixels.h"

@@ -9,7 +9,7 @@
 
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/device/breathing_plane.h"
-#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/effects/presets/tissue_presets.h"
 #include "haptic_station/solids/polish.h"
 #include "proto/words/numbers/quantile.h"
 

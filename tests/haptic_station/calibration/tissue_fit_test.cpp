@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "haptic_station/effects/tissue_presets.h"
+#include "haptic_station/effects/presets/tissue_presets.h"
 #include "where.h"
 
 namespace telepalp::calibration {

@@ -113,7 +113,7 @@ TEST(OneLine, IsAllThatNamesAKindOutsideItsOwnFilesItsReaderAndPictures) {
     for (std::string line; std::getline(text, line);)
       if (line.find("Membrane") != std::string::npos) found += file + ": " + line + "\n";
   }
-  EXPECT_EQ(found, "effects/effect_list.h:     Membrane>;\n");
+  EXPECT_EQ(found, "effects/effect_list.h:     Membrane,                 //\n");
 }
 
 /// Whoever makes an effect bank beside the core would not know of the slow stages.

@@ -79,7 +79,7 @@ TEST_F(BadScene, AWrongTissueIsRefusedAtItsPlace) {
   expect_place(said("layer { name: \"muscle\" bulk {} }"),
                ":3:1: ", "layer \"muscle\": the layer has a bulk and no thickness");
   expect_place(said("layer { name: \"air\" }"), ":3:1: ", "layer \"air\": the layer has neither");
-  expect_place(said("layer { surface {} relaxation { share: 0.5 time_s: 0 } }"), ":3:44: ", "relaxation.time_s is 0 s");
+  expect_place(said("layer { surface {} relaxation { share: 0.5 time_s: 0 } }"), ":3:20: ", "relaxation.time_s is 0 s");
   expect_place(said("layer { surface {} }\nnet_radius_m: 0.1 net_edge_m: 0.001"),
                ":2:11: ", "net_radius_m is not 3 to 40 times net_edge_m");
   expect_place(said(""), ":2:11: ", "the tissue has no layer");
