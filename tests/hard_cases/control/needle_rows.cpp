@@ -120,13 +120,15 @@ AssertionResult two_at_once() {
   const Needle needle = drive(two, down_to(0.012, [](double) { return Vector3d(0.0, 0.0, 0.0); }), 1.5);
   tissue::Insertion run(two);
   bool in_order = true;
+  double both_N = 0.0;
   for (int i = 0; i < 2000; ++i) {
     run.tick(run.needle.tip_m - Vector3d(0.0, 1e-5, 0.0));
+    both_N = std::max(both_N, run.force_N.norm());
     in_order = in_order &&
                (run.tissue.layer(1).state != LayerState::Inserted || run.tissue.layer(0).state == LayerState::Inserted);
   }
   return all_of({steady(needle),
-                 above("both push", needle.most_N, 1.8, 1.0, "N"),
+                 above("both push", both_N, 1.8, 1.0, "N"),
                  {in_order && run.tissue.layer(1).state == LayerState::Inserted, "the outer one is punctured first"},
                  below_N("then friction alone", needle.last_N, 0.21)});
 }
@@ -147,7 +149,7 @@ AssertionResult thinner_than_a_tick() {
   }
   return all_of({above("the film is met", film_N, 0.45, 1.0, "N"),
                  {run.tissue.layer(1).state == LayerState::Inserted, "and punctured"},
-                 {run.worst_gain_J <= 0.0, "no energy gained"}});
+                 {run.worst_gain_J <= 1e-12, "no energy gained"}});
 }
 
 /// The tissue begins 10 mm below the skin, so that the needle leaves it without leaving the body.
