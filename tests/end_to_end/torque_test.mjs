@@ -49,8 +49,10 @@ async function shownTorque_N_m() {
 /** Presses 5 mm deeper, down to 0.1 m: the slower this computer answers the device, the softer is the spring between it and
  * the tool, and the deeper must the device be where the tool reaches the membrane. */
 async function pressDeeper() {
-  depth_m = Math.min(depth_m + 0.005, 0.1);
-  await device.move([0, -depth_m, 0]);
+  if (depth_m < 0.1) {
+    depth_m += 0.005;
+    await device.move([0, -depth_m, 0]);
+  }
   return shownTorque_N_m();
 }
 
