@@ -44,20 +44,6 @@ test('the page shows the patient in the colours of the video', async () => {
   assert.match(topics, /color\/video/, `the card Network names the topic: ${topics}`);
 });
 
-test('a tick gives pictures again, and the choice is remembered', async () => {
-  if (!(await page.isVisible('#side'))) await page.keyboard.press('d');
-  await page.goto(`${address}?view=technician`);
-  await page.waitForSelector('#color-video', {state: 'attached'});
-  assert.equal(await page.isChecked('#color-video'), false, 'the address alone is not remembered');
-  await page.evaluate(() => document.querySelector('#color-video').click());
-  await until('the page takes video', async () => /as video/.test(await colorSaid()));
-  await page.reload();
-  await page.waitForSelector('#color-video', {state: 'attached'});
-  assert.equal(await page.isChecked('#color-video'), true);
-  await page.evaluate(() => document.querySelector('#color-video').click());
-  await until('the page says nothing more', async () => (await colorSaid()) === '');
-});
-
 test('video takes a fraction of the bytes of pictures', async () => {
   const video = await published('/camera/color/video');
   assert.ok(video.per_s > 10, JSON.stringify(video));
