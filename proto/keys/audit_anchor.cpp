@@ -3,8 +3,8 @@
 #include <openssl/evp.h>
 
 #include <charconv>
-#include <cstdio>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <tuple>
 #include <vector>
@@ -14,23 +14,9 @@
 namespace telepalp::keys {
 namespace {
 
-using DigestPtr = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX_free>>;
-
 constexpr std::string_view kSignature = " signature=";
 /// Begins each signed text, because the key also signs TLS handshakes.
 constexpr std::string_view kSigned = "telepalp audit anchor 1\n";
-
-const unsigned char* bytes_of(std::string_view text) { return reinterpret_cast<const unsigned char*>(text.data()); }
-
-std::string to_hex(std::string_view bytes) {
-  std::string text;
-  for (const char byte : bytes) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", static_cast<unsigned char>(byte));
-    text += digits;
-  }
-  return text;
-}
 
 /// The bytes that `text` writes in hexadecimal; empty: it is not hexadecimal.
 std::string from_hex(std::string_view text) {
@@ -86,7 +72,7 @@ Result<std::string> anchor_line(const AuditAnchor& anchor, const KeyFile& server
       EVP_DigestSign(digest.get(), reinterpret_cast<unsigned char*>(signature.data()), &size, bytes_of(message),
                      message.size()) != 1)
     return openssl_error("anchor of the audit log");
-  return text_of(anchor) + std::string(kSignature) + to_hex(std::string_view(signature).substr(0, size));
+  return text_of(anchor) + std::string(kSignature) + in_hexadecimal(std::span(bytes_of(signature), size));
 }
 
 Result<AuditAnchor> read_anchor(std::string_view line, std::string_view certificate) {

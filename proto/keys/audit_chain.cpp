@@ -3,12 +3,13 @@
 #include <openssl/sha.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <optional>
+
+#include "proto/keys/x509/openssl.h"
 
 namespace telepalp::keys {
 namespace {
@@ -74,17 +75,13 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-std::string sha256_hex(std::string_view bytes) {
+std::array<unsigned char, SHA256_DIGEST_LENGTH> sha256(std::string_view bytes) {
   std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data());
-  std::string text;
-  for (const unsigned char byte : digest) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", byte);
-    text += digits;
-  }
-  return text;
+  SHA256(bytes_of(bytes), bytes.size(), digest.data());
+  return digest;
 }
+
+std::string sha256_hex(std::string_view bytes) { return in_hexadecimal(sha256(bytes)); }
 
 std::string audit_line(AuditPosition& position, std::string_view text) {
   const std::string safe = escaped(text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -54,6 +55,7 @@ class AuditVerifier {
 /// The name to which the file `log` is renamed when it is full: LOG.4 if the newest such file is LOG.3.
 [[nodiscard]] std::filesystem::path next_audit_file(const std::filesystem::path& log);
 
-[[nodiscard]] std::string sha256_hex(std::string_view bytes);
+[[nodiscard]] std::array<unsigned char, 32> sha256(std::string_view bytes);
+[[nodiscard]] std::string sha256_hex(std::string_view bytes);  ///< in hexadecimal
 
 }  // namespace telepalp::keys

@@ -149,7 +149,7 @@ Result<std::string> issue(const CertificateRequest& request, const std::string& 
   if (!certificate) return certificate.error();
   if (!is_permitted(**certificate, authority)) return not_permitted(authority);
   const std::string about = asked.key ? "telepalp: the certificate of " + asked.name +
-                                            ". It holds no secret, and works only with the " + "private key that " +
+                                            ". It holds no secret, and works only with the private key that " +
                                             asked.name + " has.\n"
                                       : preamble;
   return about + to_pem(**certificate) + (asked.key ? "" : own.text) + to_pem(authority);

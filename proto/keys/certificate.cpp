@@ -31,7 +31,7 @@ bool add_extensions(X509& certificate, X509& issuer, const CertificateRequest& r
     added = added && add_extension(certificate, issuer, NID_authority_key_identifier, "keyid:always");
     added = added && add_extension(certificate, issuer, NID_ext_key_usage, request.usage);
   }
-  if (!request.limits.empty()) {  // nor may it sign programs or mails
+  if (!request.limits.empty()) {  // such an authority is for TLS alone: it signs neither programs nor mail
     added = added && add_extension(certificate, issuer, NID_name_constraints, request.limits);
     added = added && add_extension(certificate, issuer, NID_ext_key_usage, "serverAuth,clientAuth");
   }

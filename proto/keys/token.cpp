@@ -13,8 +13,6 @@
 namespace telepalp::keys {
 namespace {
 
-using DigestPtr = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX_free>>;
-
 constexpr std::string_view kPrefix = "tp2.";
 constexpr std::string_view kBearerPrefix = "tp1.";
 constexpr std::string_view kProved = "telepalp token proof 2\n";  // the exporter's bytes follow it
@@ -56,8 +54,7 @@ bool is_signed(const std::string& payload, const std::string& signature, EVP_PKE
   const DigestPtr digest(EVP_MD_CTX_new());
   const std::string message = std::string(kSigned) + payload;
   return EVP_DigestVerifyInit(digest.get(), nullptr, EVP_sha256(), nullptr, &key) == 1 &&
-         EVP_DigestVerify(digest.get(), reinterpret_cast<const unsigned char*>(signature.data()), signature.size(),
-                          reinterpret_cast<const unsigned char*>(message.data()), message.size()) == 1;
+         EVP_DigestVerify(digest.get(), bytes_of(signature), signature.size(), bytes_of(message), message.size()) == 1;
 }
 
 std::string payload_of(const Identity& bearer, const std::string& public_key) {
@@ -85,8 +82,6 @@ std::optional<Bearer> bearer_in(const std::string& payload) {
   words >> read.public_key;
   return read;
 }
-
-const unsigned char* bytes_of(std::string_view text) { return reinterpret_cast<const unsigned char*>(text.data()); }
 
 std::string public_key_of(EVP_PKEY& secret) {
   std::string key(kKeyBytes, '\0');
@@ -167,13 +162,12 @@ Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) 
     return openssl_error("token");
   const std::string payload = payload_of(bearer, public_key_of(*secret));
   const std::string message = std::string(kSigned) + payload;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(message.data());
   const DigestPtr digest(EVP_MD_CTX_new());
   std::string signature(160, '\0');
   std::size_t size = signature.size();
   if (EVP_DigestSignInit(digest.get(), nullptr, EVP_sha256(), nullptr, &authority_key) != 1 ||
-      EVP_DigestSign(digest.get(), reinterpret_cast<unsigned char*>(signature.data()), &size, bytes, message.size()) !=
-          1)
+      EVP_DigestSign(digest.get(), reinterpret_cast<unsigned char*>(signature.data()), &size, bytes_of(message),
+                     message.size()) != 1)
     return openssl_error("token");
   signature.resize(size);
   return std::string(kPrefix) + to_base64(payload) + "." + to_base64(signature) + "." + to_base64(raw);

@@ -1,10 +1,10 @@
 #include "server/gateway/sign_in.h"
 
 #include <openssl/evp.h>
-#include <openssl/sha.h>
 
 #include <array>
 
+#include "proto/keys/audit_chain.h"
 #include "server/gateway/request/reading_request.h"
 
 namespace telepalp::gateway {
@@ -26,10 +26,9 @@ constexpr std::string_view kStyle =
     "[role=alert]{margin:0 0 1rem;padding:.6rem .8rem;color:#ffd9a0;background:#3a2a0b;border-radius:8px}";
 
 std::string sha256_in_base64(std::string_view text) {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
-  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data());
-  std::array<unsigned char, 4 * ((SHA256_DIGEST_LENGTH + 2) / 3) + 1> base64{};
-  const int length = EVP_EncodeBlock(base64.data(), digest.data(), SHA256_DIGEST_LENGTH);
+  const std::array digest = keys::sha256(text);
+  std::array<unsigned char, 4 * ((digest.size() + 2) / 3) + 1> base64{};
+  const int length = EVP_EncodeBlock(base64.data(), digest.data(), static_cast<int>(digest.size()));
   return {reinterpret_cast<const char*>(base64.data()), static_cast<std::size_t>(length)};
 }
 

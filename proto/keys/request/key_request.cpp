@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 
+#include "proto/keys/audit_chain.h"
 #include "proto/keys/x509/names.h"
 #include "proto/keys/x509/openssl.h"
 
@@ -112,13 +113,10 @@ PublicKey public_key_of(const KeyFile& key) {
 std::string fingerprint(EVP_PKEY& key) {
   unsigned char* bytes = nullptr;
   const int size = i2d_PUBKEY(&key, &bytes);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> hash{};
-  unsigned hashed = 0;
-  const bool made =
-      size > 0 && EVP_Digest(bytes, static_cast<std::size_t>(size), hash.data(), &hashed, EVP_sha256(), nullptr) == 1;
+  if (size <= 0) return "";
+  const std::string encoded(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
   OPENSSL_free(bytes);
-  if (!made) return "";
-  return "SHA256:" + in_hexadecimal(std::span(hash).first(hashed));
+  return "SHA256:" + sha256_hex(encoded);
 }
 
 }  // namespace telepalp::keys

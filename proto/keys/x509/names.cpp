@@ -35,7 +35,7 @@ Result<void> add_own(std::vector<std::string>& hosts) {
   return Error{.what = "more than 13 hosts are given", .where = "--host", .fix = "give at most 13"};
 }
 
-/// The first `ones` bits of an address set: "255.0.0.0" for 8 of 4 bytes.
+/// The network mask whose first `ones` bits are set: "255.0.0.0" for 8 bits of an IPv4 address.
 std::string mask_text(int family, unsigned ones) {
   std::array<unsigned char, 16> bytes{};
   for (unsigned bit = 0; bit < ones; ++bit) bytes[bit / 8] |= static_cast<unsigned char>(0x80U >> (bit % 8));

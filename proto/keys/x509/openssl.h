@@ -28,12 +28,18 @@ using CertificatePtr = std::unique_ptr<X509, Freed<X509_free>>;
 using PrivateKeyPtr = std::unique_ptr<EVP_PKEY, Freed<EVP_PKEY_free>>;
 using RevocationListPtr = std::unique_ptr<X509_CRL, Freed<X509_CRL_free>>;
 using BytesPtr = std::unique_ptr<BIO, Freed<BIO_free_all>>;
+using DigestPtr = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX_free>>;
 
 [[nodiscard]] PrivateKeyPtr new_private_key();  ///< ECDSA on P-256: browsers take no Ed25519 certificates
 [[nodiscard]] std::string random_serial();      ///< 80 bits in hexadecimal, 78 of them random
 
 [[nodiscard]] std::string random_hexadecimal(std::size_t bytes);
 [[nodiscard]] std::string in_hexadecimal(std::span<const unsigned char> bytes);
+
+/// `text` as OpenSSL's functions take it.
+[[nodiscard]] inline const unsigned char* bytes_of(std::string_view text) noexcept {
+  return reinterpret_cast<const unsigned char*>(text.data());
+}
 
 [[nodiscard]] BytesPtr reader_of(std::string_view text);
 [[nodiscard]] std::string text_in(BIO& bytes);  ///< what was written to a memory BIO
