@@ -20,7 +20,7 @@ class HandHolder {
   /// Call it when `viewer` moves its hand. True: the viewer has control, and the message may go to the station.
   /// `is_own`: the station belongs to the viewer's doctor, or to nobody. If it is false, the viewer has control only if
   /// another viewer has handed it over; else the call requests control.
-  [[nodiscard]] bool moves(std::uint64_t viewer, SessionTime now, bool is_own = true);
+  [[nodiscard]] bool moves(std::uint64_t viewer, SessionTime now, bool is_own);
 
   /// Call it when `viewer` lets go or disconnects. Another viewer gets control when it next moves its hand.
   void let_go(std::uint64_t viewer);
@@ -35,7 +35,7 @@ class HandHolder {
 
   /// True if `viewer` may re-arm the station, or accept an object as skin: it has control, or no viewer has and the
   /// station is its own doctor's (`is_own`).
-  [[nodiscard]] bool may_command(std::uint64_t viewer, bool is_own = true) const noexcept {
+  [[nodiscard]] bool may_command(std::uint64_t viewer, bool is_own) const noexcept {
     return holder_ == viewer ? is_own || handed_ : holder_ == 0 && is_own;
   }
 

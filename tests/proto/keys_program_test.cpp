@@ -107,7 +107,7 @@ TEST_F(KeysProgram, AuditVerifyReadsAcrossTheFilesOfALog) {
   EXPECT_NE(text_of(log).find("audit.log.1, line 1"), std::string::npos) << text_of(log);
   fs::remove(audit.string() + ".1");
   EXPECT_EQ(run({"audit-verify", audit.string()}), 0);
-  EXPECT_NE(text_of(log).find("audit.log: 2 lines, none altered\nThe 1 lines before them are in older files"),
+  EXPECT_NE(text_of(log).find("audit.log: 2 lines, none altered\nbefore them: 1 line in older files"),
             std::string::npos)
       << text_of(log);
 }

@@ -99,13 +99,13 @@ using namespace std::chrono_literals;
 TEST(HandHolder, AHandIsHeldUntilItsViewerLetsGo) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
-  EXPECT_TRUE(holder.moves(1, began));
-  EXPECT_FALSE(holder.moves(2, began + 1h));
+  EXPECT_TRUE(holder.moves(1, began, true));
+  EXPECT_FALSE(holder.moves(2, began + 1h, true));
   holder.let_go(2);
-  EXPECT_FALSE(holder.moves(2, began + 2h)) << "letting go of what it does not hold changes nothing";
+  EXPECT_FALSE(holder.moves(2, began + 2h, true)) << "letting go of what it does not hold changes nothing";
   holder.let_go(1);
-  EXPECT_TRUE(holder.moves(2, began + 2h + 1ms));
-  EXPECT_FALSE(holder.moves(1, began + 2h + 2ms));
+  EXPECT_TRUE(holder.moves(2, began + 2h + 1ms, true));
+  EXPECT_FALSE(holder.moves(1, began + 2h + 2ms, true));
 }
 
 TEST(HandHolder, OnlyADoctorsOwnViewerMovesTheStationUnlessItHandsTheHandOver) {
@@ -128,31 +128,31 @@ TEST(HandHolder, OnlyADoctorsOwnViewerMovesTheStationUnlessItHandsTheHandOver) {
 TEST(HandHolder, ASilentViewerLosesTheHandAfterTwoSeconds) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
-  EXPECT_TRUE(holder.moves(1, began));
-  EXPECT_TRUE(holder.moves(1, began + 1s));
+  EXPECT_TRUE(holder.moves(1, began, true));
+  EXPECT_TRUE(holder.moves(1, began + 1s, true));
   holder.end_if_silent(began + 2900ms);
-  EXPECT_FALSE(holder.moves(2, began + 2900ms)) << "1.9 s of silence";
+  EXPECT_FALSE(holder.moves(2, began + 2900ms, true)) << "1.9 s of silence";
   holder.end_if_silent(began + 3100ms);
   EXPECT_FALSE(holder.holds(1));
   EXPECT_EQ(holder.news(began + 3100ms)->viewer(), 0u);
-  EXPECT_TRUE(holder.moves(2, began + 3200ms));
+  EXPECT_TRUE(holder.moves(2, began + 3200ms, true));
 }
 
 TEST(HandHolder, TheHolderHandsOverToAViewerThatAsksAndToNobodyElse) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
-  EXPECT_TRUE(holder.moves(1, began));
+  EXPECT_TRUE(holder.moves(1, began, true));
   EXPECT_FALSE(holder.hand_over(1, 2, began)) << "viewer 2 does not ask";
-  EXPECT_FALSE(holder.moves(2, began + 1s));
-  EXPECT_FALSE(holder.moves(3, began + 1s));
+  EXPECT_FALSE(holder.moves(2, began + 1s, true));
+  EXPECT_FALSE(holder.moves(3, began + 1s, true));
   EXPECT_FALSE(holder.hand_over(3, 2, began + 1s)) << "viewer 3 holds nothing";
   EXPECT_FALSE(holder.hand_over(1, 2, began + 5s)) << "the request is 4 s old";
-  EXPECT_FALSE(holder.moves(2, began + 5s));
+  EXPECT_FALSE(holder.moves(2, began + 5s, true));
   EXPECT_TRUE(holder.hand_over(1, 2, began + 6s));
-  EXPECT_FALSE(holder.moves(3, began + 6s)) << "nobody takes the hand in between";
+  EXPECT_FALSE(holder.moves(3, began + 6s, true)) << "nobody takes the hand in between";
   EXPECT_EQ(holder.news(began + 6s)->viewer(), 2u);
-  EXPECT_TRUE(holder.moves(2, began + 6s));
-  EXPECT_FALSE(holder.moves(1, began + 6s));
+  EXPECT_TRUE(holder.moves(2, began + 6s, true));
+  EXPECT_FALSE(holder.moves(1, began + 6s, true));
 }
 
 TEST(ViewerCommands, HandingOverNamesAViewer) {
@@ -196,25 +196,25 @@ TEST(ViewerCommands, AcceptingAnObjectIsAMessageOfItsOwn) {
 
 TEST(HandHolder, OnlyTheHolderCommandsTheStationWhileThereIsOne) {
   gateway::HandHolder holder;
-  EXPECT_TRUE(holder.may_command(2));
-  EXPECT_TRUE(holder.moves(1, session_time(0)));
-  EXPECT_TRUE(holder.may_command(1));
-  EXPECT_FALSE(holder.may_command(2));
+  EXPECT_TRUE(holder.may_command(2, true));
+  EXPECT_TRUE(holder.moves(1, session_time(0), true));
+  EXPECT_TRUE(holder.may_command(1, true));
+  EXPECT_FALSE(holder.may_command(2, true));
 }
 
 TEST(HandHolder, ARequestIsPublishedOnceAndForgottenAfterThreeSeconds) {
   gateway::HandHolder holder;
   const SessionTime began = session_time(1'000);
   EXPECT_FALSE(holder.news(began)) << "nobody holds it, nobody asks";
-  EXPECT_TRUE(holder.moves(7, began));
+  EXPECT_TRUE(holder.moves(7, began, true));
   EXPECT_EQ(holder.news(began)->viewer(), 7u);
-  EXPECT_FALSE(holder.moves(8, began + 1s));
+  EXPECT_FALSE(holder.moves(8, began + 1s, true));
   const auto asked = holder.news(began + 1s);
   ASSERT_TRUE(asked);
   EXPECT_EQ(asked->viewer(), 7u);
   ASSERT_EQ(asked->asking_size(), 1);
   EXPECT_EQ(asked->asking(0), 8u);
-  EXPECT_FALSE(holder.moves(8, began + 2s));
+  EXPECT_FALSE(holder.moves(8, began + 2s, true));
   EXPECT_FALSE(holder.news(began + 2s));
   EXPECT_EQ(holder.news(began + 6s)->asking_size(), 0);
   holder.let_go(7);

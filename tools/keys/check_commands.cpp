@@ -80,9 +80,8 @@ Result<std::string> verify_audit(const Asked& asked) {
   const std::uint64_t before = verifier.lines_before();
   return asked.file + (files.size() > 1 ? " and " + counted(files.size() - 1, "older file", "older files") : "") +
          ": " + counted(verifier.position().lines - before, "line", "lines") + ", none altered\n" +
-         (before == 0
-              ? ""
-              : "The " + std::to_string(before) + " lines before them are in older files, which are not here.\n") +
+         (before == 0 ? ""
+                      : "before them: " + counted(before, "line", "lines") + " in older files, which are not here\n") +
          "last hash:  " + verifier.position().hash + "\n" +
          (anchors.empty()
               ? "To check that no lines were removed at the end, give the server's anchors, kept elsewhere: "

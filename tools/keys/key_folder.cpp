@@ -111,7 +111,7 @@ std::string serial_of(const std::string& line) { return line.substr(0, line.find
 /// The fingerprint with which a line of issued.txt ends; empty: the line is of a token, or of an older version.
 std::string fingerprint_of(const std::string& line) {
   const std::size_t at = line.rfind("  SHA256:");
-  return at == std::string::npos ? "" : line.substr(at);
+  return at == std::string::npos ? "" : line.substr(at + 2);
 }
 
 /// `serial`, and the serials of the other certificates of its key pair: a renewal of a certificate keeps the key pair,
@@ -164,7 +164,7 @@ Result<void> KeyFolder::check_not_revoked(const std::string& fingerprint, const 
   if (!gone) return gone.error();
   std::ifstream issued(path(kIssued));
   for (std::string line; std::getline(issued, line);)
-    if (fingerprint_of(line) == "  " + fingerprint && gone->contains(serial_of(line)))
+    if (fingerprint_of(line) == fingerprint && gone->contains(serial_of(line)))
       return Error{
           .what = "a certificate of this private key was revoked, so the key may be in wrong hands",
           .where = file,
