@@ -93,7 +93,7 @@ Result<void> Access::open_key(const Options& options) {
   if (!web) return web.error();
   tls_ = std::move(tls).value();
   web_tls_ = std::move(web).value();
-  key_ = std::move(key).value();
+  key_ = std::make_shared<const keys::KeyFile>(std::move(key).value());
   return {};
 }
 
@@ -125,10 +125,6 @@ std::vector<std::string> Access::web_hosts() const {
   std::vector<std::string> all = web_file_ ? web_file_->hosts() : std::vector<std::string>{};
   all.insert(all.end(), hosts().begin(), hosts().end());
   return all;
-}
-
-std::shared_ptr<const keys::KeyFile> Access::key() const {
-  return key_ ? std::make_shared<const keys::KeyFile>(*key_) : nullptr;
 }
 
 const std::vector<std::string>& Access::hosts() const {
@@ -217,9 +213,17 @@ Result<void> Access::may(const keys::Identity& who, keys::Operation operation) c
                  "use a key whose role allows it; `telepalp-keys show FILE` tells what a key allows");
 }
 
-bool Access::still_holds(const keys::Identity& who) const {
-  return !has_keys() || (who.expires > std::chrono::system_clock::now() && !revoked_.list().contains(who.serial) &&
-                         !is_revoked() && !people_.is_sent_out(who.serial, std::chrono::steady_clock::now()));
+std::optional<Error> Access::why_over(const keys::Identity& who) const {
+  if (!has_keys()) return std::nullopt;
+  if (is_revoked()) return own_key_is_revoked();
+  if (people_.is_sent_out(who.serial, std::chrono::steady_clock::now())) return is_sent_out(who);
+  if (who.expires <= std::chrono::system_clock::now())
+    return refused("the key of " + describe(who) + " has expired",
+                   "ask the technician to renew it: telepalp-keys renew FILE");
+  if (revoked_.list().contains(who.serial))
+    return refused("the key of " + describe(who) + " is revoked",
+                   "ask the technician for a key: telepalp-keys client --name NAME --role ROLE");
+  return std::nullopt;
 }
 
 Result<void> Access::read_revocations() {
@@ -228,9 +232,13 @@ Result<void> Access::read_revocations() {
   return {};
 }
 
-void Access::look_at_revocations() {
+void Access::look_at_files() {
   look_at_anchor(false);
   look_at_web_certificate();
+  look_at_revocations();
+}
+
+void Access::look_at_revocations() {
   if (!has_keys() || !revoked_.has_changed()) return;
   const Result<void> read = read_revocations();
   if (read) {

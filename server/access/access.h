@@ -41,7 +41,7 @@ class Access : public std::enable_shared_from_this<Access> {
   /// Error: the key is unreadable, expired or a person's; the revocation list is invalid; or the audit log is unusable.
   [[nodiscard]] static Result<std::shared_ptr<Access>> with_key(Options options);
 
-  [[nodiscard]] bool has_keys() const noexcept { return key_.has_value(); }
+  [[nodiscard]] bool has_keys() const noexcept { return key_ != nullptr; }
   /// TLS for stations and recorders; null without keys.
   [[nodiscard]] const wire::TlsSettings& tls() const noexcept { return tls_; }
   /// TLS for browsers; null without keys.
@@ -51,7 +51,7 @@ class Access : public std::enable_shared_from_this<Access> {
   /// As hosts(), for browsers: first those of the web certificate, which may begin with "*.".
   [[nodiscard]] std::vector<std::string> web_hosts() const;
   /// The server's key; null without keys.
-  [[nodiscard]] std::shared_ptr<const keys::KeyFile> key() const;
+  [[nodiscard]] std::shared_ptr<const keys::KeyFile> key() const noexcept { return key_; }
 
   /// What a peer (not a browser) shows to prove who uses it.
   struct Shown {
@@ -79,11 +79,14 @@ class Access : public std::enable_shared_from_this<Access> {
   /// Checks that the role of `who` allows `operation`. Each operation is checked where it enters the server.
   [[nodiscard]] Result<void> may(const keys::Identity& who, keys::Operation operation) const;
 
-  /// False once the key of `who` has expired or is revoked, or the technician has sent this person out.
-  [[nodiscard]] bool still_holds(const keys::Identity& who) const;
+  /// Why the key of `who` is no longer valid here: the server's own key is revoked, the technician has sent this person
+  /// out, or the key has expired or is revoked. nullopt: it is valid.
+  [[nodiscard]] std::optional<Error> why_over(const keys::Identity& who) const;
+  [[nodiscard]] bool still_holds(const keys::Identity& who) const { return !why_over(who); }
 
-  /// Reads the revocation list again if its file changed. Call it each second.
-  void look_at_revocations();
+  /// Reads the revocation list and the web certificate again if their files changed, and keeps an anchor of the audit
+  /// log when one is due. Call it each second.
+  void look_at_files();
   /// The list of revoked keys in PEM, which each client sees; empty without keys.
   [[nodiscard]] const std::string& revocation_list() const noexcept { return revoked_.text(); }
   [[nodiscard]] std::uint64_t revocation_number() const noexcept { return revoked_.list().number(); }
@@ -138,6 +141,7 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] Result<void> open_key(const Options& options);
   [[nodiscard]] Result<void> open_web(const Options& options);
   void look_at_web_certificate();
+  void look_at_revocations();
   [[nodiscard]] Result<void> read_revocations();
   [[nodiscard]] Error own_key_is_revoked() const;
   [[nodiscard]] Result<void> open_audit(const std::filesystem::path& log);
@@ -145,7 +149,7 @@ class Access : public std::enable_shared_from_this<Access> {
   [[nodiscard]] Result<keys::Identity> read(std::string_view token, const std::string& address,
                                             const keys::TokenProof& proof);
 
-  std::optional<keys::KeyFile> key_;
+  std::shared_ptr<const keys::KeyFile> key_;  // shared with the dialer of the meeting point; null: without keys
   wire::TlsSettings tls_;
   wire::TlsSettings web_tls_;
   std::optional<WebCertificateFile> web_file_;

@@ -103,7 +103,7 @@ std::string Gateway::url() const {
 
 void Gateway::look_after_connections_every_second() {
   const bool has_keys = context_->options.access->has_keys();
-  if (has_keys) context_->options.access->look_at_revocations();
+  if (has_keys) context_->options.access->look_at_files();
   const std::unordered_set<Connection*> open = context_->connections;  // check_access() may take them out
   for (Connection* const connection : open) {
     connection->send_playback_state();

@@ -15,7 +15,6 @@ keys::Operation operation_of(PlaceKind kind) noexcept {
   return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
 }
 
-constexpr const char* kAskTechnician = "ask the technician of the server";
 const Error kStationNeedsKey{.what = "a station needs a key, and this program has a token, which can be copied",
                              .where = {},
                              .fix = "ask the technician for a key: telepalp-keys client --name NAME --role doctor"};
@@ -52,16 +51,8 @@ double Peer::dropped() noexcept {
 
 void Peer::check_key() {
   show_revocations();
-  if (!who_ || site_.access.still_holds(*who_)) return;
-  if (site_.access.is_revoked())
-    return deny({.what = "the key of this server is revoked", .where = {}, .fix = kAskTechnician});
-  if (site_.access.people().is_sent_out(who_->serial, Clock::now()))
-    return deny({.what = "the technician has sent " + describe(*who_) + " out", .where = {}, .fix = kAskTechnician});
-  const bool expired = who_->expires <= std::chrono::system_clock::now();
-  deny({.what = "the key of " + describe(*who_) + (expired ? " has expired" : " is revoked"),
-        .where = {},
-        .fix = expired ? "ask the technician to renew it: telepalp-keys renew FILE"
-                       : "ask the technician for a key: telepalp-keys client --name NAME --role ROLE"});
+  if (!who_) return;
+  if (const std::optional<Error> over = site_.access.why_over(*who_)) deny(*over);
 }
 
 bool Peer::is_idle(Clock::time_point now) const noexcept {

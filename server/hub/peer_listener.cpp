@@ -250,7 +250,7 @@ void PeerListener::let_a_stranger_go() {
 
 void PeerListener::let_idle_go_every_second() {
   const auto now = std::chrono::steady_clock::now();
-  options_.access->look_at_revocations();
+  options_.access->look_at_files();
   audit_refused_datagrams(now);
   for (const auto& [number, peer] : peers_) {
     peer->check_key();

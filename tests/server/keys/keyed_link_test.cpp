@@ -98,7 +98,7 @@ TEST(KeyedLink, ARevocationListThatCannotBeReadIsSaidOnceAndTheOneBeforeItHolds)
       {.key = key, .revoked = {}, .audit = {}, .say = [&](const std::string& text) { said.push_back(text); }});
   ASSERT_TRUE(opened.ok()) << to_string(opened.error());
   std::filesystem::resize_file(key.parent_path() / "revoked.crl", std::uintmax_t{17} << 20);
-  for (int second = 0; second < 3; ++second) (*opened)->look_at_revocations();
+  for (int second = 0; second < 3; ++second) (*opened)->look_at_files();
   ASSERT_EQ(said.size(), 1U);
   EXPECT_NE(said[0].find("the previous list stays valid"), std::string::npos) << said[0];
 }

@@ -74,7 +74,7 @@ TEST(Revocation, AnOlderListIsRefusedWhileTheServerRunsAndAfterItsRestart) {
     ring.write_list({});  // number 6: "07" is no longer revoked
     std::filesystem::last_write_time(ring.folder.path() / "revoked.crl",
                                      std::filesystem::file_time_type::clock::now() + 2s);
-    (*access)->look_at_revocations();
+    (*access)->look_at_files();
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].find("is older (number 6) than one that this server has read before (number 7)"),
               std::string::npos)
@@ -107,7 +107,7 @@ TEST(Revocation, ARevokedKeyInUseIsAuditedByNameAndSerial) {
   const auto anna = site.ring.key("anna", Role::Doctor);
   const auto vera = site.ring.token("vera", Role::Viewer);
   site.ring.write_list({{anna->identity.serial, site.ring.now}, {vera->identity.serial, site.ring.now}});
-  site.access->look_at_revocations();
+  site.access->look_at_files();
   KeyedClient key(site, anna, "doctor"), token(site, vera);
   ASSERT_TRUE(site.run_until([&] { return key.refused() && token.refused(); }));
   for (const auto& [who, of] : {std::pair{"doctor anna", anna}, std::pair{"viewer vera", vera}}) {
