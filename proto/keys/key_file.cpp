@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <optional>
 
@@ -17,6 +16,7 @@
 #include "proto/keys/secret/private_key.h"
 #include "proto/keys/secret/small_file.h"
 #include "proto/keys/token.h"
+#include "proto/words/numbers/utc_text.h"
 
 namespace telepalp::keys {
 namespace {
@@ -219,14 +219,7 @@ Result<void> check_not_expired(const KeyFile& key, WallTime now, const std::stri
                .fix = "renew the key, or ask the technician to renew it: telepalp-keys renew " + file};
 }
 
-std::string in_words(WallTime time) {
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[40];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
-  return text;
-}
+std::string in_words(WallTime time) { return utc_text(time, "%Y-%m-%d %H:%M UTC"); }
 
 std::string in_words(const KeyFile& key) {
   std::string text;

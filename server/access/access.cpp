@@ -9,8 +9,8 @@
 #include "proto/keys/audit_chain.h"
 #include "proto/keys/token.h"
 #include "proto/words/counted.h"
+#include "proto/words/numbers/utc_text.h"
 #include "server/access/audit_text.h"
-#include "server/access/stamp.h"
 
 namespace telepalp::access {
 namespace {
@@ -277,7 +277,7 @@ std::uint64_t Access::enter(const keys::Identity& who, const std::string& progra
                             const std::string& more) {
   note(AuditEvent::Joined, who, "program=" + audit_text(program) + " from=" + from + (more.empty() ? "" : " ") + more);
   return people_.enter(
-      {.who = who, .program = program, .from = from, .since = stamp(std::chrono::system_clock::now())});
+      {.who = who, .program = program, .from = from, .since = utc_stamp(std::chrono::system_clock::now())});
 }
 
 void Access::leave(std::uint64_t number, const std::string& more) {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <utility>
 
-#include "server/access/stamp.h"
+#include "proto/words/numbers/utc_text.h"
 
 namespace telepalp::access {
 
@@ -19,7 +19,7 @@ AuditAnchors::AuditAnchors(const std::filesystem::path& log, const keys::KeyFile
 void AuditAnchors::look(const keys::AuditPosition& end, keys::WallTime now, bool always) {
   constexpr std::chrono::hours kEvery{1};
   if (end.lines == lines_ || (!always && now - signed_ < kEvery && now >= signed_)) return;
-  const Result<std::string> line = keys::anchor_line({.time = stamp(now), .end = end}, server_);
+  const Result<std::string> line = keys::anchor_line({.time = utc_stamp(now), .end = end}, server_);
   if (!line) return say_("the audit log is not anchored: " + to_string(line.error()));
   signed_ = now;
   lines_ = end.lines;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/access/stamp.h"
+#include "proto/words/numbers/utc_text.h"
 
 namespace telepalp::access {
 namespace {
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kTime = "time=";
 constexpr int kMostDamaged = 100;
 
-/// The time of a line in the form of stamp(); empty: it has none.
+/// The time of a line in the form of utc_stamp(); empty: it has none.
 std::string stamp_of(std::string_view text) {
   if (!text.starts_with(kTime)) return {};
   return std::string(text.substr(kTime.size(), text.find(' ') - kTime.size()));
@@ -215,7 +215,7 @@ void AuditLog::begin_next_file() {
 
 /// Writes the line of `text`. False: the disk is full.
 bool AuditLog::write(const std::string& text, keys::WallTime now) {
-  const std::string clock = stamp(now);
+  const std::string clock = utc_stamp(now);
   std::string time = std::max(clock, last_time_);
   keys::AuditPosition next = position_;
   const std::string line =

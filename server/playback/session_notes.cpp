@@ -1,11 +1,11 @@
 #include "server/playback/session_notes.h"
 
 #include <algorithm>
-#include <ctime>
 #include <optional>
 #include <utility>
 
 #include "proto/wire/mcap/notes_file.h"
+#include "proto/words/numbers/utc_text.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/message_json.h"
 
@@ -16,14 +16,6 @@ constexpr const char* kExample = "send JSON such as {\"at_s\": 12.5, \"text\": \
 
 Error wrong(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "playback/notes", .fix = std::move(fix)};
-}
-
-std::string utc(std::chrono::system_clock::time_point at) {
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
-  std::tm date{};
-  char text[32];
-  gmtime_r(&seconds, &date);
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &date)};
 }
 
 bool is_one_line(std::string_view text) {
@@ -86,7 +78,7 @@ Result<void> SessionNotes::apply(const std::string& json, const std::string& who
     note.set_at_s(command.at_s());
     note.set_text(command.text());
     note.set_who(who);
-    note.set_written(utc(now));
+    note.set_written(utc_stamp(now));
     changed.set_last_number(note.number());
     insert(changed, std::move(note));
   }

@@ -2,11 +2,11 @@
 
 #include <unistd.h>
 
-#include <array>
-#include <ctime>
 #include <fstream>
 #include <thread>
 #include <vector>
+
+#include "proto/words/numbers/utc_text.h"
 
 namespace telepalp::recording {
 namespace {
@@ -18,14 +18,7 @@ Error refused(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "recording", .fix = std::move(fix)};
 }
 
-std::string name_at(std::chrono::system_clock::time_point now) {
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(now);
-  std::tm utc{};
-  ::gmtime_r(&seconds, &utc);
-  std::array<char, 64> text{};
-  std::strftime(text.data(), text.size(), "session_%Y%m%d_%H%M%S.mcap", &utc);
-  return text.data();
-}
+std::string name_at(std::chrono::system_clock::time_point now) { return utc_text(now, "session_%Y%m%d_%H%M%S.mcap"); }
 
 /// Bytes of a session file, complete or not; 0 before its first byte.
 std::uint64_t bytes_of(const fs::path& file) {

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <string>
 
+#include "proto/words/numbers/utc_text.h"
 #include "support/program/json.h"
 
 namespace telepalp::program {
@@ -53,16 +54,11 @@ std::string log_line(std::chrono::system_clock::time_point at, std::string_view 
 }
 
 std::string json_log_line(std::chrono::system_clock::time_point at, std::string_view program, std::string_view text) {
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(at);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  char day[32];
-  char stamp[48];
-  std::strftime(day, sizeof day, "%Y-%m-%dT%H:%M:%S", &utc);
-  std::snprintf(stamp, sizeof stamp, "%s.%03dZ", day, millisecond_of(at));
+  char millisecond[8];
+  std::snprintf(millisecond, sizeof millisecond, ".%03dZ", millisecond_of(at));
   Json json;
   json.begin_object();
-  json.add("time", std::string_view(stamp));
+  json.add("time", utc_text(at, "%Y-%m-%dT%H:%M:%S") + millisecond);
   json.add("program", escaped(program));
   json.add("text", escaped(text));
   json.end_object();
