@@ -18,7 +18,7 @@ constexpr Nanoseconds kRepeat = 1s;
 constexpr int kSmallerColour = 60;
 constexpr int kSmallestColour = 25;
 
-/// `kbit_per_s` at levels 1 and 2: the same shares.
+/// The rate of colour as video at a level above 0: 60 % of `kbit_per_s` at level 1, 35 % from level 2 on.
 int shrunk_rate(int kbit_per_s, std::size_t level) { return std::max(1, kbit_per_s * (level == 1 ? 60 : 35) / 100); }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace telepalp::pipeline {
 
-/// Encodes colour as video while somebody wants it. The first frame that somebody wants again is a key frame. Owner:
-/// the capture thread.
+/// Encodes colour as video while a subscriber wants it. The first frame after end() is a key frame. Owner: the capture
+/// thread.
 class VideoStage {
  public:
   /// `kbit_per_s`: target rate, above 0.
@@ -17,9 +17,9 @@ class VideoStage {
 
   void set_rate(int kbit_per_s);
   void request_key_frame() noexcept { pacing_.requested = true; }
-  /// The frame was not passed on, so that the next one must be a key frame.
+  /// The last encoded frame was not published, so the next one must be a key frame.
   void lost_frame() noexcept;
-  /// Nobody wants video.
+  /// Frees the encoder, because no subscriber wants video.
   void end() noexcept { encoder_.reset(); }
 
   /// The colour of `frame`. nullopt: it has none, or has more pixels than a video frame may have. `frame` is well

@@ -45,7 +45,7 @@ std::vector<std::string> split_at_commas(std::string_view list) {
   return parts;
 }
 
-/// The library calls back for the last time at an instant of its own choice, and the destructor waits for it.
+/// Lets a destructor wait until the library has made its last call back, which it makes on a thread of its own.
 class LastCall {
  public:
   void came() {

@@ -5,7 +5,6 @@
 namespace telepalp::relay {
 namespace {
 
-constexpr std::string_view kRoot = "telepalp.";
 constexpr std::size_t kLongestSite = 64;
 
 bool is_site(std::string_view name) noexcept {
@@ -14,6 +13,9 @@ bool is_site(std::string_view name) noexcept {
   };
   return !name.empty() && name.size() <= kLongestSite && std::ranges::all_of(name, fits);
 }
+
+/// With this, the subjects of a site begin.
+std::string root_of(const std::string& site) { return "telepalp." + site + "."; }
 
 /// The topics' names hold no dot, so that the subject of a topic names it alone.
 std::string with_dots(std::string_view topic) {
@@ -65,11 +67,13 @@ std::string without_password(const std::string& url) {
 }
 
 std::string subject_of(const std::string& site, const wire::Topic& topic) {
-  return std::string(kRoot) + site + "." + with_dots(topic.name);
+  return root_of(site) + with_dots(topic.name);
 }
 
+std::string all_subjects(const std::string& site) { return root_of(site) + ">"; }
+
 std::optional<wire::Topic> topic_of(const std::string& site, std::string_view subject) {
-  const std::string begin = std::string(kRoot) + site + ".";
+  const std::string begin = root_of(site);
   if (!subject.starts_with(begin)) return std::nullopt;
   const auto found = std::ranges::find_if(wire::kTopics, [&](const wire::Topic& topic) {
     return is_relayed(topic) && with_dots(topic.name) == subject.substr(begin.size());
@@ -78,8 +82,8 @@ std::optional<wire::Topic> topic_of(const std::string& site, std::string_view su
   return *found;
 }
 
-std::string clock_subject(const std::string& site) { return std::string(kRoot) + site + ".ask.clock"; }
-std::string again_subject(const std::string& site) { return std::string(kRoot) + site + ".ask.again"; }
+std::string clock_subject(const std::string& site) { return root_of(site) + "ask.clock"; }
+std::string again_subject(const std::string& site) { return root_of(site) + "ask.again"; }
 
 bool is_relayed(const wire::Topic& topic) noexcept {
   return topic.name != wire::kClock.name && topic.name != wire::kServerStats.name &&

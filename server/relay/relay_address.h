@@ -23,13 +23,16 @@ struct RelayAddress {
 /// Reads `nats://HOST[:PORT]/SITE[?creds=FILE][&ca=FILE]`. `where`: the option's name, for errors.
 [[nodiscard]] Result<RelayAddress> parse_relay(std::string_view text, std::string_view where);
 
-/// `url` without the names and passwords in it, for logs.
+/// `url` without names and passwords, for logs. Of several servers it keeps only those after the last password, because
+/// a password may contain a comma.
 [[nodiscard]] std::string without_password(const std::string& url);
 /// `address` without the password, for logs.
 [[nodiscard]] std::string in_words(const RelayAddress& address);
 
 /// The subject of a topic's messages: "telepalp.SITE.camera.depth" for "/camera/depth".
 [[nodiscard]] std::string subject_of(const std::string& site, const wire::Topic& topic);
+/// The subject under which all topics and requests of `site` are, for a subscription.
+[[nodiscard]] std::string all_subjects(const std::string& site);
 /// The topic whose messages come under this subject of `site`; nullopt: none.
 [[nodiscard]] std::optional<wire::Topic> topic_of(const std::string& site, std::string_view subject);
 

@@ -43,8 +43,8 @@ Result<ClockEstimate> estimate_clock(NatsConnection& nats, const std::string& si
 }
 
 class RelayOrigin final : public origin::Origin {
-  // Before the first use: its return type is deduced.
-  /// Wraps `handler` so that it does nothing after stop(): the io_context may still hold it.
+  /// Wraps `handler` so that it does nothing after stop(): the io_context may still hold it. It is defined before its
+  /// first use because its return type is deduced.
   template <class Handler>
   auto while_running(Handler handler) const {
     return [running = std::weak_ptr<const bool>(running_), handler = std::move(handler)](const auto&... arguments) {
@@ -60,7 +60,7 @@ class RelayOrigin final : public origin::Origin {
   void start(Handlers handlers) override {
     handlers_ = std::move(handlers);
     const Result<void> subscribed =
-        nats_->subscribe("telepalp." + site_ + ".>", [this](const NatsConnection::Note& note) { post(note); });
+        nats_->subscribe(all_subjects(site_), [this](const NatsConnection::Note& note) { post(note); });
     if (!subscribed) log_(to_string(subscribed.error()));
     ask_again();
   }

@@ -23,8 +23,6 @@ constexpr std::chrono::seconds kPortAnswersWithin{3};
 constexpr std::chrono::seconds kSessionBeginsWithin{5};
 constexpr std::size_t kMostAges = 100'000;
 
-double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
-
 /// Runs what waits on `io` until nothing is left, or for `most`.
 void run_for(asio::io_context& io, Clock::duration most) {
   io.restart();
@@ -49,7 +47,7 @@ Port tried(std::vector<tcp::endpoint> endpoints, std::uint16_t port) {
   Port found{.number = port, .answer = Port::Answer::Silent};
   const Clock::time_point begin = Clock::now();
   asio::async_connect(socket, endpoints, [&](const error_code& failed, const tcp::endpoint&) {
-    found.opens_after_ms = milliseconds(Clock::now() - begin);
+    found.opens_after_ms = to_milliseconds(Clock::now() - begin);
     if (!failed) found.answer = Port::Answer::Opens;
     if (failed == asio::error::connection_refused) found.answer = Port::Answer::Refuses;
   });
@@ -57,7 +55,7 @@ Port tried(std::vector<tcp::endpoint> endpoints, std::uint16_t port) {
   return found;
 }
 
-/// One session, which listens to the images and tells what came. Runs on the calling thread.
+/// One session with the server. Listens to the images for a while and counts them. Runs on the calling thread.
 class Session {
  public:
   Session(const CheckOptions& options, bool listens)

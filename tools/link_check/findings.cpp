@@ -45,7 +45,7 @@ std::string udp_line(const Findings& found) {
     case Udp::Blocked:
       return with("does not arrive at port %u: images and touch go over TCP", unsigned{found.link.number});
     case Udp::NotOffered:
-      return "is not offered on this way: images and touch go over TCP";
+      return "is not offered on this path: images and touch go over TCP";
     case Udp::Unknown:
       break;
   }

@@ -53,7 +53,7 @@ std::vector<std::string> subscription_for(ColorCoding coding, std::vector<std::s
     if (!covers || !is_prefix) continue;
     for (const Topic& topic : kTopics)
       if (topic.name.starts_with(prefix) && topic.name != kCameraColor.name && !topic.only_by_name)
-        names.push_back(std::string(topic.name) + "*");  // a full name may mean more: see Hub::is_taken()
+        names.push_back(std::string(topic.name) + "*");  // with '*', because Hub::is_taken() counts full names alone
   }
   if (covers_color) names.emplace_back(kCameraColorVideo.name);
   return names;

@@ -10,7 +10,7 @@ namespace telepalp::gateway {
 inline constexpr std::string_view kMetricsTarget = "/metrics";
 inline constexpr std::string_view kHealthTarget = "/health";
 
-/// What metrics_text() tells besides counts.
+/// What metrics_text() tells besides the counts of the hub, of access and of datagrams.
 struct ServerFacts {
   std::size_t browsers = 0;    ///< open connections to the gateway
   bool touch_is_held = false;  ///< by a doctor's station
