@@ -18,11 +18,7 @@ struct Custody : KeysProgram {
   ~Custody() override {
     for (const char* name : {"TELEPALP_PASSPHRASE", "TELEPALP_NEW_PASSPHRASE"}) ::unsetenv(name);
   }
-  int run_at_home(std::vector<std::string> words) {
-    words.insert(words.end(), {"--dir", home.string()});
-    support::ChildProcess process(fs::path(TELEPALP_BINARY_DIR "/bin/telepalp-keys"), words, log);
-    return process.wait(std::chrono::seconds(120)).value_or(-1);
-  }
+  int run_at_home(const std::vector<std::string>& words) { return run_in(home, words); }
   bool says(const std::string& text) const { return text_of(log).find(text) != std::string::npos; }
   std::string request() const { return (home / "anna.request").string(); }
   void begin() {

@@ -27,8 +27,10 @@ struct KeysProgram : testing::Test {
   fs::path log = temporary.path() / "log";
 
   /// The exit code of telepalp-keys; `log` then holds what it said on stderr.
-  int run(std::vector<std::string> words) {
-    words.insert(words.end(), {"--dir", folder.string()});
+  int run(const std::vector<std::string>& words) { return run_in(folder, words); }
+  /// The same with another folder than `folder`.
+  int run_in(const fs::path& dir, std::vector<std::string> words) {
+    words.insert(words.end(), {"--dir", dir.string()});
     support::ChildProcess process(fs::path(TELEPALP_BINARY_DIR "/bin/telepalp-keys"), words, log);
     return process.wait(std::chrono::seconds(120)).value_or(-1);
   }

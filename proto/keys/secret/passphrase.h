@@ -7,7 +7,7 @@
 
 namespace telepalp::keys {
 
-/// Returns the passphrase of `what`, such as "the key anna.key". `attempt`: 0 at first, then 1, 2, … after a wrong
+/// Returns the passphrase of `what`, such as "keys/anna.key". `attempt`: 0 at first, then 1, 2, … after a wrong
 /// passphrase. Error: there is none, or no further attempt is wanted.
 using AskPassphrase = std::function<Result<std::string>(const std::string& what, int attempt)>;
 

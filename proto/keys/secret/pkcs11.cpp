@@ -92,7 +92,7 @@ Result<Pkcs11Address> read_pkcs11(std::string_view text) {
 
 Result<PrivateKey> open_pkcs11(const Pkcs11Address& address, const AskPassphrase& ask) {
   const Result<std::string> pin =
-      ask ? ask("the token, its PIN, for " + address.key, 0)
+      ask ? ask("the token with " + address.key + ", which is its PIN", 0)
           : Result<std::string>(Error{.what = "the key is in a token", .where = address.key, .fix = "give its PIN"});
   if (!pin) return pin.error();
   const Result<EnginePtr> engine = ready_engine(address);

@@ -36,7 +36,6 @@ class SessionFrames final : public RecordedFrames {
   }
   void read_on();
   void note(const wire::Message& message);
-
   void note_color(const wire::Message& message);
 
   struct Color {
