@@ -33,8 +33,7 @@ class Publisher::Line : public std::enable_shared_from_this<Line> {
 
   Result<void> start();
   void stop();
-  [[nodiscard]] Counts counts() const noexcept { return {.published = published_, .lost = lost_, .asked = asked_}; }
-  [[nodiscard]] bool is_connected() const { return nats_ && nats_->is_connected(); }
+  [[nodiscard]] Counts counts() const noexcept { return {.published = published_, .lost = lost_}; }
 
  private:
   template <class Call>
@@ -66,7 +65,6 @@ class Publisher::Line : public std::enable_shared_from_this<Line> {
   std::atomic<std::size_t> taken_B_{0};
   std::atomic<std::uint64_t> published_{0};
   std::atomic<std::uint64_t> lost_{0};
-  std::atomic<std::uint64_t> asked_{0};
   std::unique_ptr<NatsConnection> nats_;
   std::thread writer_;
 };
@@ -92,13 +90,11 @@ Result<void> Publisher::Line::start() {
                  .where = in_words(options_.address),
                  .fix = "stop it, or give this site another name: nats://HOST/SITE"};
   const Result<void> clock = nats_->subscribe(clock_subject(site), [this](const NatsConnection::Note& note) {
-    ++asked_;
     if (!note.reply_to.empty())
       nats_->publish(std::string(note.reply_to), std::to_string(to_nanoseconds(clock_.now())));
   });
   if (!clock) return clock.error();
   const Result<void> again = nats_->subscribe(again_subject(site), [this](const NatsConnection::Note&) {
-    ++asked_;
     on_network_thread([](Line& line) { line.show_again(); });
   });
   if (!again) return again.error();
@@ -183,7 +179,6 @@ void Publisher::Line::write(const wire::Message& message, PartCutter& cutter) {
 Publisher::Publisher(std::shared_ptr<Line> line) : line_(std::move(line)) {}
 Publisher::~Publisher() { line_->stop(); }
 Publisher::Counts Publisher::counts() const noexcept { return line_->counts(); }
-bool Publisher::is_connected() const { return line_->is_connected(); }
 
 Result<std::unique_ptr<Publisher>> Publisher::open(boost::asio::io_context& io, hub::Hub& hub,
                                                    const wire::SessionClock& clock, Options options) {

@@ -27,7 +27,6 @@ class Publisher {
   struct Counts {
     std::uint64_t published = 0;  ///< messages written to the cluster
     std::uint64_t lost = 0;       ///< messages that the thread had taken while there was no connection
-    std::uint64_t asked = 0;      ///< requests of edges
   };
 
   /// Error: the cluster cannot be reached, or another server publishes the same site.
@@ -38,7 +37,6 @@ class Publisher {
   Publisher& operator=(const Publisher&) = delete;
 
   [[nodiscard]] Counts counts() const noexcept;
-  [[nodiscard]] bool is_connected() const;
 
  private:
   class Line;
