@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "server/capture/synthetic/synthetic_patient.h"
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
 
@@ -12,7 +11,6 @@ namespace {
 
 constexpr double kFramesPerSecond = 30.0;
 constexpr int kFrames = 300;
-constexpr const char* kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
 
 SessionTime instant(int frame) { return SessionTime{from_seconds(frame / kFramesPerSecond)}; }
 
@@ -39,12 +37,7 @@ Result<double> worst_error_mm(const capture::TriangleMesh& torso) {
 }  // namespace
 
 Result<Report> run_synthetic(const program::Arguments& /*arguments*/) {
-  const std::optional<std::filesystem::path> file = program::shipped_file(kTorso);
-  if (!file)
-    return Error{.what = "the file is missing",
-                 .where = kTorso,
-                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
-  const Result<capture::TriangleMesh> torso = capture::read_mesh(*file);
+  const Result<capture::TriangleMesh> torso = capture::shipped_torso();
   if (!torso) return torso.error();
   const double before_us = thread_us();
   const Result<capture::SyntheticPatient> patient = capture::SyntheticPatient::make(*torso, {});
