@@ -3,7 +3,6 @@
 #include <turbojpeg.h>
 
 #include <algorithm>
-#include <span>
 
 #include "proto/words/demand.h"
 
