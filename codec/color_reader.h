@@ -11,8 +11,8 @@
 
 namespace telepalp::codec {
 
-/// Decodes the colour images of one camera in order, pictures and video: read() or skip() is called for each one. It
-/// returns no image that is predicted from a missing one.
+/// Decodes the colour images of one camera, pictures and video. The caller passes each image to read() or skip(), in
+/// order. An image that is predicted from a missing one is refused.
 class ColorReader {
  public:
   /// `format`: kVideoFormat, or that of a picture ("jpeg"). `number`: of the message within its topic; a gap in the

@@ -25,7 +25,7 @@ struct ColorVideoSettings {
   int key_every = 60;    ///< length of a group of pictures: frames from one key frame to the next
 };
 
-/// A frame of video: one VP8 frame (RFC 6386), which a decoder needs all frames since the last key frame for.
+/// One VP8 frame (RFC 6386). To decode it, a decoder needs all frames since the last key frame.
 struct EncodedVideo {
   std::string bytes;
   bool key_frame = true;
@@ -59,8 +59,8 @@ class ColorVideoEncoder {
 };
 
 /// Decodes the frames of one ColorVideoEncoder in order. After a packet that is refused, it refuses all packets until
-/// the next key frame, because they are predicted from a frame that is missing. Whoever loses a frame on the way
-/// calls lose_frame().
+/// the next key frame, because they are predicted from a frame that is missing. The caller reports a frame that was
+/// lost on the way with lose_frame().
 class ColorVideoDecoder {
  public:
   ColorVideoDecoder();
@@ -78,7 +78,7 @@ class ColorVideoDecoder {
   /// As take(), then picture().
   [[nodiscard]] Result<ColorImage> decode(std::span<const std::byte> packet);
 
-  /// A frame was lost: the next one that is decoded is a key frame.
+  /// A frame was lost: refuses all packets until the next key frame.
   void lose_frame() noexcept;
 
  private:

@@ -81,7 +81,7 @@ std::optional<Vector<World>> gap_at(const ImageSequence& sequence, const LiveIma
 Result<void> compose_frames(const ImageSequence& sequence, const Background& background, const ComposeChoice& choice,
                             const fs::path& out) {
   CamouflageState state;
-  // The first image counts as if its state of trust had lasted for 1 s already.
+  // The state before the first image is unknown: assume that the image's trust has lasted for 1 s.
   double before_s = sequence.frames.front().time_s - 1.0;
   for (const LiveImage& live : sequence.frames) {
     const Result<ColorImage> image = read_frame(live.image.file, sequence.lens);

@@ -14,9 +14,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kTicks_per_s = 90'000;  // of libvpx's clock
+// Bounds of a frame's duration, the time since the capture of the frame before.
 constexpr Nanoseconds kShortest = 1ms;
 constexpr Nanoseconds kLongest = 1s;
-constexpr Nanoseconds kUsual = 33'333'333ns;  // of the first frame, which has none before it
+constexpr Nanoseconds kUsual = 33'333'333ns;  // duration of the first frame
 
 /// libvpx's speed in real time, 0 to -16. Measured on a noisy room at 800 kbit/s: -10 takes 3.8 ms an image, -8 takes
 /// 7 % longer, and -16 takes 12 % less. The similarity to the camera's images (SSIM) differs by 0.003 from -8 to -16.
@@ -86,7 +87,7 @@ struct ColorVideoEncoder::State {
 };
 
 ColorVideoEncoder::ColorVideoEncoder(const ColorVideoSettings& settings) : state_(std::make_unique<State>(settings)) {
-  demand(settings.kbit_per_s > 0 && settings.key_every > 0, "a video has a rate and key frames");
+  demand(settings.kbit_per_s > 0 && settings.key_every > 0, "the rate and the distance of key frames are positive");
 }
 ColorVideoEncoder::~ColorVideoEncoder() = default;
 ColorVideoEncoder::ColorVideoEncoder(ColorVideoEncoder&&) noexcept = default;

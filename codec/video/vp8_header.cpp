@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "codec/video.h"
+#include "proto/words/little_endian.h"
 
 namespace telepalp::codec {
 namespace {
@@ -13,12 +14,11 @@ constexpr std::size_t kTagBytes = 3;
 constexpr std::size_t kKeyHeaderBytes = 10;  // the tag, the start code, width and height
 constexpr std::uint32_t kLastVersion = 3;
 constexpr std::uint32_t kStartCode = 0x2a019d;
-constexpr std::uint32_t kSideMask = 0x3fff;  // the two bits above it ask for a larger display
+constexpr int kSideMask = 0x3fff;  // the two bits above a side ask for a scaled display
 
-std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at, std::size_t count) noexcept {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < count; ++i) value |= std::to_integer<std::uint32_t>(bytes[at + i]) << (8 * i);
-  return value;
+/// The three bytes from `at` on, little-endian.
+std::uint32_t three_bytes(const std::byte* at) noexcept {
+  return std::to_integer<std::uint32_t>(at[0]) | std::uint32_t{get_little_endian<std::uint16_t>(at + 1)} << 8;
 }
 
 bool is_allowed(int width, int height) noexcept {
@@ -37,7 +37,7 @@ Result<Vp8Header> read_vp8_header(std::span<const std::byte> packet) {
     return damaged_video("a packet of " + std::to_string(packet.size()) + " B is larger than the " +
                          std::to_string(kMaxVideoPacketBytes) + " B that are allowed");
   if (packet.size() < kTagBytes) return damaged_video("the packet is shorter than a frame's header");
-  const std::uint32_t tag = little_endian(packet, 0, kTagBytes);
+  const std::uint32_t tag = three_bytes(packet.data());
   Vp8Header header{.key_frame = (tag & 1) == 0};
   const std::size_t header_bytes = header.key_frame ? kKeyHeaderBytes : kTagBytes;
   if ((tag >> 1 & 7) > kLastVersion) return damaged_video("it is of a version of VP8 that does not exist");
@@ -45,12 +45,13 @@ Result<Vp8Header> read_vp8_header(std::span<const std::byte> packet) {
   if (packet.size() < header_bytes || packet.size() - header_bytes < tag >> 5)
     return damaged_video("the packet is cut short");
   if (!header.key_frame) return header;
-  if (little_endian(packet, 3, 3) != kStartCode) return damaged_video("its start code is not one of VP8");
-  header.width = static_cast<int>(little_endian(packet, 6, 2) & kSideMask);
-  header.height = static_cast<int>(little_endian(packet, 8, 2) & kSideMask);
+  if (three_bytes(&packet[kTagBytes]) != kStartCode) return damaged_video("its start code is not one of VP8");
+  header.width = get_little_endian<std::uint16_t>(&packet[6]) & kSideMask;
+  header.height = get_little_endian<std::uint16_t>(&packet[8]) & kSideMask;
   if (!is_allowed(header.width, header.height))
-    return damaged_video("it declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
-                         " pixels, more than a video frame may have, or none");
+    return damaged_video(
+        "it declares " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+        " pixels; a video frame has at least 1 x 1 pixel, and at most 4096 a side and 4096 x 2160 in all");
   return header;
 }
 

@@ -7,10 +7,10 @@
 
 namespace telepalp::codec {
 
-/// What the first bytes of a VP8 frame state (RFC 6386, section 9.1).
+/// The fields of a VP8 frame's header (RFC 6386, section 9.1) that the decoder checks.
 struct Vp8Header {
   bool key_frame = false;
-  int width = 0;  ///< pixels; of a key frame alone
+  int width = 0;  ///< pixels; 0 in a predicted frame, which does not state its size
   int height = 0;
 };
 

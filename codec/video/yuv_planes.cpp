@@ -3,21 +3,20 @@
 #include <turbojpeg.h>
 
 #include <algorithm>
-#include <span>
 
 #include "proto/words/demand.h"
 
 namespace telepalp::codec {
 namespace {
 
-constexpr int kLumaLeast = 16;
-constexpr int kLumaRange = 219;
-constexpr int kChromaRange = 224;
-constexpr int kFull = 255;
-constexpr int kMiddle = 128;
+constexpr int kLumaLeast = 16;     // BT.601: black
+constexpr int kLumaRange = 219;    // BT.601: from black to white
+constexpr int kChromaRange = 224;  // BT.601
+constexpr int kFull = 255;         // JFIF: range of luma and of chroma
+constexpr int kMiddle = 128;       // chroma of grey, in both
 
-/// TurboJPEG's planes use all values from 0 to 255 (JFIF), those of video a part of them (BT.601). These tables change
-/// one into the other.
+/// The samples of TurboJPEG's planes use the full range from 0 to 255 (JFIF), those of video the narrower ranges of
+/// BT.601. A table maps one range to the other.
 using Table = std::array<std::uint8_t, 256>;
 
 template <class Value>

@@ -16,8 +16,8 @@ struct PlaneRows {
   std::array<int, 3> stride{};  ///< bytes from a row to the next
 };
 
-/// Turns RGB into the planes that VP8 codes, ITU-R BT.601 with luma from 16 to 235, and back. It keeps its buffers,
-/// so that a stream allocates them once.
+/// Converts RGB to the planes that VP8 codes (ITU-R BT.601, luma from 16 to 235), and back. It keeps its buffers, so
+/// that a stream allocates them once.
 class YuvConverter {
  public:
   YuvConverter();

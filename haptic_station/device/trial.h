@@ -23,7 +23,7 @@ struct Waypoint {
   double z_m;
 };
 
-/// The four trials of paper S1 (docs/sources.md) III.A, and a needle's way.
+/// The four trials of paper S1 (docs/sources.md) III.A, and the insertion of a needle.
 enum class Trial {
   IndentSeveralPoints,  ///< 1: indent the skin at different points
   MoveWithin,           ///< 2: enter at one point and move within the body

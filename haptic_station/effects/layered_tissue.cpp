@@ -28,7 +28,8 @@ Wrench<HapticBase> LayeredTissue::step(const EffectInput& in, double dt_s) noexc
   return wrench(0.0, 1.0);
 }
 
-/// The stiffening part of a net falls faster than its anchors move, so a second round is rarely needed.
+/// The tissue yields until its wrench is within bounds. A net's stiffening part falls with the square of the extension,
+/// faster than the force that yield() is asked for, so one round usually suffices.
 Wrench<HapticBase> LayeredTissue::wrench(double, double share) noexcept {
   constexpr int kMostRounds = 4;
   if (!settings_.model) return {};
@@ -44,7 +45,8 @@ Wrench<HapticBase> LayeredTissue::wrench(double, double share) noexcept {
   return out;
 }
 
-/// A tissue is stepped without time: nothing relaxes, and a net that would be punctured still stores its energy.
+/// A copy takes a step of no duration: nothing relaxes, and a net that this step punctures keeps its energy, so that
+/// the energy of a turn does not fall at a puncture.
 double LayeredTissue::loaded_J(const EffectInput& in) const noexcept {
   if (!settings_.model) return 0.0;
   tissue::LayeredTissue turned = tissue_;
@@ -57,7 +59,7 @@ double LayeredTissue::skin_left() const noexcept {
 }
 
 Point<HapticBase> LayeredTissue::place() const noexcept {
-  return settings_.model ? Point<HapticBase>{tissue_.at_m()} : Point<HapticBase>{};
+  return settings_.model ? Point<HapticBase>{tissue::settings_of(*settings_.model).at_m} : Point<HapticBase>{};
 }
 
 ObjectTouch LayeredTissue::touch() const noexcept {

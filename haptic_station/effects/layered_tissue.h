@@ -11,17 +11,19 @@ namespace telepalp::effects {
 
 struct LayeredTissueSettings {
   std::shared_ptr<const tissue::TissueModel> model;  ///< in the haptic base's frame H; nullptr: no force
-  /// The needle's tip in the tool's axes, and the direction of the needle. Zero: the device point is the tip, and the
-  /// needle comes from the tool's +y.
+  /// The needle's tip in the tool's axes. The needle points from the device point to it. Zero: the device point is the
+  /// tip, and the needle points along the tool's -y.
   Eigen::Vector3d tip_m = Eigen::Vector3d::Zero();
   double skin_left = 1.0;  ///< share of the skin's stiffness that is left where the outermost surface is punctured
 };
 
 /// A needle in layers of tissue: tissue::LayeredTissue, which is paper S4 (docs/sources.md), section 3, as an effect.
 ///
-/// All of it is state: anchors that follow the tip, so the springs of the scene leave it holds_N(). While the device
-/// gives less than the tissue asks for, in force or in torque, all anchors move towards the needle, which dissipates
-/// energy. Holes last from one contact to the next; forces do not. Only a needle in a hole feels a weaker skin.
+/// Its forces come from anchors that follow the tip, which are state (effect.h). So EffectBank keeps holds_N() of the
+/// device's force for it, and gives the springs of the scene the rest. Where the tissue's wrench exceeds this share, in
+/// force or in torque, all anchors move towards the needle, which dissipates energy. This also holds for nets that lie
+/// so close that the tip pushes two of them at once: they may yield before they are punctured. Holes last from one
+/// contact to the next; forces do not. The skin is weaker only while the needle is in a hole.
 class LayeredTissue {
  public:
   static constexpr const char* kName = "layered_tissue";

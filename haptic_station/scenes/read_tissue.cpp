@@ -10,11 +10,26 @@ namespace limits = tissue::limits;
 
 Range within(const tissue::Limit& limit) { return {limit.least, limit.most, limit.unit}; }
 
+/// Reads the numbers of one message. A number that is missing keeps its value. `prefix`: of the fields' names in
+/// errors. TELEPALP_READ cannot read these fields: Protobuf's accessors write the units in their names in lower case.
+struct NumberReader {
+  FieldCheck& check;
+  const google::protobuf::Message& given;
+  std::string prefix;
+
+  void operator()(bool has, const char* field, double value, const tissue::Limit& limit, double& into) const {
+    if (has) check.in(given).number(prefix + field, value, within(limit), into);
+  }
+  void operator()(bool has, const char* field, double value, const tissue::Limit& limit, int& into) const {
+    double number = into;
+    (*this)(has, field, value, limit, number);
+    into = static_cast<int>(number);
+  }
+};
+
 tissue::SurfaceSettings read_surface(FieldCheck& check, const Message::Surface& given) {
   tissue::SurfaceSettings surface;
-  const auto read = [&](bool has, const char* field, double value, const tissue::Limit& limit, double& into) {
-    if (has) check.in(given).number(std::string("surface.") + field, value, within(limit), into);
-  };
+  const NumberReader read{check, given, "surface."};
   read(given.has_stiffness_n_per_m(), "stiffness_N_per_m", given.stiffness_n_per_m(), limits::kStiffness_N_per_m,
        surface.stiffness_N_per_m);
   read(given.has_stiffening_n_per_m2(), "stiffening_N_per_m2", given.stiffening_n_per_m2(),
@@ -36,9 +51,7 @@ tissue::BulkLaw law_of(Message::Law law) {
 
 tissue::BulkSettings read_bulk(FieldCheck& check, const Message::Bulk& given) {
   tissue::BulkSettings bulk{.law = law_of(given.law())};
-  const auto read = [&](bool has, const char* field, double value, const tissue::Limit& limit, double& into) {
-    if (has) check.in(given).number(std::string("bulk.") + field, value, within(limit), into);
-  };
+  const NumberReader read{check, given, "bulk."};
   read(given.has_stick_n_per_m(), "stick_N_per_m", given.stick_n_per_m(), limits::kStick_N_per_m, bulk.stick_N_per_m);
   read(given.has_slips_at_n(), "slips_at_N", given.slips_at_n(), limits::kSlipsAt_N, bulk.slips_at_N);
   read(given.has_slips_at_n_per_m(), "slips_at_N_per_m", given.slips_at_n_per_m(), limits::kSlipsAt_N_per_m,
@@ -47,9 +60,8 @@ tissue::BulkSettings read_bulk(FieldCheck& check, const Message::Bulk& given) {
   read(given.has_damping_n_s_per_m(), "damping_N_s_per_m", given.damping_n_s_per_m(), limits::kDamping_N_s_per_m,
        bulk.damping_N_s_per_m);
   read(given.has_resolution_m(), "resolution_m", given.resolution_m(), limits::kResolution_m, bulk.resolution_m);
-  double readings = bulk.equal_readings;
-  read(given.has_equal_readings(), "equal_readings", given.equal_readings(), limits::kEqualReadings, readings);
-  bulk.equal_readings = static_cast<int>(readings);
+  read(given.has_equal_readings(), "equal_readings", given.equal_readings(), limits::kEqualReadings,
+       bulk.equal_readings);
   return bulk;
 }
 
@@ -67,7 +79,8 @@ tissue::Relaxation read_relaxation(FieldCheck& check, const Message::Layer& give
   return relaxation;
 }
 
-/// Numbers are checked at their own places, and the whole layer at the layer's.
+/// An error states the place of a wrong number, or of the layer if its numbers contradict each other. `before`: the
+/// next layer outwards; nullptr: there is none.
 tissue::LayerSettings read_tissue_layer(FieldCheck& check, const Message::Layer& given,
                                         const tissue::LayerSettings* before) {
   tissue::LayerSettings layer{.name = given.name(), .surface = {}, .bulk = {}, .relaxation = {}};
@@ -86,15 +99,12 @@ tissue::TissueSettings read_settings(FieldCheck& check, const Message& given) {
   settings.net_radius_m = 0.06;
   settings.net_edge_m = 0.0075;
   settings.at_m = read_xyz(check, "layered_tissue.at_m", given.at_m(), {-1, 1, "m"});
-  const auto read = [&](bool has, const char* field, double value, const tissue::Limit& limit, double& into) {
-    if (has) check.in(given).number(std::string("layered_tissue.") + field, value, within(limit), into);
-  };
+  const NumberReader read{check, given, "layered_tissue."};
   read(given.has_net_radius_m(), "net_radius_m", given.net_radius_m(), limits::kNetRadius_m, settings.net_radius_m);
   read(given.has_net_edge_m(), "net_edge_m", given.net_edge_m(), limits::kNetEdge_m, settings.net_edge_m);
   read(given.has_spread_m(), "spread_m", given.spread_m(), limits::kSpread_m, settings.net.spread_m);
-  double subdivisions = settings.net.subdivisions;
-  read(given.has_subdivisions(), "subdivisions", given.subdivisions(), limits::kSubdivisions, subdivisions);
-  settings.net.subdivisions = static_cast<int>(subdivisions);
+  read(given.has_subdivisions(), "subdivisions", given.subdivisions(), limits::kSubdivisions,
+       settings.net.subdivisions);
   tissue::ShaftSettings& shaft = settings.shaft;
   read(given.has_side_n_per_m(), "side_N_per_m", given.side_n_per_m(), limits::kSide_N_per_m, shaft.side_N_per_m);
   read(given.has_tears_at_n_per_m(), "tears_at_N_per_m", given.tears_at_n_per_m(), limits::kTearsAt_N_per_m,

@@ -127,12 +127,6 @@ double LayeredTissue::opened() const noexcept {
   return 0.0;
 }
 
-const Vector3d& LayeredTissue::at_m() const noexcept { return model_->settings.at_m; }
-
-double LayeredTissue::most_N() const noexcept { return most_N(model_->settings); }
-
-double LayeredTissue::stiffest_N_per_m() const noexcept { return stiffest_N_per_m(model_->settings); }
-
 double LayeredTissue::stored_J() const noexcept {
   double sum_J = shaft_.stored_J(model_->settings.shaft);
   for (std::size_t i = 0; i < size(); ++i) {
@@ -172,7 +166,8 @@ double LayeredTissue::stiffness_N_per_m() const noexcept {
   return sum;
 }
 
-double LayeredTissue::most_N(const TissueSettings& settings) noexcept {
+double LayeredTissue::most_N() const noexcept {
+  const TissueSettings& settings = model_->settings;
   double sum = 0.0;
   double whole = 0.0;
   double end_m = 0.0;
@@ -189,7 +184,8 @@ double LayeredTissue::most_N(const TissueSettings& settings) noexcept {
 }
 
 /// The tip cuts in at most two layers at once, where one ends and the next begins.
-double LayeredTissue::stiffest_N_per_m(const TissueSettings& settings) noexcept {
+double LayeredTissue::stiffest_N_per_m() const noexcept {
+  const TissueSettings& settings = model_->settings;
   double sum = settings.shaft.side_N_per_m;
   double cuts = 0.0;
   double cuts_less = 0.0;

@@ -70,12 +70,11 @@ class LayeredTissue {
   /// Upper bound of the stiffness of the layers that act now: |change of force| / |motion| where nothing slips or
   /// ruptures.
   [[nodiscard]] double stiffness_N_per_m() const noexcept;
-  /// The greatest force that layers of these settings can give, except where a fast tick overshoots a puncture.
-  [[nodiscard]] static double most_N(const TissueSettings& settings) noexcept;
-  [[nodiscard]] double most_N() const noexcept;  ///< of this tissue's settings
-  [[nodiscard]] static double stiffest_N_per_m(const TissueSettings& settings) noexcept;
-  [[nodiscard]] double stiffest_N_per_m() const noexcept;      ///< of this tissue's settings
-  [[nodiscard]] const Eigen::Vector3d& at_m() const noexcept;  ///< TissueSettings::at_m
+  /// The greatest force that a tissue of these settings gives while the tip pushes at most one net, except where a fast
+  /// tick overshoots a puncture. Nets that lie so close that the tip pushes two of them at once can give more.
+  [[nodiscard]] double most_N() const noexcept;
+  /// Greatest stiffness of all layers together at the middle of the nets. Near its fixed rim, a net is stiffer.
+  [[nodiscard]] double stiffest_N_per_m() const noexcept;
 
  private:
   [[nodiscard]] Eigen::Vector3d local_m(const Eigen::Vector3d& tip_m, const LayerSettings& layer) const noexcept;

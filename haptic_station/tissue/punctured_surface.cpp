@@ -95,8 +95,8 @@ void PuncturedSurface::step(const TissueModel& model, const LayerSettings& layer
   if (may_puncture && net_N(layer).norm() > layer.surface->punctures_at_N) puncture(to_m);
 }
 
-/// A net that does not push lets the tip go: the place from which it is stretched then follows the tip outwards. Else a
-/// net that has relaxed or yielded would store energy that no hand can get back.
+/// Once the net no longer pushes, it lets the tip go: its anchor follows the tip outwards. Otherwise a net that has
+/// relaxed or yielded would be stretched outwards, and store energy that the hand cannot get back.
 void PuncturedSurface::stretch(const LayerSettings& layer, const Vector3d& by_m) noexcept {
   const double before_N = std::max(0.0, pulled_by_net_N(layer).dot(out_));
   spring_.move(by_m);

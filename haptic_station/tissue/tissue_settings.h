@@ -76,7 +76,7 @@ struct TissueModel;
 
 [[nodiscard]] const TissueSettings& settings_of(const TissueModel& model) noexcept;
 
-/// The first fault of a layer, by itself and behind `before`, the next one outwards (nullptr: there is none).
+/// The first fault of a layer. `before`: the next layer outwards, below which it must begin; nullptr: there is none.
 [[nodiscard]] std::optional<Error> layer_fault(const LayerSettings& layer, const LayerSettings* before);
 
 /// Error: a value is not a number or out of range, a layer begins above the end of the one before it, the mesh is bad,

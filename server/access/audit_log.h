@@ -68,8 +68,8 @@ class AuditLog {
   /// many were left out.
   void note(AuditEvent event, const std::optional<std::string>& serial, const std::string& text, keys::WallTime now);
 
-  /// True if the peer's budget has room for a further stream. Each stream has a line in the log, so a peer without
-  /// room gets no stream.
+  /// True if the peer's budget of lines (LineBudget) allows another stream. The log keeps a line for each stream, so a
+  /// peer that has used up its budget gets no stream.
   [[nodiscard]] bool may_join(const std::string& serial, keys::WallTime now);
 
   /// Why the log cannot be trusted; empty: it can. The alarm stays while a file FILE.damaged-N is beside the log.

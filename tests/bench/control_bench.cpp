@@ -18,7 +18,6 @@
 namespace telepalp::bench {
 namespace {
 
-constexpr double kTick_s = 0.0005;
 void measure_tick(double seconds, Report& report) {
   effects::EffectBank bank;
   (void)bank.add(effects::Skin{});

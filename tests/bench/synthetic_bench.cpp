@@ -1,25 +1,16 @@
 #include "tests/bench/synthetic_bench.h"
 
 #include <cmath>
-#include <ctime>
 
-#include "server/capture/synthetic/synthetic_patient.h"
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/effects/thread_time.h"
 
 namespace telepalp::bench {
 namespace {
 
 constexpr double kFramesPerSecond = 30.0;
 constexpr int kFrames = 300;
-constexpr const char* kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
-
-/// CPU time of this thread [s]: a busy machine does not lengthen it as it does wall time.
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 SessionTime instant(int frame) { return SessionTime{from_seconds(frame / kFramesPerSecond)}; }
 
@@ -46,23 +37,18 @@ Result<double> worst_error_mm(const capture::TriangleMesh& torso) {
 }  // namespace
 
 Result<Report> run_synthetic(const program::Arguments& /*arguments*/) {
-  const std::optional<std::filesystem::path> file = program::shipped_file(kTorso);
-  if (!file)
-    return Error{.what = "the file is missing",
-                 .where = kTorso,
-                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
-  const Result<capture::TriangleMesh> torso = capture::read_mesh(*file);
+  const Result<capture::TriangleMesh> torso = capture::shipped_torso();
   if (!torso) return torso.error();
-  const double before_s = cpu_s();
+  const double before_us = thread_us();
   const Result<capture::SyntheticPatient> patient = capture::SyntheticPatient::make(*torso, {});
   if (!patient) return patient.error();
-  const double making_ms = 1000.0 * (cpu_s() - before_s);
+  const double making_ms = 1e-3 * (thread_us() - before_us);
 
   Distribution frame_ms;
   for (int frame = 0; frame < kFrames; ++frame) {
-    const double start_s = cpu_s();
+    const double start_us = thread_us();
     const RgbdFrame seen = patient->frame_at(instant(frame), 0);
-    frame_ms.add(1000.0 * (cpu_s() - start_s));
+    frame_ms.add(1e-3 * (thread_us() - start_us));
   }
   const Result<double> worst_mm = worst_error_mm(*torso);
   if (!worst_mm) return worst_mm.error();

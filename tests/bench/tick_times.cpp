@@ -12,7 +12,6 @@
 namespace telepalp::bench {
 namespace {
 
-constexpr double kTick_s = 0.0005;
 constexpr int kTicksPerFrame = 67;  // 30 Hz
 
 /// A level skin 0.8 m under a Kinect-like camera, with 1 mm of noise.

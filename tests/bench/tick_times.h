@@ -2,18 +2,22 @@
 
 #include "haptic_station/device/trial.h"
 #include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/loop/tick.h"
 #include "tests/bench/distribution.h"
 
 namespace telepalp::bench {
 
+inline constexpr double kTick_s = std::chrono::duration<double>(loop::kTickPeriod).count();
+
 /// Times of ticks [us].
 struct TickTimes {
-  Distribution all;
+  Distribution all;        ///< wall time
   Distribution processor;  ///< processor time, without other programs on the same core
-  Distribution contact;    ///< of the ticks in contact
+  Distribution contact;    ///< wall time of the ticks in contact
 };
 
-/// The live loop's whole tick, from proxy to limiter, over a real snapshot of a level skin, while a hand does `trial`.
+/// Times the live loop's whole tick, from proxy to limiter, over a snapshot of a level skin that a noisy camera sees,
+/// while a simulated hand does `trial`.
 [[nodiscard]] TickTimes measure_ticks(const effects::EffectBank& bank, device::Trial trial, double seconds);
 
 }  // namespace telepalp::bench

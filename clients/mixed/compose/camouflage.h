@@ -43,7 +43,7 @@ struct CamouflageState {
 
 inline constexpr double kOldImage_s = 0.25;    ///< an older image reveals the device at once
 inline constexpr double kFreshImage_s = 0.15;  ///< only the time with younger images counts as trusted
-inline constexpr double kTrustAfter_s = 0.5;   ///< so long the picture must be trusted before the device is hidden
+inline constexpr double kTrustAfter_s = 0.5;   ///< the device is hidden after this time of trusted pictures
 inline constexpr double kHideIn_s = 0.4;       ///< length of the fade that hides the device
 inline constexpr double kRevealIn_s = 0.1;     ///< length of the fade that shows the device again
 

@@ -125,7 +125,7 @@ class Recording {
     if (taken && message.topic.name == wire::kCameraDepth.name) note_depth(message);
   }
 
-  /// Colour as video stands for /camera/color.
+  /// A pattern for /camera/color also asks for colour as video, which is another coding of the same images.
   [[nodiscard]] bool is_asked(const wire::Topic& topic) const {
     return options_.topics.matches(topic.name) ||
            (wire::carries_color(topic) && options_.topics.matches(wire::kCameraColor.name));

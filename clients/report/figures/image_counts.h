@@ -15,7 +15,8 @@ namespace telepalp::report {
 /// known.
 [[nodiscard]] std::string carriers_in_words(const Session& session, const Summary& summary);
 
-/// For how long something else used the station's line, and what it left at least; empty: never.
+/// How long other flows shared the station's line, and the least rate that they left to the session. Empty if none
+/// shared it.
 [[nodiscard]] std::string shared_line_in_words(const SharedLine& line);
 
 }  // namespace telepalp::report

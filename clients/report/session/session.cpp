@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "proto/wire/camera/camera_stamp.h"
 #include "proto/wire/camera/color_message.h"
 #include "proto/wire/topics.h"
 

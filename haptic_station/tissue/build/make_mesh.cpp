@@ -24,26 +24,22 @@ bool all_finite(const std::vector<Eigen::Vector3d>& vertices) {
 
 void SurfaceMesh::link() {
   std::vector<std::set<std::uint32_t>> ring(vertices_.size());
-  std::vector<std::vector<std::uint32_t>> fan(vertices_.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+  for (const Triangle& triangle : triangles_)
     for (int i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangles_[t][i];
-      const std::uint32_t to = triangles_[t][(i + 1) % 3];
+      const std::uint32_t from = triangle[i];
+      const std::uint32_t to = triangle[(i + 1) % 3];
       ring[from].insert(to);
       ring[to].insert(from);
-      fan[from].push_back(t);
       ++uses[std::minmax(from, to)];
     }
   on_rim_.assign(vertices_.size(), 0);
   for (const auto& [edge, count] : uses)
     if (count == 1) on_rim_[edge.first] = on_rim_[edge.second] = 1;
-  ring_from_ = fan_from_ = {0};
-  for (std::size_t v = 0; v < vertices_.size(); ++v) {
-    ring_.insert(ring_.end(), ring[v].begin(), ring[v].end());
-    fan_.insert(fan_.end(), fan[v].begin(), fan[v].end());
+  ring_from_ = {0};
+  for (const std::set<std::uint32_t>& neighbours : ring) {
+    ring_.insert(ring_.end(), neighbours.begin(), neighbours.end());
     ring_from_.push_back(static_cast<std::uint32_t>(ring_.size()));
-    fan_from_.push_back(static_cast<std::uint32_t>(fan_.size()));
   }
 }
 

@@ -51,7 +51,7 @@ Result<std::vector<double>> cells_of(const InsertionCurve& curve, const Insertio
   return sum;
 }
 
-/// Least squares in which no unknown is negative, by cyclic descent along the axes: it converges for any columns.
+/// Non-negative least squares by cyclic coordinate descent, which converges for any columns.
 VectorXd non_negative(const MatrixXd& columns, const VectorXd& wanted) {
   constexpr int kRounds = 3000;
   VectorXd x = VectorXd::Zero(columns.cols());
@@ -69,7 +69,7 @@ VectorXd non_negative(const MatrixXd& columns, const VectorXd& wanted) {
 
 double middle_m(std::size_t cell, double cell_m) { return (static_cast<double>(cell) + 0.5) * cell_m; }
 
-/// a_1 and a_2 of the surface from the cells above the puncture, and the sum of squares that they leave.
+/// The surface's coefficients a_1 and a_2, fitted to the cells above the puncture, and the fit's sum of squares.
 struct SurfaceFit {
   VectorXd a = VectorXd::Zero(2);
   double squares = 0.0;
@@ -92,8 +92,9 @@ SurfaceFit surface_of(std::span<const double> cells, std::size_t puncture, doubl
   return fit;
 }
 
-/// Cutting and friction of each layer, behind the puncture. `begins`: the first cell of each layer; that of the first
-/// layer is the puncture, but its friction counts from the contact.
+/// The cutting force of each layer, then the friction per metre of each layer, fitted to the cells behind the puncture.
+/// `begins`: the first cell of each layer. For the first layer, this is the cell of the puncture; its friction counts
+/// from the contact on.
 VectorXd bulks_of(std::span<const double> cells, const std::vector<std::size_t>& begins, double cell_m) {
   const std::size_t from = begins.front();
   const auto layers = static_cast<Eigen::Index>(begins.size());
@@ -156,11 +157,11 @@ Result<std::vector<double>> mean_cells(std::span<const InsertionCurve> curves, c
   return mean;
 }
 
-/// The first cell behind the puncture. Many short pieces can stand for a part of the surface, so of all places that are
-/// about as good as the best one, it is the deepest.
+/// The first cell behind the puncture. Several short lines fit a part of the surface's curve nearly as well as the
+/// surface itself does, so the deepest of all places that fit about as well as the best one is taken.
 std::size_t puncture_of(std::span<const double> cells, const RisingPieces& pieces, std::size_t first, std::size_t last,
                         double cell_m) {
-  constexpr double kAsGood_N2 = 1e-4;  // of a cell: 10 mN, twice the noise of measured curves
+  constexpr double kAsGood_N2 = 1e-4;  // per cell: (10 mN)^2; 10 mN is twice the noise of measured curves
   std::vector<double> squares;
   for (std::size_t i = first; i < last; ++i)
     squares.push_back(surface_of(cells, i, cell_m).squares + pieces.squares_from(i));

@@ -21,17 +21,16 @@ struct InsertionFitSettings {
   double deepest_surface_m = 0.025;  ///< the surface is punctured above this depth
 };
 
-/// A tissue that meets measured insertions: paper S4 (docs/sources.md), section 6.4, wishes for force profiles that are
-/// fitted to real insertions.
+/// A tissue that is fitted to measured insertions, as paper S4 (docs/sources.md), section 6.4, proposes.
 ///
 /// The first layer has a surface, which rises as a_1 d + a_2 d^2 until it is punctured (Mahvash and Dupont 2010). Each
-/// layer has a bulk, with a force of cutting and a friction for each metre of the needle inside. The places of puncture
-/// and layers are those with the least sum of squares, by dynamic programming over pieces of straight lines that do not
-/// fall. All forces come from a least-squares fit in which none is negative.
+/// layer has a bulk, with a force of cutting and a friction for each metre of the needle inside. The depths of the
+/// puncture and of the layers' borders minimise the sum of squares, by dynamic programming over straight lines that do
+/// not fall (RisingPieces). All forces come from a non-negative least-squares fit.
 struct InsertionFit {
   TissueSettings tissue;
   double punctured_at_m = 0.0;  ///< depth of the tip below the contact
-  double left_m = 0.0;          ///< depth that all curves reach
+  double left_m = 0.0;          ///< depth below the contact that all curves reach
 };
 
 /// Fits one tissue to the mean of `curves`. Error: a curve has fewer than 40 samples, a value that is not finite,

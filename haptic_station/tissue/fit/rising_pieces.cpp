@@ -44,7 +44,7 @@ std::vector<std::size_t> RisingPieces::begins_from(std::size_t begin) const {
   std::size_t at = begin;
   for (std::size_t k = best_.size(); k-- > 0 && at < y_.size() - 1;) {
     begins.push_back(at);
-    // the best of k + 1 pieces may be one of fewer: then its first piece is the same
+    // The best cut into at most k + 1 lines may have fewer: the lowest level with the same sum has its number of lines.
     std::size_t level = k;
     while (level > 0 && best_[level - 1][at].squares == best_[level][at].squares) --level;
     at = best_[level][at].next;

@@ -6,15 +6,16 @@
 
 namespace telepalp::tissue {
 
-/// The best cut of the end of a series into pieces of straight lines that do not fall, for each place where the end may
-/// begin. Dynamic programming; time: pieces × samples^2.
+/// For each sample of a series: the best cut of the samples from this one to the end into straight lines that do not
+/// fall. Best means the least sum of squares of the samples about their lines. Dynamic programming; time: pieces ×
+/// samples^2.
 class RisingPieces {
  public:
-  /// `step`: distance of the samples. Each piece has `least` samples or more; there are at most `pieces`.
+  /// `step`: distance between two samples. A cut has at most `pieces` lines, each of at least `least` samples.
   RisingPieces(std::span<const double> samples, double step, int pieces, std::size_t least);
-  /// Sum of squares of the samples from `begin` on about the best pieces; infinite where fewer than `least` are left.
+  /// Sum of squares of the best cut from sample `begin` on; infinite if fewer than `least` samples are left.
   [[nodiscard]] double squares_from(std::size_t begin) const noexcept { return best_.back()[begin].squares; }
-  /// The first sample of each of these pieces.
+  /// The first sample of each line of the best cut from sample `begin` on.
   [[nodiscard]] std::vector<std::size_t> begins_from(std::size_t begin) const;
 
  private:
@@ -25,8 +26,8 @@ class RisingPieces {
   [[nodiscard]] double squares_of(std::size_t begin, std::size_t end) const noexcept;
 
   double step_;
-  std::vector<std::vector<Best>> best_;  ///< for one piece, two pieces, ..., by the first sample
-  std::vector<double> y_, yy_, xy_;      ///< sums of all samples before one
+  std::vector<std::vector<Best>> best_;  ///< [k][i]: of the best cut from sample i on into at most k + 1 lines
+  std::vector<double> y_, yy_, xy_;      ///< [i]: sums over all samples before sample i
 };
 
 }  // namespace telepalp::tissue

@@ -22,10 +22,6 @@ class SurfaceMesh {
   [[nodiscard]] std::span<const std::uint32_t> ring(std::uint32_t vertex) const noexcept {
     return {ring_.data() + ring_from_[vertex], ring_from_[vertex + 1] - ring_from_[vertex]};
   }
-  /// The triangles that have `vertex` as a corner.
-  [[nodiscard]] std::span<const std::uint32_t> fan(std::uint32_t vertex) const noexcept {
-    return {fan_.data() + fan_from_[vertex], fan_from_[vertex + 1] - fan_from_[vertex]};
-  }
   /// True on the edge of the mesh, which includes the edge of a hole.
   [[nodiscard]] bool on_rim(std::uint32_t vertex) const noexcept { return on_rim_[vertex] != 0; }
   /// Unit vector, counter-clockwise corners seen from its head.
@@ -38,7 +34,7 @@ class SurfaceMesh {
 
   std::vector<Eigen::Vector3d> vertices_;
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> ring_, ring_from_, fan_, fan_from_;
+  std::vector<std::uint32_t> ring_, ring_from_;
   std::vector<std::uint8_t> on_rim_;
 };
 

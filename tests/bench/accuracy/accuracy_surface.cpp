@@ -8,7 +8,7 @@
 #include <random>
 
 #include "haptic_station/surface/touch/touch.h"
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 #include "tests/bench/accuracy/accuracy_page.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
@@ -237,12 +237,7 @@ std::string both(const TouchError& error, double scale) {
 Result<FilmedTorso> filmed_torso(double sigma_m) { return film(testing::torso({.sigma_m = sigma_m})); }
 
 Result<FilmedTorso> kinect_torso(double above_m, const Intrinsics& camera) {
-  const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
-  if (!file)
-    return Error{.what = "the mesh is missing",
-                 .where = "deploy/demo_data/torso/visible_human_torso.ply",
-                 .fix = "build telepalp-bench in the repository, and unset TELEPALP_HOME"};
-  const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
+  const Result<capture::TriangleMesh> mesh = capture::shipped_torso();
   if (!mesh) return mesh.error();
   return film(
       capture::SyntheticPatient::make(*mesh, {.camera = camera, .camera_above_body_m = above_m, .amplitude_m = 0.0}));

@@ -1,7 +1,5 @@
 #include "tests/bench/cluster/cluster_bench.h"
 
-#include <sys/resource.h>
-
 #include <csignal>
 #include <filesystem>
 #include <optional>
@@ -14,6 +12,7 @@
 #include "tests/bench/cluster/nats_cluster.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/distribution.h"
+#include "tests/bench/effects/thread_time.h"
 #include "tests/bench/process_load.h"
 #include "where.h"
 
@@ -48,7 +47,7 @@ Result<RunningServer> start_server(const fs::path& scratch, const std::string& n
   return server;
 }
 
-/// A site that publishes to a cluster, and an edge, each at a node of its own.
+/// A site that publishes to the first node of a cluster, and an edge that connects to the last one.
 struct Pair {
   RunningServer site, edge;
 };
@@ -68,7 +67,7 @@ Error sees_nothing() {
           .fix = "run telepalp-server and telepalp-view by hand"};
 }
 
-/// How much later the edge's viewer has each image than the site's.
+/// Adds rows of how much later each image arrives at the edge's viewer than at the site's.
 void add_delay(const Watched& at_site, const Watched& at_edge, Clock::time_point from, std::vector<Row>& rows) {
   Distribution added_ms;
   std::size_t lost = 0;
@@ -98,30 +97,21 @@ Result<double> sent_MB_per_cpu_s(const RunningServer& server, double seconds) {
   return 1e-6 * static_cast<double>(viewers.bytes() - bytes) / (cpu_s(server.process->pid()) - before_s);
 }
 
-double own_cpu_s() {
-  rusage used{};
-  ::getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
 constexpr std::size_t kMessages = 3000;
 constexpr std::size_t kMessage_B = 90'000;  // a depth image of the synthetic patient
 
-/// Processor time of a program that publishes kMessages payloads and does nothing else [s].
-Result<double> bare_publisher_cpu_s(const std::string& url) {
+/// Processor time of a bare NATS client that publishes kMessages payloads [us].
+Result<double> bare_publisher_cpu_us(const std::string& url) {
   auto nats = relay::NatsConnection::open({.url = url, .credentials = {}, .authority = {}, .name = "bare"});
   if (!nats) return nats.error();
   const std::string payload(kMessage_B, 'x');
-  const double before_s = own_cpu_s();
+  const double before_us = process_us();
   for (std::size_t i = 0; i < kMessages; ++i) (*nats)->publish("telepalp.bare.camera.depth", payload);
-  return own_cpu_s() - before_s;
+  return process_us() - before_us;
 }
 
-/// The same messages, through a hub and the product's publisher [s].
-Result<double> publisher_cpu_s(const std::string& url) {
+/// Processor time of the same messages through a hub and telepalp's own publisher [us].
+Result<double> publisher_cpu_us(const std::string& url) {
   boost::asio::io_context io(1);
   hub::Hub hub;
   auto publisher = relay::Publisher::open(io, hub, wire::SessionClock::anchored_to_wall_clock(),
@@ -130,27 +120,30 @@ Result<double> publisher_cpu_s(const std::string& url) {
   const auto payload = std::make_shared<const std::string>(kMessage_B, 'x');
   constexpr std::size_t kInFlight = 16;  // less than the publisher takes, so that the hub drops none
   const auto done = [&] { return (*publisher)->counts().published + (*publisher)->counts().lost; };
-  const double before_s = own_cpu_s();
+  const double before_us = process_us();
   for (std::size_t i = 0; i < kMessages; ++i) {
     hub.publish({wire::kCameraDepth, SessionTime{}, payload, 0, true});
     while (done() + kInFlight < i) std::this_thread::sleep_for(500us);
   }
   while (done() < kMessages) std::this_thread::sleep_for(500us);
-  const double used_s = own_cpu_s() - before_s;
-  if ((*publisher)->counts().lost > 0) return sees_nothing();
-  return used_s;
+  const double used_us = process_us() - before_us;
+  if ((*publisher)->counts().lost > 0)
+    return Error{.what = "the publisher lost messages, so its processor time is not that of all",
+                 .where = "telepalp-bench cluster",
+                 .fix = "run the bench again on a machine with less other load"};
+  return used_us;
 }
 
 Result<void> add_publish_cost(const NatsCluster& cluster, std::vector<Row>& rows) {
   Distribution ratio;
   Distribution us;
   for (int pair = 0; pair < 5; ++pair) {
-    const Result<double> bare = bare_publisher_cpu_s(cluster.url(0));
+    const Result<double> bare = bare_publisher_cpu_us(cluster.url(0));
     if (!bare) return bare.error();
-    const Result<double> ours = publisher_cpu_s(cluster.url(0));
+    const Result<double> ours = publisher_cpu_us(cluster.url(0));
     if (!ours) return ours.error();
     ratio.add(*ours / *bare);
-    us.add(1e6 * *ours / static_cast<double>(kMessages));
+    us.add(*ours / static_cast<double>(kMessages));
   }
   rows.push_back(at_most("publishing: processor time / a bare NATS publisher's of the same bytes, median of 5 pairs",
                          ratio.p50(), "x", 1.2));
@@ -184,7 +177,7 @@ Result<void> add_steady_rows(const fs::path& scratch, double seconds, std::vecto
   return add_publish_cost(*cluster, rows);
 }
 
-/// One of three nodes, the one that the edge uses, is killed, or frozen for 5 s.
+/// Of three nodes, the one that the edge uses is killed, or frozen for 5 s.
 Result<void> add_loss_of_a_node(const fs::path& scratch, bool is_killed, std::vector<Row>& rows) {
   constexpr std::size_t kNodes = 3;
   Result<NatsCluster> cluster = NatsCluster::start(kNodes, scratch);

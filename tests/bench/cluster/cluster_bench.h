@@ -5,8 +5,9 @@
 
 namespace telepalp::bench {
 
-/// A real server that publishes to real NATS servers, and a real edge: the delay that the relay adds, what an edge and
-/// the publishing cost, and a node of the cluster that is killed or frozen.
+/// A real server publishes to real NATS servers, and a real edge shows the same images. Measures the delay that the
+/// relay adds, the processor time of the edge and of publishing, and the gap after a node of the cluster is killed or
+/// frozen.
 [[nodiscard]] Result<Report> run_cluster(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

@@ -16,12 +16,13 @@ using boost::asio::ip::tcp;
 
 constexpr const char* kServer = "/usr/sbin/nats-server";  // of Debian's package
 
-/// A port that is free now.
+/// A port that no program listens on at the moment of the call.
 std::string free_port() {
   boost::asio::io_context io;
   return std::to_string(tcp::acceptor(io, tcp::endpoint(tcp::v4(), 0)).local_endpoint().port());
 }
 
+/// Waits for at most 10 s until the server writes to its log that it is ready.
 bool is_ready(const std::filesystem::path& log) {
   for (const auto end = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < end;
        std::this_thread::sleep_for(50ms)) {

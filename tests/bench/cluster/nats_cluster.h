@@ -10,14 +10,15 @@
 
 namespace telepalp::bench {
 
-/// Real NATS servers on loopback that know each other.
+/// A cluster of real NATS servers on loopback. They end with this object.
 class NatsCluster {
  public:
   /// Error: nats-server is not installed, or does not start.
   [[nodiscard]] static Result<NatsCluster> start(std::size_t nodes, const std::filesystem::path& scratch);
 
-  /// nats://… of one node, or of all of them, with commas, that node first.
+  /// The address of one node: nats://HOST:PORT.
   [[nodiscard]] std::string url(std::size_t node) const;
+  /// The addresses of all nodes, from `first` on, separated by commas.
   [[nodiscard]] std::string urls_from(std::size_t first) const;
   [[nodiscard]] support::ChildProcess& node(std::size_t number) { return *nodes_[number]; }
 

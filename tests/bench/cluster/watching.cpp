@@ -1,6 +1,7 @@
 #include "tests/bench/cluster/watching.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "proto/wire/topics.h"
 

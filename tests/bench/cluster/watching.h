@@ -13,24 +13,25 @@
 
 namespace telepalp::bench {
 
-/// Depth images as one viewer got them.
+/// The messages that one viewer received.
 struct Watched {
   using Clock = std::chrono::steady_clock;
-  std::map<std::uint64_t, Clock::time_point> arrived;  ///< by the image's number
-  std::uint64_t bytes = 0;                             ///< of all topics
+  std::map<std::uint64_t, Clock::time_point> arrived;  ///< depth images, by number
+  std::uint64_t bytes = 0;                             ///< of all camera topics
 
-  /// The longest time without an image in [`from`, `to`] [s].
+  /// The longest time without a depth image in [`from`, `to`] [s].
   [[nodiscard]] double longest_gap_s(Clock::time_point from, Clock::time_point to) const;
 };
 
-/// Viewers of the ports of servers on this machine, on one thread.
+/// Viewers of servers on this machine, all on the calling thread.
 class Viewers {
  public:
-  /// `count` viewers of the server at `port`; the returned one is the first of them.
+  /// Adds `count` viewers of the server at `port`. Returns the first of them.
   const Watched& add(std::uint16_t port, std::size_t count = 1);
   void run_for(std::chrono::duration<double> time);
-  /// True once each viewer has an image; waits for at most 15 s.
+  /// Runs until each viewer has a depth image, for at most 15 s. False: a viewer has none.
   bool all_see();
+  /// Bytes that all viewers received.
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:

@@ -4,28 +4,17 @@
 #include <mutex>
 #include <tuple>
 
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 
 namespace telepalp::bench::hand {
 namespace {
 
 constexpr Spot kSpots[] = {{"belly", -40.0, 20.0}, {"flank", -30.0, 48.0}, {"chest", 75.0, -10.0}};
 
-constexpr const char* kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
-
-Result<capture::TriangleMesh> read_torso() {
-  const auto file = program::shipped_file(kTorso);
-  if (!file)
-    return Error{.what = "the synthetic torso is missing",
-                 .where = kTorso,
-                 .fix = "run telepalp-bench from its build folder, or set TELEPALP_HOME to the repository's folder"};
-  return capture::read_mesh(*file);
-}
-
 /// Aborts if the torso is missing: the bench checks torso_is_there() first.
 std::shared_ptr<const capture::SyntheticPatient> make(Sensor sensor, capture::Motion motion, std::uint64_t seed,
                                                       double camera_above_m) {
-  const Result<capture::TriangleMesh> mesh = read_torso();
+  const Result<capture::TriangleMesh> mesh = capture::shipped_torso();
   capture::SyntheticSettings settings;
   settings.camera = {.width = 320, .height = 240, .fx = 525.0, .fy = 525.0, .cx = 159.5, .cy = 119.5};
   settings.camera_above_body_m = camera_above_m;
@@ -84,7 +73,7 @@ double rest_height_m(const capture::SyntheticPatient& patient, capture::PatientP
 }
 
 Result<void> torso_is_there() {
-  if (const auto mesh = read_torso(); !mesh) return mesh.error();
+  if (const auto mesh = capture::shipped_torso(); !mesh) return mesh.error();
   return {};
 }
 

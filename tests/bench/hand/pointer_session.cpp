@@ -7,7 +7,7 @@
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/device/hand_driven_device.h"
 #include "haptic_station/station/rigs/placement.h"
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 
 namespace telepalp::bench {
 namespace {
@@ -42,14 +42,9 @@ namespace {
 
 /// The torso of the repository under the whole image of a camera.
 Result<std::shared_ptr<const capture::SyntheticPatient>> whole_torso() {
-  constexpr const char* kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
-  const std::optional<std::filesystem::path> torso = program::shipped_file(kTorso);
-  if (!torso) return Error{.what = "is missing", .where = kTorso, .fix = "run in a checkout of telepalp"};
-  const Result<capture::TriangleMesh> mesh = capture::read_mesh(*torso);
-  if (!mesh) return mesh.error();
-  Result<capture::SyntheticPatient> made = capture::SyntheticPatient::make(*mesh, {});
-  if (!made) return made.error();
-  return std::make_shared<const capture::SyntheticPatient>(std::move(*made));
+  Result<capture::NamedPatient> named = capture::open_patient({});
+  if (!named) return named.error();
+  return std::make_shared<const capture::SyntheticPatient>(std::move(named->patient));
 }
 
 }  // namespace

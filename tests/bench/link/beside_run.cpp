@@ -20,6 +20,16 @@ constexpr Nanoseconds kReportEvery = 100ms;  // period of the reports of wire::D
 constexpr double kDepthShare = 0.4;
 constexpr std::uint64_t kFirstRival = 1000;
 
+/// Share of the images that are sent at `level`.
+constexpr double sent_share(std::size_t level) {
+  constexpr std::uint64_t kImages = 1000;
+  std::uint64_t sent = 0;
+  for (std::uint64_t number = 0; number < kImages; ++number)
+    sent += telepalp::link::ContentLevel::leaves_out(level, number) ? 0 : 1;
+  return static_cast<double>(sent) / kImages;
+}
+constexpr double kSentAtLast = sent_share(telepalp::link::ContentLevel::kLast);
+
 telepalp::link::DatagramLinkSettings settings_of(std::uint32_t number) {
   std::array<std::byte, 32> secret{};
   std::memcpy(secret.data(), &number, sizeof number);
@@ -83,10 +93,11 @@ class Session {
     next_image_ += kPeriod;
     const auto frame_B = [this] { return scenario_.image_B[std::min(level_.level(), scenario_.image_B.size() - 1)]; };
     const auto& sender = server_.sender();
-    level_.step({.share_B_per_s = server_.path().share_B_per_s(),
-                 .demand_B_per_s = frame_B() / to_seconds(kPeriod) * (level_.level() == level_.kLast ? 0.75 : 1.0),
-                 .dropped = drops_.step(offered_, sender.replaced + sender.expired)},
-                SessionTime{now});
+    level_.step(
+        {.share_B_per_s = server_.path().share_B_per_s(),
+         .demand_B_per_s = frame_B() / to_seconds(kPeriod) * (level_.level() == level_.kLast ? kSentAtLast : 1.0),
+         .dropped = drops_.step(offered_, sender.replaced + sender.expired)},
+        SessionTime{now});
     if (telepalp::link::ContentLevel::leaves_out(level_.level(), ++captured_)) return;
     queue_at_capture_[numbers_ % queue_at_capture_.size()] = queue;
     for (const std::uint8_t channel : {std::uint8_t{0}, std::uint8_t{1}}) {

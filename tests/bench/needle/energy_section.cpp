@@ -11,26 +11,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Energy of the net before the puncture, minus what is given back, dissipated and left, relative to the energy before;
-/// the greatest over three motions of the tip. The surface alone, without friction and relaxation.
+/// Part of the net's energy before the puncture that is neither given back to the hand, nor dissipated, nor still
+/// stored; the greatest over three motions of the tip after the puncture. The surface alone, without friction and
+/// relaxation.
 double missing_share(const tissue::SurfaceSettings& given) {
   double worst = 0.0;
   for (const double speed_m_per_s : {0.002, 0.05, -0.05}) {
-    tissue::TissueSettings one = tissue::one_surface();
-    one.layers[0].surface = given;
-    one.layers[0].surface->friction_N = 0.0;
-    tissue::Insertion run(one);
-    Vector3d to_m{0.002, 0.005, 0.0};
-    while (run.tissue.layer(0).state != tissue::LayerState::Inserted) run.tick(to_m -= Vector3d(0.0, 1e-5, 0.0));
+    tissue::Insertion run = tissue::just_punctured(given, {0.002, 0.005, 0.0});
     const double before_J = run.tissue.stored_J();
     const double taken_J = run.taken_J;
-    for (int i = 0; i < 200; ++i) run.tick(to_m -= Vector3d(0.0, speed_m_per_s * tissue::kTick_s, 0.0));
+    for (int i = 0; i < 200; ++i) run.tick(run.needle.tip_m - Vector3d(0.0, speed_m_per_s * tissue::kTick_s, 0.0));
     const double found_J = taken_J - run.taken_J + run.tissue.punctures_dissipated_J() + run.tissue.stored_J();
     worst = std::max(worst, std::abs(before_J - found_J) / before_J);
   }
   return worst;
 }
 
+/// `tissue` with all its stiffnesses times 10, and with one law of stick and slip.
 tissue::TissueSettings ten_times(tissue::TissueSettings tissue, tissue::BulkLaw law) {
   for (tissue::LayerSettings& layer : tissue.layers) {
     if (layer.surface) {
@@ -49,10 +46,10 @@ tissue::TissueSettings ten_times(tissue::TissueSettings tissue, tissue::BulkLaw 
 
 struct Gain {
   double display_J = 0.0;  ///< the most by which stored energy exceeded what the display's ledger had taken
-  double hand_J = 0.0;     ///< the most that the hand's ledger says the hand got in excess
+  double hand_J = 0.0;     ///< the most energy that the hand got in excess, by the hand's ledger
 };
 
-/// A forced needle wanders for 1e5 ticks, 50 s, through the tissue of `scene`, beside its skin.
+/// A needle on a prescribed path wanders for 1e5 ticks, 50 s, through the tissue of `scene`, whose skin acts, too.
 Gain gained(const scenes::Scene& scene, tissue::BulkLaw law) {
   constexpr int kTicks = 100'000;
   effects::EffectBank bank;

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Greatest |change of force| - stiffness x |motion| of a needle that wanders for 1e5 ticks, outside rupture and slip.
+/// Greatest |change of force| - stiffness x |motion| in a tick, outside rupture and slip, of needles that wander for
+/// 1e5 ticks.
 double worst_step_N(const tissue::TissueSettings& settings) {
   double worst_N = 0.0;
   for (const std::uint64_t seed : {1, 2}) {
@@ -26,19 +27,14 @@ struct Drop {
   double step_N = 0.0;  ///< greatest fall of the force in a tick
 };
 
-/// The surface alone, without friction, at 20 mm/s.
+/// The drop of the force after a puncture of the surface alone, without friction, at 20 mm/s.
 Drop drop_of(const tissue::SurfaceSettings& given) {
-  tissue::TissueSettings one = tissue::one_surface();
-  one.layers[0].surface = given;
-  one.layers[0].surface->friction_N = 0.0;
-  tissue::Insertion run(one);
-  Vector3d to_m{0.0, 0.001, 0.0};
-  while (run.tissue.layer(0).state != tissue::LayerState::Inserted) run.tick(to_m -= Vector3d(0.0, 1e-5, 0.0));
+  tissue::Insertion run = tissue::just_punctured(given, {0.0, 0.001, 0.0});
   const double tenth_N = 0.1 * run.force_N.norm();
   Drop drop;
   while (run.force_N.norm() > tenth_N) {
     const double before_N = run.force_N.norm();
-    run.tick(to_m -= Vector3d(0.0, 1e-5, 0.0));
+    run.tick(run.needle.tip_m - Vector3d(0.0, 1e-5, 0.0));
     drop.step_N = std::max(drop.step_N, before_N - run.force_N.norm());
     ++drop.ticks;
   }

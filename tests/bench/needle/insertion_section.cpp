@@ -55,20 +55,22 @@ tissue::InsertionCurve read_curve(const fs::path& file) {
   return in;
 }
 
-/// Curves whose names begin with `prefix`.
-Curves read_curves(const fs::path& folder, const std::string& prefix) {
+/// Curves whose names begin with one of two prefixes.
+Curves read_curves(const fs::path& folder, const std::string& one, const std::string& other) {
   Curves curves;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (const std::string name = entry.path().filename().string(); name.starts_with(prefix))
+    if (const std::string name = entry.path().filename().string(); name.starts_with(one) || name.starts_with(other))
       curves.emplace(name, read_curve(entry.path()));
   return curves;
 }
 
+/// Adds the relative error of `fit` on `curve` [%]; infinite if there is no fit.
 void add_error(Distribution& percent, const Result<tissue::InsertionFit>& fit, const tissue::InsertionCurve& curve) {
   const Result<double> error = fit ? tissue::relative_error(*fit, curve) : Result<double>(fit.error());
   percent.add(error ? 100.0 * *error : HUGE_VAL);
 }
 
+/// Share of the samples that are at most `limit`, in whole percent.
 double share_within(const Distribution& percent, double limit) {
   double share = 0.0;
   for (int i = 1; i <= 100; ++i)
@@ -78,16 +80,12 @@ double share_within(const Distribution& percent, double limit) {
 
 }  // namespace
 
-/// The first liver's curves are liver_00 to liver_19, the second's liver_20 and on. The model for the second liver's is
-/// fitted to all of the first; within a liver, to all curves but the one that is judged.
+/// The first liver's curves are liver_00 to liver_19, the second's liver_20 to liver_39. Each curve is judged by a
+/// model that is fitted to this curve alone; those of the second liver also by one model that is fitted to all of the
+/// first.
 std::vector<Row> run_needle_insertion_section(const std::string& folder) {
-  const Curves first = [&] {
-    Curves one = read_curves(folder, "liver_0");
-    one.merge(read_curves(folder, "liver_1"));
-    return one;
-  }();
-  Curves second = read_curves(folder, "liver_2");
-  second.merge(read_curves(folder, "liver_3"));
+  const Curves first = read_curves(folder, "liver_0", "liver_1");
+  const Curves second = read_curves(folder, "liver_2", "liver_3");
   std::vector<Row> rows{measured("insertions: curves of the first and of the second liver",
                                  static_cast<double>(first.size() + second.size()), "")};
   Distribution own;

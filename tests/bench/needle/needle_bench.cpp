@@ -1,6 +1,5 @@
 #include "tests/bench/needle/needle_bench.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -55,7 +54,9 @@ Result<Report> run_needle(const program::Arguments& arguments) {
   }
   if (insertions)
     for (Row& row : run_needle_insertion_section(arguments.text("input"))) report.rows.push_back(std::move(row));
-  report.notes.push_back("the scenes' own tissue; where a row says 10 times, all its stiffnesses times 10");
+  report.notes.push_back(
+      "the tissue of the scenes as shipped; in rows with \"10 times as stiff\", all its stiffnesses are multiplied by "
+      "10");
   return report;
 }
 

@@ -17,16 +17,16 @@ struct NeedleSection {
   std::vector<Row> (*run)();
 };
 
-/// Time of a tick of each needle scene, and what the other scenes pay for needles.
+/// Time of a tick of each needle scene, and the cost of needles for the other scenes.
 [[nodiscard]] std::vector<Row> run_needle_tick_section();
 /// Energy of ruptures, and energy gained on long paths through stiff tissue.
 [[nodiscard]] std::vector<Row> run_needle_energy_section();
-/// Steps of the force, at ruptures, elsewhere and at a subdivision.
+/// How steadily the force changes: at ruptures, where nothing ruptures or slips, and where the net is subdivided.
 [[nodiscard]] std::vector<Row> run_needle_force_section();
-/// A stopped needle's force against that of needles in human livers.
+/// The falling force of a needle that rests, compared with needles in human livers.
 [[nodiscard]] std::vector<Row> run_needle_relaxation_section();
-/// Tissues that are fitted to insertions: `folder` has files liver_NN.csv or liver_NN.csv.gz with the columns
-/// displacement_mm and force_N.
+/// Error of tissues that are fitted to measured insertions. `folder` has files liver_NN.csv or liver_NN.csv.gz with the
+/// columns displacement_mm and force_N.
 [[nodiscard]] std::vector<Row> run_needle_insertion_section(const std::string& folder);
 
 /// The scenes with layers of tissue.

@@ -19,17 +19,17 @@ namespace {
 
 constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr std::size_t kFrames = 120;
-constexpr std::size_t kCompareEvery = 3;  // the similarity of each third frame
+constexpr std::size_t kCompareEvery = 3;  // similarity is measured on each third image
 constexpr int kLeastRate_kbit_per_s = 50;
 constexpr int kMostRate_kbit_per_s = 20'000;
-constexpr int kThinLineQuality = 25;  // of the server's pictures on a line that has no room: pipeline::shrunk()
-constexpr int kSteps = 7;             // of the search for a rate: to 5 %
+constexpr int kThinLineQuality = 25;  // JPEG quality that pipeline::shrunk() gives a line without room
+constexpr int kSteps = 7;             // of the search for a rate, which is then known to 5 %
 constexpr double kFrames_per_s = 30.0;
 
 /// Colour images at 30 Hz.
 struct Film {
   std::vector<ColorImage> images;
-  std::size_t recorded = 0;  ///< different ones; a short film runs forwards and backwards
+  std::size_t recorded = 0;  ///< number of different images; the others repeat them
   [[nodiscard]] static SessionTime captured(std::size_t index) {
     return session_time(static_cast<std::int64_t>(static_cast<double>(index + 1) * 1e9 / kFrames_per_s));
   }
@@ -58,9 +58,9 @@ Result<Film> film_of(const std::string& spec) {
   return film;
 }
 
-/// What a coding does to a film.
+/// Bytes, similarity and times of one coding of a film.
 struct Outcome {
-  double bytes = 0.0;  ///< of an image, mean
+  double bytes = 0.0;  ///< mean, of an image
   double ssim = 0.0;   ///< mean
   Distribution encode_ms;
   Distribution decode_ms;
@@ -126,11 +126,11 @@ Result<void> add_rows(Report& report, const Film& film, const std::string& name,
   const Result<Outcome> video = video_as_similar(film, pictures->ssim);
   if (!video) return video.error();
   const std::string beside = name + ", JPEG " + std::to_string(quality) + ": ";
-  const std::string share = beside + "bytes of VP8 at equal SSIM, as a share";
+  const std::string share = beside + "bytes of VP8 at equal SSIM, divided by JPEG's";
   const double ratio = video->bytes / pictures->bytes;
   report.rows.push_back(at_most(share, ratio, "", 0.25));
   const bool as_similar = video->ssim >= pictures->ssim;
-  report.rows.push_back(at_least(beside + "1: VP8 reaches its SSIM", as_similar ? 1.0 : 0.0, "", 1.0));
+  report.rows.push_back(at_least(beside + "VP8 reaches its SSIM (1: yes)", as_similar ? 1.0 : 0.0, "", 1.0));
   report.rows.push_back(measured(beside + "SSIM of JPEG", pictures->ssim, ""));
   report.rows.push_back(measured(beside + "JPEG", 1e-3 * pictures->bytes, "kB an image"));
   report.rows.push_back(measured(beside + "VP8", 1e-3 * video->bytes, "kB an image"));

@@ -5,7 +5,8 @@
 
 namespace telepalp::bench {
 
-/// What a thin line is given: colour as video (VP8) beside pictures (JPEG), at equal similarity to the camera's images.
+/// Colour for a thin line: bytes and times of video (VP8), compared with pictures (JPEG) that are as similar to the
+/// camera's images.
 [[nodiscard]] Result<Report> run_thin(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

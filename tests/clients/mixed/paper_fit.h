@@ -4,7 +4,7 @@
 
 namespace telepalp::mixed {
 
-/// How the rigid motion is estimated, for comparison with Eigen::umeyama(), which telepalp uses.
+/// Two readings of the fit in paper S3. Tests compare them with Eigen::umeyama(), which telepalp uses in its place.
 enum class PaperFit {
   AsPrinted,  ///< S3 eq. (1): translation from the means alone, an affine map about the origin, its rotation
   Centred,    ///< the affine map of the points about their means, then that map's rotation by polar decomposition

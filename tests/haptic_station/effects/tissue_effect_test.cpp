@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using tissue::kTick_s;
 
-constexpr double kTick_s = 0.0005;
 constexpr double kMost_N = 10.0;
 const Vector3d kNeedle_m{0.0, -0.1, 0.0};
 

@@ -32,8 +32,8 @@ D meeting(const D& one, double one_m, const D& other, double other_m, double sid
   return one + along * between + across * left_of(between);
 }
 
-/// Difference between the work of `needle_N` on the tip and that of the force on the hand, for one motion, relative to
-/// the most work that a force of this size does on the tip.
+/// Virtual work, for one small motion of the mechanism: |work of `needle_N` at the tip - work of the hand's force at
+/// the grasp|, as a share of the most work that a force as large as `needle_N` can do at the tip.
 double work_difference(const HeldMechanism& mechanism, const D& tip, const D& grasp, const Vector2d& needle_N) {
   const Vector2d hand_N = mechanism.hand_force_N(needle_N);
   const double at_tip = needle_N.x() * tip.x.slope + needle_N.y() * tip.y.slope;

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 
 namespace telepalp::testing {
 
 using Eigen::Vector3d;
 
 Result<capture::SyntheticPatient> torso(const TorsoSettings& settings) {
-  const auto file = program::shipped_file("deploy/demo_data/torso/visible_human_torso.ply");
-  if (!file) return Error{.what = "the torso is not shipped", .where = "torso", .fix = "run from the repository"};
-  const Result<capture::TriangleMesh> mesh = capture::read_mesh(*file);
+  const Result<capture::TriangleMesh> mesh = capture::shipped_torso();
   if (!mesh) return mesh.error();
   capture::SyntheticSettings synthetic;
   synthetic.noise = settings.sigma_m > 0.0 ? capture::DepthNoise::Gaussian : capture::DepthNoise::None;

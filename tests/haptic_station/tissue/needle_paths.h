@@ -88,6 +88,18 @@ class Insertion {
   double worst_step_N = 0.0;  ///< |change of force| - stiffness × |motion|, outside rupture and slip
 };
 
+/// A needle that has just punctured `given`, a surface alone and without friction. It comes from `above_m` and goes
+/// straight down at 20 mm/s.
+inline Insertion just_punctured(const SurfaceSettings& given, const Eigen::Vector3d& above_m) {
+  TissueSettings one = one_surface();
+  one.layers[0].surface = given;
+  one.layers[0].surface->friction_N = 0.0;
+  Insertion run(one);
+  for (Eigen::Vector3d to_m = above_m; run.tissue.layer(0).state != LayerState::Inserted;)
+    run.tick(to_m -= Eigen::Vector3d(0.0, 1e-5, 0.0));
+  return run;
+}
+
 /// A tip that wanders through all layers, from rest to 0.1 m/s, with rests.
 class Wanderer {
  public:

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "server/capture/synthetic/shape/mesh.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 
 namespace telepalp::capture {
@@ -17,5 +18,8 @@ struct NamedPatient {
 /// Opens the patient of MODEL[,key=value…]; both parts are optional. Error: an unknown key, a value out of range, or a
 /// model that cannot be read or laid on the table.
 [[nodiscard]] Result<NamedPatient> open_patient(const std::string& spec);
+
+/// The mesh of the torso that telepalp ships. Error: its file is missing, or cannot be read.
+[[nodiscard]] Result<TriangleMesh> shipped_torso();
 
 }  // namespace telepalp::capture
