@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kForAll = program::Readers::Group;
+constexpr auto kReaders = program::Readers::Group;  // the images may show people
 
 Result<Background> read_background(const ImageSequence& sequence) {
   std::vector<SourceImage> sources;
@@ -69,7 +69,7 @@ void tell(const LiveImage& live, const MixedImage& mixed, const CamouflageState&
   std::printf("\n");
 }
 
-/// The tool's place minus the device's at the image's own instant; nullopt: the station sent no state near it.
+/// The tool's place minus the device's at the image's own instant; nullopt: no state of the station is near it.
 std::optional<Vector<World>> gap_at(const ImageSequence& sequence, const LiveImage& live) {
   constexpr auto kPatience = std::chrono::milliseconds(50);
   const SessionTime taken(from_seconds(live.time_s - live.trust.image_age_s));
@@ -95,7 +95,8 @@ Result<void> compose_frames(const ImageSequence& sequence, const Background& bac
     const MixedImage mixed = mix(*image, {sequence.lens, live.image.world_from_eye}, background, device, choice.margin,
                                  gap.value_or(Vector<World>{}), choice.settings);
     const std::string png = images::encode_png(faded(*image, mixed.color, state.opacity));
-    if (const auto done = program::write_whole_file(out / live.image.file.filename(), png, kForAll); !done) return done;
+    if (const auto done = program::write_whole_file(out / live.image.file.filename(), png, kReaders); !done)
+      return done;
     tell(live, mixed, state);
   }
   return {};
@@ -113,7 +114,7 @@ Result<void> compose(const program::Arguments& arguments) {
   const Result<Background> background = read_background(*sequence);
   if (!background) return background.error();
   const fs::path out = arguments.text("out");
-  if (const auto made = program::make_folder(out, kForAll); !made) return made;
+  if (const auto made = program::make_folder(out, kReaders); !made) return made;
   return compose_frames(*sequence, *background, *choice, out);
 }
 
@@ -126,14 +127,14 @@ Result<void> calibrate(const program::Arguments& arguments) {
   const double turn_rad = std::sqrt(fit->covariance.topLeftCorner<3, 3>().trace() / 3.0);
   return program::write_whole_file(arguments.text("out"),
                                    device_table({fit->world_from_haptic, deviation_at_m(*fit, fit->centre), turn_rad}),
-                                   kForAll);
+                                   kReaders);
 }
 
 Result<void> anchor(const program::Arguments& arguments) {
   const std::string gravity = arguments.text("gravity");
   if (gravity != "known" && gravity != "unknown")
     return Error{
-        .what = "'" + gravity + "' is not known of gravity", .where = "--gravity", .fix = "give known or unknown"};
+        .what = "'" + gravity + "' is neither known nor unknown", .where = "--gravity", .fix = "give known or unknown"};
   const Result<AnchorTouches> read = read_touches(arguments.text("touches"));
   if (!read) return read.error();
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
@@ -149,16 +150,16 @@ Result<void> anchor(const program::Arguments& arguments) {
   if (!found) return found.error();
   std::printf("tip %.1f %.1f %.1f mm from the tool's origin, residual %.2f mm rms\n", 1e3 * tip.x(), 1e3 * tip.y(),
               1e3 * tip.z(), 1e3 * found->rms_m);
-  return program::write_whole_file(arguments.text("out"), anchor_table(*found), kForAll);
+  return program::write_whole_file(arguments.text("out"), anchor_table(*found), kReaders);
 }
 
 Result<void> board(const program::Arguments& arguments) {
   const Result<double> marker_mm = arguments.number("marker-mm", 5.0, 200.0);
   if (!marker_mm) return marker_mm.error();
   const fs::path svg = arguments.text("out");
-  if (const auto done = program::write_whole_file(svg, board_svg(*marker_mm), kForAll); !done) return done;
+  if (const auto done = program::write_whole_file(svg, board_svg(*marker_mm), kReaders); !done) return done;
   fs::path table = svg;
-  return program::write_whole_file(table.replace_extension(".csv"), board_table(*marker_mm), kForAll);
+  return program::write_whole_file(table.replace_extension(".csv"), board_table(*marker_mm), kReaders);
 }
 
 Result<void> render_example(const program::Arguments& arguments) {
@@ -190,7 +191,7 @@ int run_compose(int argc, const char* const* argv) {
                    {"out", "DIR", "folder for the composed images; created if missing", "mixed"},
                    {"cameras", "N", "source images a vertex of the background, 1 to 4", "1"},
                    {"margin", "KIND", "how the device's mask is enlarged: calibrated or paper (5 %)", "calibrated"},
-                   {"glove", "FILE", "a picture of the glove alone: the hand is found by its colour"},
+                   {"glove", "FILE", "a picture of nothing but the glove, by whose colour the hand is found"},
                    {"naive", "", "leave the hand where it is"}},
        .example = "telepalp-mixed compose --images desk --out mixed"},
       argc, argv, run<compose>);
@@ -213,7 +214,7 @@ int run_anchor(int argc, const char* const* argv) {
        .positional = {},
        .options = {{"touches", "FILE", "the touches; see docs/mixed.md", "touches.csv"},
                    {"gravity", "WHAT", "known: the device's base is level; unknown: it may be tilted", "known"},
-                   {"out", "FILE", "the headset's pose of the device", "anchor.csv"}},
+                   {"out", "FILE", "the device's pose in the headset's space", "anchor.csv"}},
        .example = "telepalp-mixed anchor --touches desk/touches.csv"},
       argc, argv, run<anchor>);
 }

@@ -20,7 +20,7 @@ before(async () => {
   const ports = await place.server(join(binDir, 'telepalp-server'), ['--source', 'synthetic', '--viewer', viewer]);
   address = `http://127.0.0.1:${ports.http_port}/`;
   server = `127.0.0.1:${ports.port}`;
-  browser = await openBrowser(place.folder);
+  browser = await openBrowser(place.folder, {width: 1280, height: 800});  // narrower, the page closes its details
   page = browser.page;
 });
 after(async () => {
@@ -42,6 +42,20 @@ test('the page shows the patient in the colours of the video', async () => {
   await untilStatus(page, 'pictures are drawn', (now) => now.connected && now.frames > 10);
   const topics = await page.textContent('#network');
   assert.match(topics, /color\/video/, `the card Network names the topic: ${topics}`);
+});
+
+test('a tick gives pictures again, and the choice is remembered', async () => {
+  const ready = () => page.waitForSelector('body[data-view="technician"]');  // the page's script has read the kept choice
+  await page.goto(`${address}?view=technician`);
+  await ready();
+  assert.equal(await page.isChecked('#color-video'), false, 'the address alone is not remembered');
+  await page.check('#color-video');
+  await until('the page takes video', async () => /as video/.test(await colorSaid()));
+  await page.reload();
+  await ready();
+  assert.equal(await page.isChecked('#color-video'), true);
+  await page.uncheck('#color-video');
+  await until('the page says nothing more', async () => (await colorSaid()) === '');
 });
 
 test('video takes a fraction of the bytes of pictures', async () => {

@@ -1,7 +1,6 @@
 #include "tools/study/commands.h"
 
 #include "support/program/files/whole_file.h"
-#include "support/program/options.h"
 #include "support/program/parallel.h"
 #include "tools/study/experiments/obstruction.h"
 #include "tools/study/experiments/ribs.h"
@@ -17,14 +16,10 @@ using MakeExperiment = Result<Experiment> (*)(const program::Arguments&);
 Result<ExperimentSettings> read(const program::Arguments& arguments) {
   const Result<std::int64_t> observers = arguments.whole("observers", 4, 10'000);
   if (!observers) return observers.error();
-  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
-  if (!seed) return seed.error();
-  const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
-  if (!threads) return threads.error();
-  return ExperimentSettings{.observers = static_cast<int>(*observers),
-                            .seed = static_cast<std::uint64_t>(*seed),
-                            .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads),
-                            .out = arguments.text("out")};
+  const Result<RunChoice> choice = read_run_choice(arguments);
+  if (!choice) return choice.error();
+  return ExperimentSettings{
+      .observers = static_cast<int>(*observers), .seed = choice->seed, .threads = choice->threads, .out = choice->out};
 }
 
 Result<ExperimentResult> run(const Experiment& experiment, const ExperimentSettings& settings) {
@@ -61,13 +56,10 @@ program::Usage usage_of(std::string_view program, std::string_view purpose, std:
           .purpose = purpose,
           .positional = {},
           .options = {{"observers", "N", "number of simulated observers", observers},
-                      {"seed", "N", "the same seed gives the same bytes", "1"},
-                      {"threads", "N", "side by side; 0: one for each processor", "0"},
-                      {"out", "DIR",
-                       "folder of report.html, study.json, trials.csv and runs/; the same command resumes a study that "
-                       "was stopped",
-                       folder},
-                      {"json", "", "print study.json instead of the table"}},
+                      kSeedOption,
+                      kThreadsOption,
+                      {"out", "DIR", kOutHelp, folder},
+                      kJsonOption},
           .example = example};
 }
 
@@ -85,6 +77,19 @@ Result<Experiment> chosen_ribs(const program::Arguments&) {
 }
 
 }  // namespace
+
+Result<RunChoice> read_run_choice(const program::Arguments& arguments) {
+  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
+  if (!seed) return seed.error();
+  const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
+  if (!threads) return threads.error();
+  RunChoice choice{.seed = static_cast<std::uint64_t>(*seed),
+                   .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads),
+                   .out = arguments.text("out")};
+  if (choice.out.empty())
+    return Error{.what = "no folder is named", .where = "--out", .fix = "give a folder, such as --out study"};
+  return choice;
+}
 
 int run_obstruction(int argc, const char* const* argv) {
   return run_command(

@@ -1,8 +1,28 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+
+#include "support/program/options.h"
+
 namespace telepalp::study {
 
-/// The commands of telepalp-study beside the needle's study; each returns the process's exit code.
+/// The options that all studies have.
+inline constexpr program::Option kSeedOption{"seed", "N", "the same seed gives the same bytes", "1"};
+inline constexpr program::Option kThreadsOption{"threads", "N", "side by side; 0: one for each processor", "0"};
+inline constexpr std::string_view kOutHelp =
+    "folder of report.html, study.json, trials.csv and runs/; the same command resumes a study that was stopped";
+inline constexpr program::Option kJsonOption{"json", "", "print study.json instead of the table"};
+
+struct RunChoice {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::filesystem::path out;
+};
+/// Error: a number is out of range, or --out names no folder.
+[[nodiscard]] Result<RunChoice> read_run_choice(const program::Arguments& arguments);
+
+/// The commands of telepalp-study besides the needle's study; each returns the process's exit code.
 int run_obstruction(int argc, const char* const* argv);
 int run_stiffness_jnd(int argc, const char* const* argv);
 int run_rib_count(int argc, const char* const* argv);

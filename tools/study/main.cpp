@@ -2,8 +2,6 @@
 // on layered tissue, as paper S4's subjects did.
 
 #include "support/program/files/whole_file.h"
-#include "support/program/options.h"
-#include "support/program/parallel.h"
 #include "tools/study/commands.h"
 #include "tools/study/page/files.h"
 #include "tools/study/progress.h"
@@ -26,12 +24,10 @@ const program::Usage kUsage{
              "amniocentesis"},
             {"operators", "N", "number of simulated operators, each with an own body and tissue", "12"},
             {"penetrations", "N", "of each mechanism by each operator in each condition", "5"},
-            {"seed", "N", "the same seed gives the same bytes", "1"},
-            {"threads", "N", "side by side; 0: one for each processor", "0"},
-            {"out", "DIR",
-             "folder of report.html, study.json, trials.csv and runs/; the same command resumes a study that was "
-             "stopped"},
-            {"json", "", "print study.json instead of the table"},
+            kSeedOption,
+            kThreadsOption,
+            {"out", "DIR", kOutHelp},
+            kJsonOption,
         },
     .example = "telepalp-study --operators 2 --penetrations 2 --out study",
     .commands = {{"obstruction", "", "a ball is pushed with the device in sight or hidden (S3 8.3)", run_obstruction},
@@ -49,17 +45,13 @@ Result<StudySettings> read(const program::Arguments& arguments) {
   if (!operators) return operators.error();
   const Result<std::int64_t> penetrations = arguments.whole("penetrations", 1, 50);
   if (!penetrations) return penetrations.error();
-  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
-  if (!seed) return seed.error();
-  const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
-  if (!threads) return threads.error();
+  const Result<RunChoice> choice = read_run_choice(arguments);
+  if (!choice) return choice.error();
   settings.operators = static_cast<int>(*operators);
   settings.penetrations = static_cast<int>(*penetrations);
-  settings.seed = static_cast<std::uint64_t>(*seed);
-  settings.threads = *threads == 0 ? program::processors() : static_cast<int>(*threads);
-  settings.out = arguments.text("out");
-  if (settings.out.empty())
-    return Error{.what = "no folder is named", .where = "--out", .fix = "give a folder, such as --out study"};
+  settings.seed = choice->seed;
+  settings.threads = choice->threads;
+  settings.out = choice->out;
   return settings;
 }
 

@@ -7,8 +7,9 @@
 
 namespace telepalp::study {
 
-/// Tells how many of the parts were finished before, and what Ctrl-C keeps. The returned function tells how many are
-/// done: in one line that changes, or on a log in eight steps. The line ends when the last part is done.
+/// Logs how many parts were finished before, and makes Ctrl-C print which parts are kept. The returned function, called
+/// with the number of parts that are done, shows it: on a terminal in one line, which goes away at the end; otherwise
+/// as about eight log lines.
 [[nodiscard]] std::function<void(int)> tell_progress(const Parts& parts);
 
 }  // namespace telepalp::study

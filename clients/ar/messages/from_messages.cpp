@@ -1,7 +1,6 @@
 #include "clients/ar/messages/from_messages.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "clients/ar/messages/phases.h"
 #include "proto/wire/station/contact_force.h"

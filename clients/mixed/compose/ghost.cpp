@@ -15,10 +15,14 @@ double joint_room(const StandingDevice& device) noexcept {
   return room;
 }
 
+std::uint8_t blended(std::uint8_t under, std::uint8_t over, double opacity) noexcept {
+  return static_cast<std::uint8_t>(std::lround(std::lerp(1.0 * under, 1.0 * over, opacity)));
+}
+
 void draw_ghost(ColorImage& image, const ColorImage& live, const Mask& where, double opacity) {
   for (std::size_t i = 0; i < where.on.size(); ++i)
     for (std::size_t c = 3 * i; where.on[i] != 0 && c < 3 * i + 3; ++c)
-      image.rgb[c] = static_cast<std::uint8_t>(std::lround(std::lerp(1.0 * image.rgb[c], 1.0 * live.rgb[c], opacity)));
+      image.rgb[c] = blended(image.rgb[c], live.rgb[c], opacity);
 }
 
 }  // namespace telepalp::mixed

@@ -5,8 +5,12 @@
 
 namespace telepalp::mixed {
 
-/// How far the joint that is nearest to an end of its range is from it, as a share of the range; 0 at or beyond an end.
+/// Distance of a joint from the nearer end of its range, as a share of the range: the least of all joints, from 0 (at
+/// or beyond an end) to 0.5.
 [[nodiscard]] double joint_room(const StandingDevice& device) noexcept;
+
+/// A channel `opacity` of the way from `under` to `over`: `under` at 0, `over` at 1.
+[[nodiscard]] std::uint8_t blended(std::uint8_t under, std::uint8_t over, double opacity) noexcept;
 
 /// Draws `live` over `image` where `where` is on, with an opacity from 0 to 1.
 void draw_ghost(ColorImage& image, const ColorImage& live, const Mask& where, double opacity);

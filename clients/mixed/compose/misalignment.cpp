@@ -14,6 +14,7 @@ std::optional<CouplingEnds> ends_at(std::span<const CouplingEnds> states, Sessio
   if (after->at == image) return *after;
   if (after == states.begin()) return std::nullopt;
   const CouplingEnds& before = *(after - 1);
+  if (image - before.at > patience && after->at - image > patience) return std::nullopt;
   const double share = std::chrono::duration<double>(image - before.at) / (after->at - before.at);
   return CouplingEnds{image,
                       {before.device.m + share * (after->device.m - before.device.m)},

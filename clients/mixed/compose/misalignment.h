@@ -17,8 +17,8 @@ struct CouplingEnds {
 };
 
 /// The ends at the time of a camera's image, interpolated linearly between two states. An image up to `patience` after
-/// the last state gets that state. nullopt for an image before the first state or more than `patience` after the last
-/// one. `states`: by increasing time.
+/// the last state gets that state. nullopt for an image before the first state, or without a state within `patience`.
+/// `states`: by increasing time.
 [[nodiscard]] std::optional<CouplingEnds> ends_at(std::span<const CouplingEnds> states, SessionTime image,
                                                   std::chrono::nanoseconds patience);
 

@@ -1,7 +1,5 @@
 #include "clients/mixed/compose/mixed_view.h"
 
-#include <cmath>
-
 #include "clients/mixed/compose/camouflage.h"
 #include "clients/mixed/compose/ghost.h"
 #include "clients/mixed/compose/hand_layer.h"
@@ -64,8 +62,7 @@ MixedImage mix(const ColorImage& live, const View& view, const Background& backg
 
 ColorImage faded(const ColorImage& live, const ColorImage& mixed, double opacity) {
   ColorImage out = live;
-  for (std::size_t i = 0; i < out.rgb.size(); ++i)
-    out.rgb[i] = static_cast<std::uint8_t>(std::lround(std::lerp(1.0 * live.rgb[i], 1.0 * mixed.rgb[i], opacity)));
+  for (std::size_t i = 0; i < out.rgb.size(); ++i) out.rgb[i] = blended(live.rgb[i], mixed.rgb[i], opacity);
   return out;
 }
 

@@ -26,10 +26,9 @@ struct MixedImage {
   std::size_t unknown_px = 0;                          ///< emptied pixels that the background does not show
   std::optional<double> ring_levels = {};              ///< ring_difference()
   Eigen::Vector2d shift_px = Eigen::Vector2d::Zero();  ///< by how much the hand was moved
-  /// Opacity with which the device's ghost was drawn, 0 to kGhost; see ghost_opacity().
-  double ghost = 0.0;
+  double ghost = 0.0;                                  ///< opacity with which the device's ghost was drawn, 0 to kGhost
 };
-inline constexpr double kGhost = 0.6;
+inline constexpr double kGhost = 0.6;  ///< opacity of the ghost where ghost_opacity() is 1
 
 /// Removes device and hand from the live image, paints the background, draws the virtual tool where the coupling has
 /// it, and the hand at the tool. Paper S3 (docs/sources.md) 3.1. `tool_minus_device`: the coupling's gap at the

@@ -11,9 +11,9 @@ namespace telepalp::mixed {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLatest_s = 1e9;  // session time in nanoseconds has room for it
 namespace fs = std::filesystem;
+
+constexpr double kLatest_s = 1e9;  // 64 bits of nanoseconds overflow at 9.2e9 s
 
 /// The text before the first comma. Text and comma are removed from `row`.
 std::string take_name(std::string_view& row) {
@@ -31,7 +31,7 @@ Result<void> read_images(const fs::path& folder, ImageSequence& sequence) {
   return each_row(folder / "background.csv", kBackgroundHeader, [&](std::string_view row) {
     const fs::path file = folder / take_name(row);
     const auto n = number_row<6>(row);
-    if (n) sequence.background.push_back({file, {pose(*n, 0)}});
+    if (n) sequence.background.push_back({file, {pose_at(*n, 0)}});
     return n.has_value();
   });
 }
@@ -45,7 +45,7 @@ Result<void> read_live(const fs::path& folder, ImageSequence& sequence) {
     live.time_s = (*n)[0];
     if (!(std::abs(live.time_s) < kLatest_s && std::abs((*n)[1]) < kLatest_s)) return false;
     live.trust = {.fault = (*n)[3] != 0.0, .markers_seen = (*n)[2] != 0.0, .image_age_s = (*n)[1]};
-    live.image.world_from_eye.iso = pose(*n, 4);
+    live.image.world_from_eye.iso = pose_at(*n, 4);
     live.joints_rad.assign(n->begin() + 10, n->begin() + 16);
     sequence.frames.push_back(std::move(live));
     return true;
@@ -56,7 +56,7 @@ Result<void> read_coupling(const fs::path& folder, ImageSequence& sequence) {
   return each_row(folder / "coupling.csv", kCouplingHeader, [&](std::string_view row) {
     const auto n = number_row<7>(row);
     if (!n || !(std::abs((*n)[0]) < kLatest_s)) return false;
-    const CouplingEnds ends{SessionTime(from_seconds((*n)[0])), {three(*n, 1)}, {three(*n, 4)}};
+    const CouplingEnds ends{SessionTime(from_seconds((*n)[0])), {vector_at(*n, 1)}, {vector_at(*n, 4)}};
     if (!sequence.coupling.empty() && ends.at <= sequence.coupling.back().at) return false;
     sequence.coupling.push_back(ends);
     return true;
@@ -89,7 +89,7 @@ Result<ImageSequence> read_sequence(const fs::path& folder) {
                  .fix = "take images of the desk without the device, from all places where the head will be"};
   const Result<void> device = each_row(folder / "device.csv", kDeviceHeader, [&](std::string_view row) {
     const auto n = number_row<8>(row);
-    if (n) sequence.device = {{pose(*n, 0)}, (*n)[6], (*n)[7]};
+    if (n) sequence.device = {{pose_at(*n, 0)}, (*n)[6], (*n)[7]};
     return n.has_value();
   });
   if (!device) return device.error();
@@ -118,7 +118,7 @@ Result<std::vector<Click>> read_clicks(const fs::path& file) {
   const Result<void> read = each_row(file, kClicksHeader, [&](std::string_view row) {
     const auto n = number_row<10>(row);
     if (!n || !(std::abs((*n)[0]) < 1e6)) return false;
-    clicks.push_back({static_cast<int>((*n)[0]), {three(*n, 1)}, {n->begin() + 4, n->end()}});
+    clicks.push_back({static_cast<int>((*n)[0]), {vector_at(*n, 1)}, {n->begin() + 4, n->end()}});
     return true;
   });
   if (!read) return read.error();
@@ -127,20 +127,20 @@ Result<std::vector<Click>> read_clicks(const fs::path& file) {
 
 std::string camera_table(const Intrinsics& lens) {
   return std::string(kCameraHeader) + "\n" +
-         numbers({1.0 * lens.width, 1.0 * lens.height, lens.fx, lens.fy, lens.cx, lens.cy}) + "\n";
+         cells({1.0 * lens.width, 1.0 * lens.height, lens.fx, lens.fy, lens.cx, lens.cy}) + "\n";
 }
 
 std::string background_table(const std::vector<PosedImage>& images) {
   std::string text = std::string(kBackgroundHeader) + "\n";
   for (const PosedImage& image : images)
-    text += image.file.string() + "," + numbers(pose_numbers(image.world_from_eye.iso)) + "\n";
+    text += image.file.string() + "," + cells(pose_numbers(image.world_from_eye.iso)) + "\n";
   return text;
 }
 
 std::string device_table(const DevicePlace& device) {
   std::vector<double> row = pose_numbers(device.world_from_haptic.iso);
   append(row, {device.deviation_m, device.turn_rad});
-  return std::string(kDeviceHeader) + "\n" + numbers(row) + "\n";
+  return std::string(kDeviceHeader) + "\n" + cells(row) + "\n";
 }
 
 std::string frames_table(const std::vector<LiveImage>& frames) {
@@ -150,7 +150,7 @@ std::string frames_table(const std::vector<LiveImage>& frames) {
                             live.trust.fault ? 1.0 : 0.0};
     append(row, pose_numbers(live.image.world_from_eye.iso));
     append(row, live.joints_rad);
-    text += live.image.file.string() + "," + numbers(row) + "\n";
+    text += live.image.file.string() + "," + cells(row) + "\n";
   }
   return text;
 }
@@ -158,8 +158,8 @@ std::string frames_table(const std::vector<LiveImage>& frames) {
 std::string coupling_table(const std::vector<CouplingEnds>& states) {
   std::string text = std::string(kCouplingHeader) + "\n";
   for (const CouplingEnds& ends : states)
-    text += numbers({to_seconds(ends.at.time_since_epoch()), ends.device.m.x(), ends.device.m.y(), ends.device.m.z(),
-                     ends.tool.m.x(), ends.tool.m.y(), ends.tool.m.z()}) +
+    text += cells({to_seconds(ends.at.time_since_epoch()), ends.device.m.x(), ends.device.m.y(), ends.device.m.z(),
+                   ends.tool.m.x(), ends.tool.m.y(), ends.tool.m.z()}) +
             "\n";
   return text;
 }
@@ -169,7 +169,7 @@ std::string clicks_table(const std::vector<Click>& clicks) {
   for (const Click& click : clicks) {
     std::vector<double> row{1.0 * click.place, click.ring.m.x(), click.ring.m.y(), click.ring.m.z()};
     append(row, click.readings_rad);
-    text += numbers(row) + "\n";
+    text += cells(row) + "\n";
   }
   return text;
 }

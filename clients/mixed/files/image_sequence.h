@@ -56,9 +56,9 @@ struct ImageSequence {
   std::vector<CouplingEnds> coupling;  ///< the station's states, by increasing time
 };
 
-/// Reads the folder's tables, not its images. Error, with file and line: a table that is missing or has another
-/// header, or a row without one finite number for each column of numbers, or states whose times do not increase. Error:
-/// fewer than kLeastImages background images.
+/// Reads the folder's tables, not its images. Error, with file and line: a table is missing or has another header, a
+/// row lacks a finite number, or the times of the states do not increase. Error: fewer than kLeastImages background
+/// images.
 [[nodiscard]] Result<ImageSequence> read_sequence(const std::filesystem::path& folder);
 
 inline constexpr std::size_t kLeastImages = 2;

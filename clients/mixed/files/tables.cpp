@@ -17,7 +17,7 @@ Result<std::string> read_table(const fs::path& file) {
   if (!in)
     return Error{.what = "the file cannot be read",
                  .where = file.string(),
-                 .fix = "name a folder that telepalp-mixed render wrote, or one with the same tables"};
+                 .fix = "name a table, or a folder of tables, in the form that telepalp-mixed render writes"};
   return std::string{std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -41,7 +41,7 @@ Result<void> each_row(const fs::path& file, std::string_view header, const std::
   return {};
 }
 
-std::string numbers(const std::vector<double>& values) {
+std::string cells(const std::vector<double>& values) {
   std::string text;
   for (const double value : values) {
     char one[40];

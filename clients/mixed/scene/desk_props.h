@@ -24,7 +24,8 @@ enum class ProxyKind {
 /// Planes of desk, walls and floor, as a person would measure them: without the things on the desk.
 [[nodiscard]] Proxy desk_planes();
 
-/// The planes, and meshes of a depth camera's images from three places.
+/// The planes, and the meshes of a depth camera's images from three places, which show the things on the desk.
+/// `printed_pages`: the desk has printed pages on it. `threads`: renders on so many threads.
 [[nodiscard]] Proxy desk_depths(bool printed_pages, int threads);
 
 }  // namespace telepalp::mixed

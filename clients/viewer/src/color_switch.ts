@@ -3,7 +3,10 @@ import type {ColorCoding} from './present/color_choice';
 
 const KEPT_AS = 'telepalp-color';
 
-/** The box *Colour as video*. `?color=video` in the page's address checks it, too. The choice is kept in this browser. */
+/**
+ * The box *Colour as video*. This browser keeps what the user chooses. `?color=video` or `?color=pictures` in the page's
+ * address goes before the kept choice and is not kept.
+ */
 export class ColorSwitch {
   private readonly box = element<HTMLInputElement>('color-video');
   private readonly saying = element('color-said');
@@ -19,6 +22,7 @@ export class ColorSwitch {
     });
   }
 
+  /** `said`: which coding the page takes, in one sentence. */
   show(said: string): void {
     setText(this.saying, said);
   }

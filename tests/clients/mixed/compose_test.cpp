@@ -44,6 +44,8 @@ TEST(CouplingEnds, AreThoseOfTheImagesInstant) {
   EXPECT_FALSE(ends_at(states, session_time(31'000'000), milliseconds(20)));
   EXPECT_FALSE(ends_at(states, session_time(-1), milliseconds(20)));
   EXPECT_FALSE(ends_at({}, session_time(0), milliseconds(20)));
+  EXPECT_FALSE(ends_at(states, session_time(5'000'000), milliseconds(2))) << "in a gap of the station's states";
+  EXPECT_TRUE(ends_at(states, session_time(9'000'000), milliseconds(2)));
 }
 
 /// The hand's pixels within the inner grasping area.

@@ -149,6 +149,18 @@ test('three touches of the end-effector show the patient where he is felt', () =
   assert.ok(desk.apart(PATIENT) < 1e-6);
 });
 
+test('the saved pose of a touch has its tip where the touch was taken, though the hand trembled', () => {
+  const desk = new Desk();
+  desk.device = PLACES[0];
+  desk.rest(19);
+  desk.rest(1, point(0.003, 0, 0));
+  desk.anchoring.press();
+  assert.equal(desk.anchoring.taken, 1);
+  const row = desk.anchoring.table.trim().split('\n')[1].split(',').map(Number);
+  const touched = sum(moved(desk.truth, PLACES[0]), point(0.003 / 20, 0, 0));
+  assert.ok(norm(minus(point(row[4], row[5], row[6]), touched)) < 1e-6);
+});
+
 test('a shifted workspace moves the patient with it, during the touches and after them', () => {
   const desk = new Desk();
   desk.shift = point(0.02, 0, 0.03);

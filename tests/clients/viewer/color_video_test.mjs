@@ -45,6 +45,19 @@ test('a session without pictures is shown by its video after two seconds', () =>
   assert.deepEqual(choice.topics, PICTURES);
 });
 
+test('a session without video is shown by its pictures after two seconds, though the user asks for video', () => {
+  const choice = new ColorChoice();
+  choice.asked = 'video';
+  choice.offered = true;
+  for (let image = 0; image < 59; ++image) assert.equal(choice.depthCame(), false);
+  assert.deepEqual(choice.topics, VIDEO);
+  assert.equal(choice.depthCame(), true);
+  assert.deepEqual(choice.topics, [...PICTURES, ...VIDEO]);
+  assert.match(choice.said, /No video came/);
+  choice.restart();
+  assert.deepEqual(choice.topics, VIDEO);
+});
+
 test('pictures that come keep the page with pictures', () => {
   const choice = new ColorChoice();
   choice.offered = true;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <numbers>
 
 #include "tests/support/child_process.h"
 #include "tools/study/experiments/obstruction.h"
@@ -75,6 +76,17 @@ TEST(Orders, EachIsEquallyFrequentAndDependsOnTheSeed) {
   int alike = 0;
   for (std::size_t i = 0; i < 60; ++i) alike += order_of(1, i, 3) == order_of(2, i, 3) ? 1 : 0;
   EXPECT_LT(alike, 30);
+}
+
+/// The shortest way from pocket to pocket that stays `clear_m` away from the device's middle [m].
+double shortest_way_m(const Desk& desk, double clear_m) noexcept {
+  const double half_m = 0.5 * desk.pockets_m;
+  const double away_m = std::hypot(half_m, desk.beside_m);
+  if (clear_m <= desk.beside_m) return desk.pockets_m;
+  if (clear_m >= away_m) return std::numbers::pi * clear_m;
+  const double to_foot = std::atan2(half_m, desk.beside_m);  // from the middle: angle of a pocket to the nearest point
+  const double tangent = std::acos(clear_m / away_m);
+  return 2.0 * (std::sqrt(away_m * away_m - clear_m * clear_m) + clear_m * std::max(0.0, to_foot - tangent));
 }
 
 TEST(PushTask, TheStraightWayIsTakenUnlessADeviceInSightIsInIt) {

@@ -15,9 +15,9 @@ namespace telepalp::study {
 /// What one observer did in one trial.
 struct Row {
   std::size_t observer = 0;
-  std::size_t condition = 0;  ///< index in Experiment::conditions
-  int trial = 0;              ///< from 0, in this condition
-  std::vector<double> values;
+  std::size_t condition = 0;   ///< index in Experiment::conditions
+  int trial = 0;               ///< from 0, in this condition
+  std::vector<double> values;  ///< in the order of Experiment::columns
 };
 
 /// A figure of an experiment in its first two conditions, one value for each observer. In a study within subjects, both
@@ -31,7 +31,7 @@ struct Measure {
   std::string paper_says = {};                          ///< the paper's own test, as printed
 };
 
-/// A picture for the page: one curve for each condition.
+/// A chart for the page: several curves on the same axes.
 struct Curves {
   std::string title;
   std::string x_label;
@@ -59,22 +59,21 @@ enum class Subjects {
 /// A study with simulated observers. Pure: the rows of an observer depend on seed and number alone.
 struct Experiment {
   std::string name;   ///< as on the command line
-  std::string title;  ///< of the page
+  std::string title;  ///< heading of the page
   std::string task;   ///< what an observer does, and by which rule
   std::vector<std::string> conditions;
   Subjects subjects = Subjects::Within;
-  std::string columns;     ///< of a row as CSV: observer,condition,trial, then the names of the values
-  std::size_t values = 0;  ///< number of values of a row
-  std::string variant;     ///< further settings on which the rows depend
+  std::string columns;  ///< of a row as CSV: observer,condition,trial, then the names of the values
+  std::string variant;  ///< a further setting on which the rows depend; empty: none
   std::vector<RangeWords> ranges;
   std::vector<std::string> limits;  ///< what simulated observers cannot show
   std::function<std::vector<Row>(std::uint64_t seed, std::size_t observer)> run;
   std::function<std::vector<Measure>(const std::vector<Row>&)> measures;
-  std::function<std::vector<std::string>(const std::vector<Row>&)> findings;  ///< further sentences
+  std::function<std::vector<std::string>(const std::vector<Row>&)> findings;  ///< sentences besides those of the tests
   std::function<std::vector<Curves>(const std::vector<Row>&)> curves;
 };
 
-/// The ranges of parameters in words.
+/// The ranges as words for the page.
 template <class Owner>
 [[nodiscard]] std::vector<RangeWords> in_words(std::span<const Drawn<Owner>> ranges) {
   std::vector<RangeWords> words;
@@ -85,11 +84,11 @@ template <class Owner>
   return words;
 }
 
-/// The order in which an observer meets the conditions. In each block of as many observers as there are orders, each
-/// order occurs once; so all orders are equally frequent over whole blocks.
+/// The order in which an observer takes part in the conditions. The first n! observers have the n! orders of n
+/// conditions once each, shuffled by the seed; so do the next n! observers, and so on.
 [[nodiscard]] std::vector<std::size_t> order_of(std::uint64_t seed, std::size_t observer, std::size_t conditions);
 
-/// Stream numbers of seed_of() that the experiments draw from. Those below 100 belong to the needle's study.
+/// Parts of the experiments, for seed_of(). The needle's study has the numbers below 100.
 enum ExperimentPart : std::uint64_t { kObserver = 101, kOrders, kTask };
 
 }  // namespace telepalp::study

@@ -1,6 +1,7 @@
 #include "tools/study/experiments/obstruction.h"
 
 #include <array>
+#include <optional>
 
 #include "proto/words/numbers/fixed_text.h"
 
@@ -9,6 +10,8 @@ namespace {
 
 constexpr int kMoves = 6;          // S3 8.3
 constexpr int kTrainingMoves = 2;  // not compared, as in S3
+
+enum Value : std::size_t { kToBlue, kSeconds, kPath_m, kDone };  // of a row, in the order of its columns
 
 constexpr Drawn<Pusher> kPushers[] = {
     {"speed of the hand", "m/s", &Pusher::hand_m_per_s, 0.02, 0.045,
@@ -48,14 +51,14 @@ std::vector<Row> run_observer(std::uint64_t seed, std::size_t number) {
   return rows;
 }
 
-/// The mean of column `value` over an observer's compared moves in one direction; 2: over both.
-Measure measure_of(const std::vector<Row>& rows, const std::string& name, const std::string& unit, std::size_t value,
-                   double scale, int to_blue) {
+/// The mean of `value` over an observer's compared moves to the blue pocket or away from it; nullopt: over both.
+Measure measure_of(const std::vector<Row>& rows, const std::string& name, const std::string& unit, Value value,
+                   double scale, std::optional<bool> to_blue) {
   Measure out{.name = name, .unit = unit, .first = {}, .second = {}};
   for (std::size_t i = 0; i < rows.size(); i += kMoves) {
     double sum = 0.0, count = 0.0;
     for (std::size_t k = i + kTrainingMoves; k < i + kMoves; ++k)
-      if (to_blue == 2 || rows[k].values[0] == to_blue) {
+      if (!to_blue || (rows[k].values[kToBlue] != 0.0) == *to_blue) {
         sum += scale * rows[k].values[value];
         count += 1.0;
       }
@@ -65,13 +68,13 @@ Measure measure_of(const std::vector<Row>& rows, const std::string& name, const 
 }
 
 std::vector<Measure> measures_of(const std::vector<Row>& rows) {
-  Measure green_to_blue = measure_of(rows, "time, green to blue", "s", 1, 1.0, 1);
+  Measure green_to_blue = measure_of(rows, "time, green to blue", "s", kSeconds, 1.0, true);
   green_to_blue.paper = {{10.34, 3.57, 15}, {6.96, 1.43, 15}};
   green_to_blue.paper_says = "Welch t = 3.49, p = 0.003, power 0.96";
-  Measure blue_to_green = measure_of(rows, "time, blue to green", "s", 1, 1.0, 0);
+  Measure blue_to_green = measure_of(rows, "time, blue to green", "s", kSeconds, 1.0, false);
   blue_to_green.paper = {{8.68, 3.3, 15}, {6.94, 1.65, 15}};
   blue_to_green.paper_says = "Welch t = 1.82, p = 0.084, power 0.55";
-  Measure path = measure_of(rows, "path of the stick", "mm", 2, 1e3, 2);
+  Measure path = measure_of(rows, "path of the stick", "mm", kPath_m, 1e3, std::nullopt);
   path.paper_says = "\"exactly the same trend as for completion times\"; no length is printed";
   return {std::move(green_to_blue), std::move(blue_to_green), std::move(path)};
 }
@@ -80,9 +83,9 @@ std::vector<std::string> findings_of(const std::vector<Row>& rows) {
   int given_up = 0;
   std::array<double, 2> path_m{}, time_s{};
   for (const Row& row : rows) {
-    given_up += row.values[3] == 0.0 ? 1 : 0;
-    time_s[row.condition] += row.values[1];
-    path_m[row.condition] += row.values[2];
+    given_up += row.values[kDone] == 0.0 ? 1 : 0;
+    time_s[row.condition] += row.values[kSeconds];
+    path_m[row.condition] += row.values[kPath_m];
   }
   const auto speed = [&](std::size_t condition) { return fixed_text(1e3 * path_m[condition] / time_s[condition]); };
   return {"Mean speeds: " + speed(0) + " mm/s with the device in sight, " + speed(1) +
@@ -97,7 +100,7 @@ std::vector<Curves> curves_of(const std::vector<std::string>& conditions, const 
     std::array<double, kMoves> sums{}, counts{};
     for (const Row& row : rows)
       if (row.condition == c) {
-        sums[static_cast<std::size_t>(row.trial)] += row.values[1];
+        sums[static_cast<std::size_t>(row.trial)] += row.values[kSeconds];
         counts[static_cast<std::size_t>(row.trial)] += 1.0;
       }
     curves.curves.push_back({conditions[c], {}, {}});
@@ -125,15 +128,13 @@ Experiment obstruction_experiment() {
   out.conditions = {"in sight", "hidden"};
   out.subjects = Subjects::Between;
   out.columns = "observer,condition,trial,to_blue,seconds,path_m,done";
-  out.values = 4;
   out.ranges = in_words(pusher_ranges());
   for (RangeWords& one : in_words(desk_ranges())) out.ranges.push_back(std::move(one));
   out.limits = {
       "That people avoid a device in sight is an assumption here (share of the detour, 0 to 1). The study shows how "
       "long the detour takes, not that people make it. S3's people are the evidence.",
-      "A ball is harder to push along a curve: it rolls off the stick, and the stick goes after it. So the way grows "
-      "by "
-      "more than the detour's length. How much more depends on this observer's one way of pushing.",
+      "A ball is harder to push along a curve: it rolls off the stick, and the stick goes after it. So the path "
+      "grows by more than the detour. How much more depends on the one way of pushing that is simulated.",
       "The speed of the hand is S3's, so the times' size is no prediction; their ratio is.",
       "Both directions are alike here. In S3 they differ: 33 % less time from green to blue, 20 % (not significant) "
       "back. S3 suspects the place of the pockets and the hand's own shadow on them; neither is simulated.",

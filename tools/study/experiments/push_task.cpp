@@ -13,19 +13,19 @@ using Eigen::Vector2d;
 constexpr double kStep_s = 0.01;
 constexpr double kStick_m = 0.005;  // radius of the stick's end
 constexpr double kRolls_s = 0.15;   // a ball that is no longer pushed comes to rest within about this time
-constexpr double kSteady_s = 0.2;   // time over which the hand's unsteadiness changes
+constexpr double kSteady_s = 0.2;   // correlation time of the hand's unsteadiness
 constexpr double kWall_m = 0.05;    // S3's transparent wall keeps the ball this close to the pockets' rectangle
-constexpr std::size_t kSeen = 100;  // the ball's last places, up to 1 s old
-constexpr double kSlower = 1.2;     // moves after which the slowness of the beginning has fallen to 1/e
+constexpr std::size_t kSeen = 100;  // positions of the ball that are kept: those of the last second
+constexpr double kPractice = 1.2;   // after so many moves the slowness of the first one has fallen to 1/e
 
-/// The ball's intended path: straight, or along a circle around the device that it must stay outside of.
+/// The ball's intended path: straight to the pocket, or around a circle about the device.
 class Way {
  public:
   Way(const Desk& desk, double clear_m, bool to_blue) noexcept
       : middle_(0.5 * desk.pockets_m, desk.beside_m), clear_m_(clear_m), goal_(to_blue ? desk.pockets_m : 0.0, 0.0) {}
 
   /// Unit direction in which a ball at `from` should move. While the straight line to the goal crosses the circle, the
-  /// ball moves along the tangent on the side of the straight way between the pockets.
+  /// ball moves along the circle's tangent, on the device's near side.
   [[nodiscard]] Vector2d direction(const Vector2d& from) const noexcept {
     const Vector2d to_goal = goal_ - from;
     if (to_goal.norm() < 1e-9) return Vector2d::UnitX();
@@ -50,7 +50,8 @@ class Way {
   Vector2d goal_;
 };
 
-/// Where the stick goes next to push a ball at `ball` along `along`: into the ball from behind, or around it.
+/// Where the stick goes next to push a ball at `ball` along `along`: against the ball from behind, or around the ball
+/// to get behind it.
 Vector2d stick_goal(const Vector2d& stick, const Vector2d& ball, const Vector2d& along, double touch_m) noexcept {
   const Vector2d from_ball = stick - ball;
   const double behind_m = -from_ball.dot(along);
@@ -62,6 +63,7 @@ Vector2d stick_goal(const Vector2d& stick, const Vector2d& ball, const Vector2d&
   return ball - along * room_m + across * std::copysign(room_m, side_m);
 }
 
+/// Radius of the circle about the device that the person keeps the ball out of [m]; 0: the device is not in sight.
 double clear_of(const Pusher& person, const Desk& desk, bool sees_device) noexcept {
   if (!sees_device) return 0.0;
   return person.heeds * (desk.body_m + person.clearance_m);
@@ -69,21 +71,11 @@ double clear_of(const Pusher& person, const Desk& desk, bool sees_device) noexce
 
 }  // namespace
 
-double shortest_way_m(const Desk& desk, double clear_m) noexcept {
-  const double half_m = 0.5 * desk.pockets_m;
-  const double away_m = std::hypot(half_m, desk.beside_m);
-  if (clear_m <= desk.beside_m) return desk.pockets_m;
-  if (clear_m >= away_m) return std::numbers::pi * clear_m;
-  const double to_foot = std::atan2(half_m, desk.beside_m);  // from the middle: angle of a pocket to the nearest point
-  const double tangent = std::acos(clear_m / away_m);
-  return 2.0 * (std::sqrt(away_m * away_m - clear_m * clear_m) + clear_m * std::max(0.0, to_foot - tangent));
-}
-
 Push push_ball(const Pusher& person, const Desk& desk, bool to_blue, int move, bool sees_device, Pushed& at,
                device::Random& random) noexcept {
   const Way way(desk, clear_of(person, desk, sees_device), to_blue);
   const double touch_m = desk.ball_m + kStick_m;
-  const double speed = person.hand_m_per_s * (1.0 - person.slow_at_first * std::exp(-move / kSlower));
+  const double speed = person.hand_m_per_s * (1.0 - person.slow_at_first * std::exp(-move / kPractice));
   const auto late = std::min<std::size_t>(kSeen - 1, static_cast<std::size_t>(person.reaction_s / kStep_s));
   std::array<Vector2d, kSeen> seen;  // the ball as seen from the stick
   seen.fill(at.ball_m - at.stick_m);
@@ -92,7 +84,7 @@ Push push_ball(const Pusher& person, const Desk& desk, bool to_blue, int move, b
   for (std::size_t step = 0; out.seconds < kLongestPush_s; ++step) {
     out.seconds += kStep_s;
     seen[step % kSeen] = at.ball_m - at.stick_m;
-    // The person knows where the own hand is, and sees late how the ball lies to it.
+    // The person feels where the hand is, but sees the ball relative to it only after the reaction time.
     const Vector2d ball = at.stick_m + seen[(step + kSeen - late) % kSeen];
     const Vector2d wanted = stick_goal(at.stick_m, ball, way.direction(ball), touch_m) - at.stick_m;
     const Vector2d kick(random.normal(), random.normal());

@@ -13,6 +13,8 @@ namespace {
 constexpr std::array kPresses_N{kLightPress_N, kFirmPress_N};
 constexpr int kSlides = 4;  // with each press in each condition
 
+enum Value : std::size_t { kPlace, kPress_N, kRibs, kCounted, kSeconds };  // of a row, in the order of its columns
+
 constexpr Drawn<RibCounter> kRanges[] = {
     {"speed of the slide", "m/s", &RibCounter::speed_m_per_s, 0.03, 0.08, "assumed: no source was found"},
     {"tremor, RMS", "m", &RibCounter::tremor_m, 49e-6, 133e-6, "Riviere 1997"},
@@ -21,8 +23,7 @@ constexpr Drawn<RibCounter> kRanges[] = {
     {"noise of the felt force, at least", "N", &RibCounter::force_floor_N, 0.03, 0.1, "assumed: no source was found"},
     {"noise of the felt height", "m", &RibCounter::height_m, 0.001, 0.003,
      "Hall and McCloskey 1983: movements of elbow and shoulder are noticed from 0.2 to 0.5 degrees on, 0.3 to 0.6 m "
-     "from "
-     "the joint"},
+     "from the joint"},
     {"noise of the seen height", "m", &RibCounter::sight_m, 0.0004, 0.0012,
      "one to two pixels of a headset of S2's kind (960 pixels over 100 degrees) at 0.3 to 0.4 m"},
     {"a change counts from", "SD", &RibCounter::caution, 3.5, 4.5, "assumed: below 3 SD, noise alone counts ribs"},
@@ -80,7 +81,8 @@ Measure measure_of(const std::vector<Row>& rows, const std::string& name, const 
   for (const Row& row : rows) {
     std::vector<double>& values = row.condition == 0 ? out.first : out.second;
     values.resize(std::max(values.size(), row.observer + 1), 0.0);
-    if (row.values[1] == press_N) values[row.observer] += figure(row.values[2], row.values[3]) / kSlides;
+    if (row.values[kPress_N] == press_N)
+      values[row.observer] += figure(row.values[kRibs], row.values[kCounted]) / kSlides;
   }
   return out;
 }
@@ -88,7 +90,7 @@ Measure measure_of(const std::vector<Row>& rows, const std::string& name, const 
 std::vector<Measure> measures_of(const std::vector<Row>& rows) {
   std::vector<Measure> out;
   for (const double press_N : {kFirmPress_N, kLightPress_N}) {
-    out.push_back(measure_of(rows, "ribs counted too much or too little", "ribs", press_N,
+    out.push_back(measure_of(rows, "ribs counted too many or too few", "ribs", press_N,
                              [](double true_ribs, double counted) { return std::abs(counted - true_ribs); }));
     out.push_back(measure_of(rows, "counts that are right", "%", press_N,
                              [](double true_ribs, double counted) { return true_ribs == counted ? 100.0 : 0.0; }));
@@ -99,9 +101,9 @@ std::vector<Measure> measures_of(const std::vector<Row>& rows) {
 std::vector<std::string> findings_of(const std::vector<Row>& rows) {
   double missed = 0.0, invented = 0.0, ribs = 0.0;
   for (const Row& row : rows) {
-    missed += std::max(0.0, row.values[2] - row.values[3]);
-    invented += std::max(0.0, row.values[3] - row.values[2]);
-    ribs += row.values[2];
+    missed += std::max(0.0, row.values[kRibs] - row.values[kCounted]);
+    invented += std::max(0.0, row.values[kCounted] - row.values[kRibs]);
+    ribs += row.values[kRibs];
   }
   return {"Of all ribs, " + fixed_text(100.0 * missed / ribs) + " % were missed, and " +
           fixed_text(100.0 * invented / ribs) + " % were counted that are not there."};
@@ -141,13 +143,11 @@ Experiment rib_experiment(Chest chest) {
   out.task =
       "An observer presses a finger on a chest with 0.5 N or 0.9 N, slides along it, and counts the ribs passed. The "
       "chest is the scene ribs-ultrasound, felt at 2 kHz as at the device. By touch, a rib counts when the force along "
-      "the slide holds the finger back and lets it go, or when the hand rises and falls. Drawn, the "
-      "rise "
-      "and fall are seen, too. All within 12 mm are one rib. Each slide passes 7 to 12 ribs.";
+      "the slide holds the finger back and lets it go, or when the hand rises and falls. Drawn, the rise "
+      "and fall are seen, too. Signs within 12 mm of each other are one rib. Each slide passes 7 to 12 ribs.";
   out.conditions = {"touch", "drawn"};
   out.subjects = Subjects::Within;
   out.columns = "observer,condition,trial,place,press_N,ribs,counted,seconds";
-  out.values = 5;
   out.ranges = in_words(rib_counter_ranges());
   out.limits = {
       "S2 counted no ribs: two doctors and two others tried its scene, without numbers. There is nothing to compare "

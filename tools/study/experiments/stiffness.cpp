@@ -10,9 +10,11 @@
 namespace telepalp::study {
 namespace {
 
-constexpr int kMostTrials = 400;  // of one staircase, for an observer at chance
-constexpr double kNearMost = 0.99;
+constexpr int kMostTrials = 400;    // of one staircase, for an observer at chance
+constexpr double kNearMost = 0.99;  // a difference from this share of kMostDifference on counts as the largest
 constexpr std::size_t kSights = 3;  // conditions
+
+enum Value : std::size_t { kPlace, kDifference, kRight };  // of a row, in the order of its columns
 
 constexpr Drawn<StiffnessObserver> kRanges[] = {
     {"force of a push", "N", &StiffnessObserver::push_N, 1.0, 3.0, "the Omni gives at most 3.3 N (its data sheet)"},
@@ -50,7 +52,7 @@ double perceived(const StiffnessObserver& person, Sight sight, double prism_N_pe
   return std::lerp(by_touch, by_sight, sight == Sight::None ? 0.0 : person.sight_weight);
 }
 
-/// A run of either rule. Its threshold is a pure function of the answers, so it is found again from the rows.
+/// One run by either rule. Its threshold follows from the answers alone, so it is computed from the rows of the files.
 class ThresholdRun {
  public:
   explicit ThresholdRun(ThresholdRule rule) : rule_(rule), stairs_({.most = kMostDifference}) {}
@@ -103,7 +105,7 @@ std::vector<std::vector<double>> thresholds_of(ThresholdRule rule, const std::ve
   for (const Row& row : rows) {
     std::vector<ThresholdRun>& of_condition = runs[row.condition];
     while (of_condition.size() <= row.observer) of_condition.emplace_back(rule);
-    of_condition[row.observer].answer(row.values[2] != 0.0);
+    of_condition[row.observer].answer(row.values[kRight] != 0.0);
   }
   std::vector<std::vector<double>> thresholds(kSights);
   for (std::size_t i = 0; i < kSights; ++i)
@@ -131,7 +133,7 @@ std::vector<std::string> findings_of(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::vector<bool>& of_condition = at_the_end[row.condition];
     of_condition.resize(std::max(of_condition.size(), row.observer + 1), false);
-    if (row.values[1] >= kNearMost * kMostDifference) of_condition[row.observer] = true;
+    if (row.values[kDifference] >= kNearMost * kMostDifference) of_condition[row.observer] = true;
   }
   const auto count = [&](std::size_t condition) {
     return std::to_string(std::count(at_the_end[condition].begin(), at_the_end[condition].end(), true)) + " of " +
@@ -157,7 +159,7 @@ std::vector<Curves> curves_of(const std::vector<std::string>& conditions, const 
   for (const Row& row : rows) {
     if (row.observer != 0) continue;
     curves.curves[row.condition].x.push_back(row.trial + 1);
-    curves.curves[row.condition].y.push_back(100.0 * row.values[1]);
+    curves.curves[row.condition].y.push_back(100.0 * row.values[kDifference]);
   }
   return {curves};
 }
@@ -197,7 +199,6 @@ Experiment stiffness_experiment(ThresholdRule rule) {
   out.conditions = {"naive", "corrected", "no sight"};
   out.subjects = Subjects::Within;
   out.columns = "observer,condition,trial,place,difference,right";
-  out.values = 3;
   out.variant = rule == ThresholdRule::Quest ? "quest" : "staircase";
   out.ranges = in_words(stiffness_ranges());
   out.limits = {

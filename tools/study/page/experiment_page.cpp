@@ -1,8 +1,6 @@
 #include "tools/study/page/experiment_page.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "clients/report/figures/html.h"
 #include "proto/words/numbers/fixed_text.h"

@@ -2,6 +2,7 @@
 
 #include "clients/report/figures/html.h"
 #include "proto/words/error_line.h"
+#include "proto/words/numbers/fixed_text.h"
 #include "support/plot/chart.h"
 #include "support/plot/heat_map.h"
 #include "support/plot/palette.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 
+#include "proto/words/numbers/fixed_text.h"
 #include "support/program/json.h"
 #include "tools/study/page/files.h"
 #include "tools/study/page/words.h"

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "proto/words/numbers/fixed_text.h"
+
 namespace telepalp::study {
 namespace {
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "proto/words/numbers/fixed_text.h"
 #include "tools/study/page/results.h"
 
 namespace telepalp::study {

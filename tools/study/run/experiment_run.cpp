@@ -17,8 +17,8 @@ std::string row_text(const Row& row) {
   return text;
 }
 
-/// nullopt: the text is no row with this number of values.
-std::optional<Row> read_row(std::string_view text, std::size_t values) {
+/// nullopt: the text is not a row with these columns.
+std::optional<Row> read_row(std::string_view text, std::string_view columns) {
   std::vector<double> numbers;
   for (const char *at = text.data(), *end = at + text.size();;) {
     double number = 0.0;
@@ -28,9 +28,10 @@ std::optional<Row> read_row(std::string_view text, std::size_t values) {
     if (stop == end) break;
     at = stop + 1;
   }
-  const bool counts = numbers.size() == values + 3 &&
+  const auto count = 1 + static_cast<std::size_t>(std::count(columns.begin(), columns.end(), ','));
+  const bool is_row = numbers.size() == count &&
                       std::all_of(numbers.begin(), numbers.begin() + 3, [](double n) { return n >= 1.0 && n < 1e6; });
-  if (!counts) return std::nullopt;
+  if (!is_row) return std::nullopt;
   return Row{static_cast<std::size_t>(numbers[0]) - 1,
              static_cast<std::size_t>(numbers[1]) - 1,
              static_cast<int>(numbers[2]) - 1,
@@ -62,7 +63,7 @@ Parts parts_of(const Experiment& experiment, const ExperimentSettings& settings)
   };
   parts.is_whole = [&experiment](const std::vector<std::string>& rows) {
     return !rows.empty() && std::all_of(rows.begin(), rows.end(), [&](const std::string& row) {
-      const std::optional<Row> read = read_row(row, experiment.values);
+      const std::optional<Row> read = read_row(row, experiment.columns);
       return read && read->condition < experiment.conditions.size();
     });
   };
@@ -80,7 +81,7 @@ Result<std::vector<Row>> run_experiment(const Experiment& experiment, const Expe
   if (!parts) return parts.error();
   std::vector<Row> all;
   for (const std::vector<std::string>& part : *parts)
-    for (const std::string& row : part) all.push_back(*read_row(row, experiment.values));
+    for (const std::string& row : part) all.push_back(*read_row(row, experiment.columns));
   return all;
 }
 

@@ -73,7 +73,8 @@ Result<std::vector<Model>> models_of(const StudySettings& settings) {
   return models;
 }
 
-/// `models`: of the operators' tissues, one for each; only making a part needs them.
+/// `models`: the tissue of each operator, for Parts::make alone. The parts refer to `settings`, which must outlive
+/// them.
 Parts parts_with(const StudySettings& settings, std::vector<Model> models) {
   const auto number = [](int part) { return static_cast<std::size_t>(part) / kStudied.size(); };
   const auto condition = [](int part) { return kStudied[static_cast<std::size_t>(part) % kStudied.size()]; };
@@ -81,7 +82,7 @@ Parts parts_with(const StudySettings& settings, std::vector<Model> models) {
   Parts parts{.folder = settings.out / "runs",
               .identity = identity_of(settings),
               .columns = kTrialColumns,
-              .count = blocks_of(settings),
+              .count = settings.operators * static_cast<int>(kStudied.size()),
               .file = {},
               .is_whole = {},
               .make = {}};
@@ -111,8 +112,6 @@ Person person_of(const StudySettings& settings, std::size_t number) noexcept {
   device::Random plant(seed_of(settings.seed, kPlant, number));
   return {draw(operator_ranges(), self), draw(plant_ranges(), plant)};
 }
-
-int blocks_of(const StudySettings& settings) noexcept { return settings.operators * static_cast<int>(kStudied.size()); }
 
 Parts parts_of(const StudySettings& settings) { return parts_with(settings, {}); }
 

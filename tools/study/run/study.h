@@ -42,8 +42,8 @@ struct Person {
 /// in the order of operators and conditions.
 [[nodiscard]] Result<std::vector<Trial>> run_study(const StudySettings& settings,
                                                    const std::function<void(int)>& finished);
-[[nodiscard]] int blocks_of(const StudySettings& settings) noexcept;
-/// The study as parts of one operator in one condition, to ask which are finished. Only run_study() makes them.
+/// The study as parts of one operator in one condition each, to count the finished ones. Only run_study() may call
+/// Parts::make, which needs the tissues.
 [[nodiscard]] Parts parts_of(const StudySettings& settings);
 
 /// The check of the operator against Gerovich 2004: a straight needle, overshoot after the puncture [m] of each

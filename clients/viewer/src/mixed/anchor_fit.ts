@@ -1,5 +1,5 @@
 import type {Rotation, Vec3} from '../messages/generated';
-import {conjugate, mean, minus, moved, norm, product, type Rigid, turn} from './rigid';
+import {aboutY, columnsOf, conjugate, mean, minus, moved, norm, product, type Rigid, turn} from './rigid';
 import {eigenpairs, solved} from './symmetric';
 
 /** A place of the device, touched with the tip of a tracked hand or controller [m]. */
@@ -22,25 +22,25 @@ export interface Refusal {
 
 export const isRefusal = (result: object): result is Refusal => 'fix' in result;
 
+// The limits of clients/mixed/anchor/headset_anchor.cpp.
 const LEAST_SPREAD_M = 0.01;
 const LARGEST_RMS_M = 0.015;
 const LEAST_TURN_RAD = 0.2;
 
-const all = ({x, y, z}: Vec3) => [x, y, z];
+const coordinates = ({x, y, z}: Vec3) => [x, y, z];
 
-/** Sums of products of the coordinates: `sums[i][k]` of from's i-th and to's k-th. */
+/** Sums over the points of coordinate i in `from` times coordinate k in `to`, as `sums[i][k]`. */
 function products(from: readonly Vec3[], to: readonly Vec3[]): number[][] {
-  return [0, 1, 2].map((i) => [0, 1, 2].map((k) => from.reduce((sum, one, n) => sum + all(one)[i]! * all(to[n]!)[k]!, 0)));
+  return [0, 1, 2].map((i) => [0, 1, 2].map((k) => from.reduce((sum, one, n) => sum + coordinates(one)[i]! * coordinates(to[n]!)[k]!, 0)));
 }
 
 /** The rotation about y that best turns the centred points `from` onto `to`. */
 function heading(from: readonly Vec3[], to: readonly Vec3[]): Rotation {
   const s = products(from, to);
-  const angle = Math.atan2(s[2]![0]! - s[0]![2]!, s[0]![0]! + s[2]![2]!);
-  return {x: 0, y: Math.sin(angle / 2), z: 0, w: Math.cos(angle / 2)};
+  return aboutY(Math.atan2(s[2]![0]! - s[0]![2]!, s[0]![0]! + s[2]![2]!));
 }
 
-/** The rotation that best turns the centred points `from` onto `to`. Source: Horn 1987, by quaternions: never a mirror. */
+/** The rotation that best turns the centred points `from` onto `to`. Source: Horn 1987, by quaternions, which never give a reflection. */
 function rotation(from: readonly Vec3[], to: readonly Vec3[]): Rotation {
   type Three = [number, number, number];
   const [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = products(from, to) as [Three, Three, Three];
@@ -54,7 +54,7 @@ function rotation(from: readonly Vec3[], to: readonly Vec3[]): Rotation {
   return {x, y, z, w};
 }
 
-/** How far the points spread beside the line that fits them best [m], RMS. */
+/** RMS of the points' second principal component [m]: 0 on a line. */
 function spreadBesideALine(points: readonly Vec3[]): number {
   const centred = points.map((point) => minus(point, mean(points)));
   return Math.sqrt(Math.max(0, eigenpairs(products(centred, centred))[1]!.value / points.length));
@@ -73,11 +73,14 @@ export function fitRigid(from: readonly Vec3[], to: readonly Vec3[], level = fal
 }
 
 /** RMS of the distances between the moved points and `to` [m]. */
-export function rmsOf(motion: Rigid, from: readonly Vec3[], to: readonly Vec3[]): number {
-  return Math.sqrt(mean(from.map((point, i) => ({x: norm(minus(moved(motion, point), to[i]!)) ** 2, y: 0, z: 0}))).x);
+function rmsOf(motion: Rigid, from: readonly Vec3[], to: readonly Vec3[]): number {
+  return Math.sqrt(from.reduce((sum, point, i) => sum + norm(minus(moved(motion, point), to[i]!)) ** 2, 0) / from.length);
 }
 
-/** As clients/mixed/anchor/headset_anchor.h, which a test compares it with. */
+/**
+ * The least-squares anchor of touches at three places or more. `level`: y is up in both frames. It computes the same as
+ * clients/mixed/anchor/headset_anchor.h; a test compares both.
+ */
 export function anchorHeadset(touches: readonly Touch[], level: boolean): Anchor | Refusal {
   const places = new Set(touches.map(({place}) => place)).size;
   const [known, touched] = [touches.map((touch) => touch.known), touches.map((touch) => touch.touched)];
@@ -95,19 +98,18 @@ export function anchorHeadset(touches: readonly Touch[], level: boolean): Anchor
 
 /**
  * S2 II.C: one pose of a hand that lies flat on the end-effector, its fingers along the device's -z. Heading and place
- * follow from it, and no residual exists. `forward`: of the fingers, in the headset's space.
+ * follow from it, and no residual exists. `forward`: direction of the fingers, in the headset's space.
  */
 export function anchorByOnePose(known: Vec3, hand: Vec3, forward: Vec3): Anchor | Refusal {
   if (Math.hypot(forward.x, forward.z) < 0.3)
     return {what: 'The fingers point up or down.', fix: 'Lay the hand flat on the end-effector, fingers away from you.'};
-  const angle = Math.atan2(-forward.x, -forward.z);
-  const turned = {x: 0, y: Math.sin(angle / 2), z: 0, w: Math.cos(angle / 2)};
+  const turned = aboutY(Math.atan2(-forward.x, -forward.z));
   return {headsetFromDevice: {rotation: turned, translation: minus(hand, turn(turned, known))}, rms_m: NaN};
 }
 
 /**
  * The tip in the tool's frame [m], from poses in which the tip rests while the tool turns about it: pivot calibration.
- * Least squares of R_i tip - rest = -t_i.
+ * For each pose i, R_i tip - rest = -t_i: solved by least squares for tip and resting point.
  */
 export function pivotTip(poses: readonly Rigid[]): Vec3 | Refusal {
   const refusal = {what: 'The controller was turned too little about its end.', fix: 'Rest its end at one point, and turn it widely.'};
@@ -118,12 +120,12 @@ export function pivotTip(poses: readonly Rigid[]): Vec3 | Refusal {
   const normal = Array.from({length: 6}, () => new Array<number>(6).fill(0));
   const right = new Array<number>(6).fill(0);
   for (const {rotation: by, translation} of poses) {
-    const columns = [{x: 1, y: 0, z: 0}, {x: 0, y: 1, z: 0}, {x: 0, y: 0, z: 1}].map((axis) => all(turn(by, axis)));
+    const columns = columnsOf(by).map(coordinates);
     for (let row = 0; row < 3; ++row) {
       const line = [...columns.map((column) => column[row]!), row === 0 ? -1 : 0, row === 1 ? -1 : 0, row === 2 ? -1 : 0];
       for (let i = 0; i < 6; ++i) {
         for (let k = 0; k < 6; ++k) normal[i]![k]! += line[i]! * line[k]!;
-        right[i]! -= line[i]! * all(translation)[row]!;
+        right[i]! -= line[i]! * coordinates(translation)[row]!;
       }
     }
   }

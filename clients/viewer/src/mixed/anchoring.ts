@@ -1,25 +1,25 @@
 import type {StationState, Vec3} from '../messages/generated';
 import {type Anchor, anchorByOnePose, anchorHeadset, isRefusal, pivotTip, type Touch} from './anchor_fit';
 import {FrameFinder} from './frame_finder';
-import {after, inverse, mean, minus, moved, norm, type Rigid, turn} from './rigid';
+import {after, inverse, mean, minus, moved, norm, plus, type Rigid, turn} from './rigid';
 
-/** How the headset is anchored. */
+/** The settings of one anchoring. */
 export interface AnchorSettings {
   paper: boolean;   // S2's one pose of a flat hand, in place of touches
-  level: boolean;   // the device's base is level: heading and place alone are fitted
+  level: boolean;   // the device's base is level, so that only heading and place are fitted
   repeats: number;  // touches of each place
 }
 
-/** A tracked finger tip, or a controller, at one frame of the headset. */
+/** A tracked hand or controller at one frame of the headset. */
 export interface Tool {
   pose: Rigid;      // in the headset's reference space
-  isFinger: boolean;  // the pose's origin is the finger's tip; of a controller, the tip is found by pivot calibration
-  palm: Rigid | undefined;  // of a hand: its axes, fingers along -z
+  isFinger: boolean;  // true: the pose's origin is the finger's tip. false: a controller, whose tip pivot calibration finds
+  palm: Rigid | undefined;  // pose of a hand's palm, with the fingers along -z; undefined for a controller
 }
 
 export const PLACES = 3;
-const APART_M = 0.15;    // between two places of the end-effector, at least
-const STILL_M = 0.004;   // a touch whose tip or end-effector moves further is not taken
+const APART_M = 0.15;    // two places of the end-effector lie at least this far apart
+const STILL_M = 0.004;   // tip and end-effector move less than this within STILL_FRAMES, or the touch is not taken
 const STILL_FRAMES = 20;
 const MOST_PIVOT_POSES = 400;
 const LEAST_PIVOT_POSES = 20;
@@ -28,7 +28,7 @@ const NOWHERE: Vec3 = {x: 0, y: 0, z: 0};
 
 export type Station = Pick<StationState, 'device' | 'deviceCamera' | 'workspaceShift'>;
 
-/** A touch with the tool's pose, as telepalp-mixed anchor reads it. */
+/** A touch with a pose of the tool whose tip is at `touched`, as telepalp-mixed anchor reads it. */
 interface KeptTouch extends Touch {
   pose: Rigid;
 }
@@ -39,12 +39,12 @@ const unshifted = (at: Vec3, shift: Vec3 | undefined): Vec3 => (shift === undefi
 
 /**
  * Anchors a headset to the haptic device, so that the patient is seen where he is felt. The doctor touches the
- * end-effector, whose place the station publishes, at three places. It uses no clock, sockets or page.
+ * end-effector, whose position the station publishes, at three places. Pure: no clock, socket or page.
  */
 export class Anchoring {
-  /** The anchor in use; undefined: none yet, or the headset has forgotten its space. */
+  /** The anchor in use; undefined: not anchored, or the headset has reset its reference space. */
   anchor: Anchor | undefined;
-  /** The sentence for the user. */
+  /** What the user does next, and why the last touch was not taken; at most three lines. */
   note = '';
 
   private readonly frames = new FrameFinder();
@@ -52,7 +52,7 @@ export class Anchoring {
   private touches: KeptTouch[] = [];
   private pivot: Rigid[] = [];
   private tip: Vec3 | undefined;  // of a controller, in its own frame
-  private holds = false;          // the trigger
+  private holds = false;          // the user holds the trigger or a pinch
   private tool: Tool | undefined;
   private station: Station | undefined;
   private problem = '';
@@ -76,7 +76,7 @@ export class Anchoring {
     this.note = this.sentence();
   }
 
-  /** The trigger of a controller, or a pinch, begins. It takes a touch, or begins the turning about the tip. */
+  /** The user pulls the trigger or begins a pinch: a touch is taken, or pivot calibration begins. */
   press(): void {
     this.holds = true;
     this.problem = '';
@@ -87,13 +87,13 @@ export class Anchoring {
     this.note = this.sentence();
   }
 
-  /** The trigger or the pinch ends. */
+  /** The user lets go of the trigger or ends the pinch. */
   release(): void {
     if (this.holds && this.needsPivot && this.pivot.length >= LEAST_PIVOT_POSES) this.endPivot();
     this.holds = false;
   }
 
-  /** Begins again, with the same tip. `why`: for the user. */
+  /** Starts again with the first touch, and keeps the controller's tip. `why`: a sentence for the user. */
   again(why = ''): void {
     [this.touches, this.recent, this.anchor, this.problem] = [[], [], undefined, why];
     this.note = this.sentence();
@@ -108,12 +108,12 @@ export class Anchoring {
     return after(this.anchor.headsetFromDevice, after(deviceFromHaptic, inverse(sceneFromHaptic)));
   }
 
-  /** The touches as the table that `telepalp-mixed anchor` reads; rows of place -1 are the turning about the tip. */
+  /** The touches as the table that `telepalp-mixed anchor` reads; rows of place -1 are the poses of pivot calibration. */
   get table(): string {
     const numbers = (values: readonly number[]) => values.map((value) => value.toFixed(6)).join(',');
     const row = (place: number, known: Vec3, {rotation, translation}: Rigid) => {
-      const angle = 2 * Math.atan2(Math.hypot(rotation.x, rotation.y, rotation.z), rotation.w);
-      const scale = Math.hypot(rotation.x, rotation.y, rotation.z) < 1e-9 ? 2 : angle / Math.hypot(rotation.x, rotation.y, rotation.z);
+      const sine = Math.hypot(rotation.x, rotation.y, rotation.z);  // of half the angle
+      const scale = sine < 1e-9 ? 2 : 2 * Math.atan2(sine, rotation.w) / sine;
       const {x, y, z} = translation;
       return `${place},${numbers([known.x, known.y, known.z, x, y, z, scale * rotation.x, scale * rotation.y, scale * rotation.z])}\n`;
     };
@@ -140,7 +140,7 @@ export class Anchoring {
     else this.tip = tip;
   }
 
-  /** Why no touch can be taken now; empty: one can. */
+  /** Why no touch can be taken now, for the user; empty: a touch can be taken. */
   private obstacle(): string {
     if (this.tool === undefined) return 'The headset does not see the hand.';
     if (this.station?.device === undefined) return 'The station sends no place of the end-effector.';
@@ -156,10 +156,11 @@ export class Anchoring {
   }
 
   private takeTouch(): void {
-    const last = this.recent[this.recent.length - 1]!;
+    const {tip, pose} = this.recent[this.recent.length - 1]!;
+    const touched = mean(this.recent.map((one) => one.tip));
     this.touches.push({
-      place: this.place, known: mean(this.recent.map(({device}) => device)),
-      touched: mean(this.recent.map(({tip}) => tip)), pose: last.pose,
+      place: this.place, known: mean(this.recent.map(({device}) => device)), touched,
+      pose: {...pose, translation: plus(pose.translation, minus(touched, tip))},
     });
     if (this.touches.length < PLACES * this.settings.repeats) return;
     const anchor = anchorHeadset(this.touches, this.settings.level);

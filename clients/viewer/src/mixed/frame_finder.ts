@@ -2,13 +2,13 @@ import type {Vec3} from '../messages/generated';
 import {fitRigid} from './anchor_fit';
 import {minus, moved, norm, type Rigid} from './rigid';
 
-const APART_M = 0.005;    // the end-effector has moved this far between two places that are kept
-const CHANGED_M = 0.002;  // a place that misses by more belongs to another motion between the frames
+const APART_M = 0.005;    // places that are kept lie at least this far from each other
+const CHANGED_M = 0.002;  // a place that misses the found motion by more shows that the frames have moved
 const MOST_PLACES = 60;
 
 /**
  * Finds how the scene lies in the haptic base's frame H, from places of the end-effector that the station publishes in
- * both frames. The places have no noise, so few are enough. It begins anew when the station places the scene otherwise.
+ * both frames. The places have no noise, so few are enough. It starts again when the station moves the scene.
  */
 export class FrameFinder {
   private haptic: Vec3[] = [];
@@ -23,7 +23,7 @@ export class FrameFinder {
     this.found = fitRigid(this.haptic, this.scene) ?? this.found;
   }
 
-  /** undefined: the end-effector has not moved far enough beside a line. */
+  /** undefined: the places of the end-effector so far lie on a line or at one point. */
   get sceneFromHaptic(): Rigid | undefined {
     return this.found;
   }

@@ -1,16 +1,16 @@
 import {Anchoring, type AnchorSettings, type Station, type Tool} from './anchoring';
 import {matrixOf, type Rigid} from './rigid';
 
-/** What the anchor needs of the scene. */
+/** The part of the scene's headset that the anchor uses. */
 export interface AnchoredScene {
-  /** Places the patient: a column-major 4 x 4 matrix, headset_from_scene. */
+  /** Places the patient. `matrix`: headset_from_scene, 4 x 4, column by column. */
   place(matrix: readonly number[]): void;
-  /** Shows a picture before the user; undefined: none. */
+  /** Shows a picture in front of the user; undefined: removes it. */
   showNote(picture: HTMLCanvasElement | undefined): void;
 }
 
-const SHOWN_AFTER_MS = 5000;  // so long the last note stays after the anchoring
-const NOTE = {width: 1024, height: 256};
+const SHOWN_AFTER_MS = 5000;  // how long the last note stays after the headset is anchored
+const NOTE = {width: 1024, height: 256};  // pixels
 
 /** The settings in the page's address: ?anchor=paper, ?gravity=unknown, ?touches=5. */
 export function settingsOf(query: URLSearchParams): AnchorSettings {
@@ -58,7 +58,7 @@ function noteOf(text: string): HTMLCanvasElement {
   return canvas;
 }
 
-/** Anchors one session of a headset; see Anchoring. */
+/** Feeds an Anchoring from one session of a headset, places the patient, and shows the notes. */
 export class HeadsetAnchor {
   readonly anchoring: Anchoring;
   private shown = '';
@@ -66,7 +66,7 @@ export class HeadsetAnchor {
 
   /** `stationNow`: the newest values of the station; undefined: it is silent. */
   constructor(
-      private readonly session: XRSession, space: XRReferenceSpace, settings: AnchorSettings,
+      private readonly session: XRSession, private readonly space: XRReferenceSpace, settings: AnchorSettings,
       private readonly scene: AnchoredScene, private readonly stationNow: () => Station | undefined,
   ) {
     this.anchoring = new Anchoring(settings);
@@ -77,8 +77,8 @@ export class HeadsetAnchor {
   }
 
   /** One frame, before it is drawn. */
-  frame(frame: XRFrame, space: XRReferenceSpace, now_ms: number): void {
-    this.anchoring.frame(toolIn(frame, this.session, space), this.stationNow());
+  frame(frame: XRFrame, now_ms: number): void {
+    this.anchoring.frame(toolIn(frame, this.session, this.space), this.stationNow());
     const motion = this.anchoring.headsetFromScene;
     if (motion !== undefined) this.scene.place(matrixOf(motion));
     this.anchored_ms = this.anchoring.anchor === undefined ? undefined : this.anchored_ms ?? now_ms;

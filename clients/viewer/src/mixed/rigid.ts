@@ -15,7 +15,7 @@ export function mean(points: readonly Vec3[]): Vec3 {
   return {x: sum.x / points.length, y: sum.y / points.length, z: sum.z / points.length};
 }
 
-/** v + 2 u x (u x v + w v) with u = (x, y, z). */
+/** The vector `v`, rotated: v + 2 u x (u x v + w v) with u = (x, y, z). */
 export function turn({x, y, z, w}: Rotation, v: Vec3): Vec3 {
   const [cx, cy, cz] = [y * v.z - z * v.y + w * v.x, z * v.x - x * v.z + w * v.y, x * v.y - y * v.x + w * v.z];
   return {x: v.x + 2 * (y * cz - z * cy), y: v.y + 2 * (z * cx - x * cz), z: v.z + 2 * (x * cy - y * cx)};
@@ -43,8 +43,14 @@ export function inverse({rotation, translation}: Rigid): Rigid {
 export const after = (a: Rigid, b: Rigid): Rigid =>
   ({rotation: product(a.rotation, b.rotation), translation: moved(a, b.translation)});
 
+/** The columns of the rotation's matrix. */
+export const columnsOf = (rotation: Rotation): Vec3[] =>
+  [{x: 1, y: 0, z: 0}, {x: 0, y: 1, z: 0}, {x: 0, y: 0, z: 1}].map((axis) => turn(rotation, axis));
+
+/** The rotation about y by `angle` [rad]. */
+export const aboutY = (angle: number): Rotation => ({x: 0, y: Math.sin(angle / 2), z: 0, w: Math.cos(angle / 2)});
+
 /** The motion as a 4 x 4 matrix, column by column. */
 export function matrixOf({rotation, translation}: Rigid): number[] {
-  const columns = [{x: 1, y: 0, z: 0}, {x: 0, y: 1, z: 0}, {x: 0, y: 0, z: 1}].map((axis) => turn(rotation, axis));
-  return [...columns, translation].flatMap(({x, y, z}, i) => [x, y, z, i === 3 ? 1 : 0]);
+  return [...columnsOf(rotation), translation].flatMap(({x, y, z}, i) => [x, y, z, i === 3 ? 1 : 0]);
 }

@@ -1,5 +1,5 @@
 const MOST_PIXELS = 4096 * 2160;
-const MOST_WAITING = 30;  // frames in the decoder: a slower browser begins again at a key frame
+const MOST_WAITING = 30;  // frames in the decoder's queue; if more wait, all are dropped and a key frame is requested
 const KEY_HEADER_BYTES = 10;
 const CONFIG = {codec: 'vp8', optimizeForLatency: true};
 
@@ -13,21 +13,21 @@ export async function decodesVideo(): Promise<boolean> {
   }
 }
 
-/** True for a key frame (RFC 6386, section 9.1). */
-export const isKeyFrame = (frame: Uint8Array) => frame.length >= KEY_HEADER_BYTES && (frame[0]! & 1) === 0;
+/** True for a VP8 key frame (RFC 6386, section 9.1). */
+const isKeyFrame = (frame: Uint8Array) => frame.length >= KEY_HEADER_BYTES && (frame[0]! & 1) === 0;
 
-/** True if a key frame declares a size that is decoded. The decoder allocates by it, so it is checked before. */
-export function hasAllowedSize(key: Uint8Array): boolean {
+/** True if the size in a key frame's header is allowed. The decoder allocates memory by it, so it is checked first. */
+function hasAllowedSize(key: Uint8Array): boolean {
   const side = (at: number) => (key[at]! | key[at + 1]! << 8) & 0x3fff;
   const pixels = side(6) * side(8);
   return pixels > 0 && pixels <= MOST_PIXELS;
 }
 
-/** Decodes colour that comes as video, by the browser's own decoder. It shows no frame that lacks its reference. */
+/** Decodes colour that comes as video, with the browser's decoder. A frame whose reference is missing is not decoded. */
 export class ColorVideo {
   undecodable = 0;
   private decoder: VideoDecoder | undefined;  // undefined: the next frame must be a key frame
-  private readonly captured = new Map<number, bigint>();  // by the frame's time stamp in microseconds
+  private readonly captured = new Map<number, bigint>();  // capture times, by the frame's time stamp [us], which is all that the decoder returns
 
   constructor(private readonly on: {
     picture: (picture: ImageBitmap, captured_ns: bigint) => void;

@@ -13,7 +13,7 @@ export interface DepthPacket extends Packet {
   published_ns: bigint;
 }
 export interface ColorPicture {
-  data: Uint8Array | ImageBitmap;  // a JPEG, or a decoded frame of video, which its holder closes
+  data: Uint8Array | ImageBitmap;  // a JPEG, or a decoded frame of video, which must be closed if it is not given away
   captured_ns: bigint;
 }
 

@@ -26,8 +26,8 @@ export async function headsetIsThere(): Promise<boolean> {
 export class Headset {
   /** Gets the place of the user's hand or controller in the scene's frame [m] at each frame; undefined: untracked. */
   onHand: (at: Vector3 | undefined) => void = () => undefined;
-  /** Called at each frame before it is drawn: the part that anchors the patient to the device (mixed/). */
-  onFrame: ((frame: XRFrame, space: XRReferenceSpace) => void) | undefined;
+  /** Called at each frame before it is drawn; mixed/ anchors the patient to the haptic device in it. */
+  onFrame: ((frame: XRFrame) => void) | undefined;
   private session: XRSession | undefined;
   private note: Mesh<PlaneGeometry, MeshBasicMaterial> | undefined;
 
@@ -50,15 +50,17 @@ export class Headset {
     return this.session && space ? {session: this.session, space} : undefined;
   }
 
-  /** Places the patient: a column-major 4 x 4 matrix, from the scene to the headset's space. */
+  /** Places the patient. `matrix`: headset_from_scene, 4 x 4, column by column. */
   place(matrix: readonly number[]): void {
     new Matrix4().fromArray(matrix).decompose(this.world.position, this.world.quaternion, this.world.scale);
   }
 
-  /** Shows a picture of 4 x 1 before a person who stands or sits; undefined: none. */
+  /** Shows a picture, four times as wide as high, in front of a person who stands or sits; undefined: removes it. */
   showNote(picture: HTMLCanvasElement | undefined): void {
     this.note?.removeFromParent();
+    this.note?.geometry.dispose();
     this.note?.material.map?.dispose();
+    this.note?.material.dispose();
     this.note = undefined;
     if (picture === undefined) return;
     const map = new CanvasTexture(picture);
@@ -80,8 +82,7 @@ export class Headset {
     this.world.position.copy(PATIENT_AT).sub(middle.clone().applyEuler(this.world.rotation));
     this.renderer.setAnimationLoop((_time, frame?: XRFrame) => {
       if (frame === undefined) return;  // three.js also calls this for the window, without an XRFrame
-      const space = this.renderer.xr.getReferenceSpace();
-      if (space !== null) this.onFrame?.(frame, space);
+      this.onFrame?.(frame);
       this.onHand(this.handIn(frame, session));
       this.draw();
     });

@@ -33,7 +33,6 @@ const past = new StationPast();
 const device = new DeviceWatch();
 const taker = new TouchTaker((touches) => post({touches}));
 let cameraMatrix: readonly number[] | undefined;
-let keyFrameRequested_ms = 0;
 let waitEnds: ReturnType<typeof setTimeout> | undefined;
 let ultrasound: WorkerCanvas | undefined;  // undefined until the page has sent it
 let lightMeter: LightMeter | undefined;  // undefined: the present view does not show the light
@@ -75,10 +74,14 @@ async function present({decoded, station, hand, late_ms, color, arrival, trail: 
   post({instant: {picture, ...numbers}}, bitmap === undefined ? own : [...own, bitmap]);
 }
 
-function requestKeyFrame(): void {
-  if (now_ms() - keyFrameRequested_ms < KEY_FRAME_REQUEST_INTERVAL_MS) return;
-  keyFrameRequested_ms = now_ms();
-  stream.subscribeAgain('/camera/depth');
+/** Requests key frames of `topic`, at most one in each KEY_FRAME_REQUEST_INTERVAL_MS. */
+function keyFrameRequest(topic: keyof Topics): () => void {
+  let requested_ms = 0;
+  return () => {
+    if (now_ms() - requested_ms < KEY_FRAME_REQUEST_INTERVAL_MS) return;
+    requested_ms = now_ms();
+    stream.subscribeAgain(topic);
+  };
 }
 
 const decoder = new DepthDecoder((decoded) => instants.decoded(decoded), () => instants.undecodable());
@@ -86,25 +89,21 @@ const instants = new Instants({
   now_ms,
   decode: ({bytes}) => decoder.decode(bytes),
   present: (chosen) => void present(chosen),
-  requestKeyFrame,
+  requestKeyFrame: keyFrameRequest('/camera/depth'),
 });
 
 const colorChoice = new ColorChoice();
-let viewTopics: readonly (keyof Topics)[] = [];  // that the present view needs besides
+let viewTopics: readonly (keyof Topics)[] = [];  // topics on request that the present view needs
 const chooseTopics = () => stream.setExtraTopics([...viewTopics, ...colorChoice.topics]);
 
-let colorKeyRequested_ms = 0;
 const video = new ColorVideo({
   picture: (data, captured_ns) => instants.colorCame({data, captured_ns}),
-  needsKeyFrame: () => {
-    if (now_ms() - colorKeyRequested_ms < KEY_FRAME_REQUEST_INTERVAL_MS) return;
-    colorKeyRequested_ms = now_ms();
-    stream.subscribeAgain('/camera/color/video');
-  },
+  needsKeyFrame: keyFrameRequest('/camera/color/video'),
 });
 
 function askForColor(asked: ColorCoding): void {
   colorChoice.asked = asked;
+  colorChoice.restart();
   chooseTopics();
   if (!colorChoice.topics.includes('/camera/color/video')) video.restart();
 }

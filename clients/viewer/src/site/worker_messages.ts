@@ -54,7 +54,7 @@ export interface News {
   dropped: number;     // frames dropped on the way to this viewer
   overtaken: number;   // frames that this viewer skipped before decoding
   undecodable: number;
-  colorSaid: string;   // which coding of colour the page takes, in one sentence; empty: pictures, as nobody asked otherwise
+  colorSaid: string;   // which coding of colour the page takes, in one sentence; empty: pictures, the default
 }
 
 /** What only some views need: topics that are not always subscribed, and the brightness of the colour picture. */

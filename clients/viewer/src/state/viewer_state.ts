@@ -55,7 +55,7 @@ export interface Reading extends Health {
   sessionNow_ns: bigint | undefined;                // the session clock; undefined while it is not known
   light: Light | undefined;                         // only in views that show it
   cameraFrames_per_s: number;
-  colorSaid: string;  // which coding of colour the page takes; empty: nothing to say
+  colorSaid: string;  // which coding of colour the page takes, in one sentence; empty: pictures, the default
   taking: Taking | undefined;  // of a calibration; undefined: there is no live station whose tracker needs one
 }
 
