@@ -103,6 +103,17 @@ TEST(KeyFiles, PartsOfDifferentKeysDoNotMakeOne) {
   EXPECT_FALSE(read_key(std::string(kMaxKeyFileBytes + 1, 'x'), "large").ok());
 }
 
+TEST(KeyFiles, WithAKeyOfAnUnknownKindAreRefused) {
+  std::ifstream file(TELEPALP_SOURCE_DIR "/tests/fuzz/corpus/requests/certificate_of_an_unknown_kind_of_key");
+  ASSERT_TRUE(file.is_open());
+  file.get();  // the fuzzer's kind of input
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  ASSERT_NE(text.find("-----BEGIN CERTIFICATE-----"), std::string::npos);
+  EXPECT_TRUE(certificates_in(text).empty()) << "OpenSSL has no public key for it, so nobody can use it";
+  EXPECT_FALSE(read_public_part(text, "token").ok());
+  EXPECT_FALSE(read_token("tp1.a.b", text, kNow).ok());
+}
+
 /// The errors of load_key() for a key with `mode`; empty: it was read.
 std::string refusal(const std::filesystem::path& file, mode_t mode) {
   EXPECT_EQ(::chmod(file.c_str(), mode), 0);

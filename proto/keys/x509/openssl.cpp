@@ -79,7 +79,7 @@ std::vector<CertificatePtr> certificates_in(std::string_view pem) {
   std::vector<CertificatePtr> found;
   while (found.size() < kMostCertificates) {
     CertificatePtr one(PEM_read_bio_X509(bytes.get(), nullptr, no_password, nullptr));
-    if (!one) break;
+    if (!one || X509_get0_pubkey(one.get()) == nullptr) break;
     found.push_back(std::move(one));
   }
   ERR_clear_error();
