@@ -28,10 +28,16 @@ struct FreeOptions {
 };
 using NatsOptions = std::unique_ptr<natsOptions, FreeOptions>;
 
-Error refused(natsStatus status, const std::string& where, const char* fix) {
+/// What libnats adds to a status, without the place in its own source, "(conn.c:2088): ", which means nothing to a user.
+std::string last_detail() {
   const char* const last = nats_GetLastError(nullptr);
-  return {.what = std::string(natsStatus_GetText(status)) +
-                  (last != nullptr && *last != '\0' ? std::string(", ") + last : ""),
+  std::string_view text = last == nullptr ? "" : last;
+  if (const std::size_t end = text.find("): "); text.starts_with("(") && end != text.npos) text.remove_prefix(end + 3);
+  return text.empty() ? "" : ": " + std::string(text);
+}
+
+Error refused(natsStatus status, const std::string& where, const char* fix) {
+  return {.what = natsStatus_GetText(status) + last_detail(),
           .where = where,
           .fix = fix};
 }

@@ -8,7 +8,7 @@ namespace telepalp::program {
 
 /// Largest size of each program's `--help` text; a test checks it.
 inline constexpr std::size_t kHelpColumns = 80;
-inline constexpr std::size_t kHelpLines = 44;
+inline constexpr std::size_t kHelpLines = 40;
 
 /// One long option. With an empty `argument` it is a flag. `initial`: the default value, shown in --help.
 struct Option {

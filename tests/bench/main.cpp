@@ -55,33 +55,23 @@ constexpr std::array kBenches{
 };
 
 program::Usage usage() {
-  program::Usage usage{
-      .program = "telepalp-bench",
-      .purpose = "measures one part of telepalp and compares it with its budget",
-      .positional = {},
-      .options = {{"json", "", "print JSON instead of a table"},
-                  {"list", "", "print the benchmarks' names and exit"},
-                  {"input", "FILE|DIR", "depth, needle: measured data; link, pipeline, thin: a --source"},
-                  {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
-                  {"part", "NAME", "accuracy, mixed, needle, site, users: only this part"},
-                  {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
-                  {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
-                  {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
-                  {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
-                  {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
-                  {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
-      .example = "telepalp-bench pipeline --json",
-      .commands = {},
-      .needs_command = true};
+  program::Usage usage{.program = "telepalp-bench",
+                       .purpose = "measures one part of telepalp and compares it with its budget",
+                       .positional = {},
+                       .options = {{"json", "", "print JSON instead of a table"},
+                                   {"input", "FILE|DIR", "depth, needle: data; link, pipeline, thin: a --source"},
+                                   {"part", "NAME", "accuracy, mixed, needle, site, users: only this part"},
+                                   {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
+                                   {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
+                                   {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
+                                   {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
+                                   {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
+                                   {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
+                       .example = "telepalp-bench pipeline --json",
+                       .commands = {},
+                       .needs_command = true};
   for (const bench::Bench& bench : kBenches) usage.commands.push_back({bench.name, "", bench.purpose});
   return usage;
-}
-
-int list() {
-  for (const bench::Bench& bench : kBenches)
-    std::printf("%-12.*s %.*s\n", static_cast<int>(bench.name.size()), bench.name.data(),
-                static_cast<int>(bench.purpose.size()), bench.purpose.data());
-  return program::kDone;
 }
 
 int run(const bench::Bench& bench, const program::Arguments& arguments) {
@@ -94,14 +84,13 @@ int run(const bench::Bench& bench, const program::Arguments& arguments) {
 }
 
 int run_asked(const program::Arguments& arguments) {
-  if (arguments.has("list")) return list();
   const std::string wanted = arguments.positional().size() == 1 ? arguments.positional().front() : "";
   for (const bench::Bench& bench : kBenches)
     if (bench.name == wanted) return run(bench, arguments);
   return program::fail({.what = wanted.empty() ? "the command line does not name exactly one benchmark"
                                                : "'" + wanted + "' is not a benchmark",
                         .where = "telepalp-bench",
-                        .fix = "to list the names: telepalp-bench --list"},
+                        .fix = "to see the names: telepalp-bench --help"},
                        program::kAskedWrongly);
 }
 

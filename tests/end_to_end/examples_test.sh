@@ -27,6 +27,7 @@ trap leave EXIT
 mkdir "$work/here" "$work/home" "$work/run"
 chmod 700 "$work/run"
 export HOME=$work/home XDG_RUNTIME_DIR=$work/run
+export TELEPALP_PASSPHRASE=once-upon-a-key TELEPALP_NEW_PASSPHRASE=once-upon-a-key # nobody is there to be asked
 cd "$work/here" || exit 1
 failures=0 ran=0
 failed() { cat "$work/log"; echo "FAILED: $*"; failures=$((failures + 1)); }

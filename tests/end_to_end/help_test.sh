@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Holds every program, and every command that has a help of its own, to what a user may expect of it: `-h` prints what
-# --help prints, which fits a terminal of 80 columns and 44 lines (but for the line to paste) and ends with an example;
+# --help prints, which fits a terminal of 80 columns and 40 lines (but for the line to paste) and ends with an example;
 # --version tells version, commit and formats; where neither can be written, as on a full disk, the exit code is 1; an
 # option given twice, or with an empty value, ends with 2.
 # usage: help_test.sh SOURCE_DIR BIN_DIR
@@ -17,7 +17,7 @@ check() { # PROGRAM [COMMAND]
   help=$("$bin/$1" ${2:+"$2"} --help) || failed "$* --help ends with $?"
   [ "$("$bin/$1" ${2:+"$2"} -h)" = "$help" ] || failed "$* -h is not its --help"
   case $(tail -n 1 <<<"$help") in "example: $1"*) ;; *) failed "$* --help does not end with an example" ;; esac
-  [ "$(wc -l <<<"$help")" -le 44 ] || failed "$* --help has $(wc -l <<<"$help") lines"
+  [ "$(wc -l <<<"$help")" -le 40 ] || failed "$* --help has $(wc -l <<<"$help") lines"
   grep -v '^example: ' <<<"$help" | awk -v who="$*" 'BEGIN {bad = 0} length($0) > 82 {bad = 1; print who ": too wide: " $0} END {exit bad}' ||
     failed "$* --help is wider than 80 columns"
   for part in "$1${2:+ $2}: " 'usage: ' 'options:' '  -h, --help' '  --version'; do

@@ -222,16 +222,19 @@ Result<void> add_held_out(const std::string& sets, Report& report) {
   }
   constexpr std::array kAsked{14.0, 19.0, 22.0, 45.0};
   for (std::size_t i = 0; i < kModes.size(); ++i)
-    report.rows.push_back(at_least(
-        std::string(codec::name(kModes[i])) + ": compression ratio, geometric mean of the --held-out recordings",
-        std::exp(log_ratio[i] / count), "", kAsked[i]));
+    report.rows.push_back(
+        at_least(std::string(codec::name(kModes[i])) + ": compression ratio, geometric mean of the held-out recordings",
+                 std::exp(log_ratio[i] / count), "", kAsked[i]));
   return {};
 }
 
 }  // namespace
 
 Result<Report> run_depth(const program::Arguments& arguments) {
-  const Result<Frames> read = frames_of(arguments.text("input"));
+  // Further recordings, after a comma, are those on which the codec's tables were not trained.
+  const std::string inputs = arguments.text("input");
+  const std::string first = inputs.substr(0, inputs.find(','));
+  const Result<Frames> read = frames_of(first);
   if (!read) return read.error();
   const std::vector<DepthImage>& frames = read->images;
   const RatiosAsked* asked_ratios = ratios_asked(frames.front());
@@ -263,8 +266,8 @@ Result<Report> run_depth(const program::Arguments& arguments) {
     report.rows.push_back(bench::measured(name + ": largest depth error", measured.worst_mm, "mm"));
     report.rows.push_back(bench::measured(name + ": depth error RMS", measured.rms_mm(), "mm"));
   }
-  if (arguments.has("held-out"))
-    if (const Result<void> added = add_held_out(arguments.text("held-out"), report); !added) return added.error();
+  if (first.size() < inputs.size())
+    if (const Result<void> added = add_held_out(inputs.substr(first.size() + 1), report); !added) return added.error();
   if (!kinects) report.notes.push_back("the times have no budget, because the frames are not a Kinect's");
   report.notes.push_back(
       asked_ratios == nullptr
