@@ -28,7 +28,8 @@ struct FreeOptions {
 };
 using NatsOptions = std::unique_ptr<natsOptions, FreeOptions>;
 
-/// What libnats adds to a status, without the place in its own source, "(conn.c:2088): ", which means nothing to a user.
+/// What libnats adds to a status, without the place in its own source, "(conn.c:2088): ", which means nothing to a
+/// user.
 std::string last_detail() {
   const char* const last = nats_GetLastError(nullptr);
   std::string_view text = last == nullptr ? "" : last;
@@ -37,9 +38,7 @@ std::string last_detail() {
 }
 
 Error refused(natsStatus status, const std::string& where, const char* fix) {
-  return {.what = natsStatus_GetText(status) + last_detail(),
-          .where = where,
-          .fix = fix};
+  return {.what = natsStatus_GetText(status) + last_detail(), .where = where, .fix = fix};
 }
 
 std::vector<std::string> split_at_commas(std::string_view list) {

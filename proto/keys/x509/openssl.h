@@ -45,8 +45,8 @@ using DigestPtr = std::unique_ptr<EVP_MD_CTX, Freed<EVP_MD_CTX_free>>;
 [[nodiscard]] std::string text_in(BIO& bytes);  ///< what was written to a memory BIO
 [[nodiscard]] std::string to_pem(X509& certificate);
 [[nodiscard]] std::string to_pem(EVP_PKEY& key);
-/// At most 8, up to the first that cannot be read or whose public key is of a kind that OpenSSL does not know: callers may
-/// rely on X509_get0_pubkey.
+/// At most 8, up to the first that cannot be read or whose public key is of a kind that OpenSSL does not know: callers
+/// may rely on X509_get0_pubkey.
 [[nodiscard]] std::vector<CertificatePtr> certificates_in(std::string_view pem);
 [[nodiscard]] PrivateKeyPtr private_key_in(std::string_view pem);  ///< null: `pem` has none
 
