@@ -17,6 +17,7 @@
 #include "proto/keys/x509/openssl.h"
 #include "tests/proto/handshake.h"
 #include "tests/support/child_process.h"
+#include "where.h"
 
 namespace telepalp::keys {
 namespace {
