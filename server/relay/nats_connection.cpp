@@ -28,17 +28,17 @@ struct FreeOptions {
 };
 using NatsOptions = std::unique_ptr<natsOptions, FreeOptions>;
 
-/// What libnats adds to a status, without the place in its own source, "(conn.c:2088): ", which means nothing to a
-/// user.
-std::string last_detail() {
+/// What libnats adds to the text of `status`, without the place in its own source, "(conn.c:2088): ", which means
+/// nothing to a user.
+std::string detail_of(natsStatus status) {
   const char* const last = nats_GetLastError(nullptr);
   std::string_view text = last == nullptr ? "" : last;
   if (const std::size_t end = text.find("): "); text.starts_with("(") && end != text.npos) text.remove_prefix(end + 3);
-  return text.empty() ? "" : ": " + std::string(text);
+  return text.empty() || text == natsStatus_GetText(status) ? "" : ": " + std::string(text);
 }
 
 Error refused(natsStatus status, const std::string& where, const char* fix) {
-  return {.what = natsStatus_GetText(status) + last_detail(), .where = where, .fix = fix};
+  return {.what = natsStatus_GetText(status) + detail_of(status), .where = where, .fix = fix};
 }
 
 std::vector<std::string> split_at_commas(std::string_view list) {
