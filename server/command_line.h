@@ -8,7 +8,7 @@
 #include "server/gateway/gateway.h"
 #include "server/gateway/monitoring/health_port.h"
 #include "server/meet/site/meet_dialer.h"
-#include "server/pipeline/camera_pipeline.h"
+#include "server/pipeline/capture_thread.h"
 #include "server/recording/session_recorder.h"
 #include "server/relay/relay_options.h"
 #include "server/server.h"
