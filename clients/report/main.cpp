@@ -78,7 +78,9 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
   const std::filesystem::path& file = *whole;
   Result<report::Session> session = report::read_session(file);
   if (!session) return session.error();
-  Result<msg::SessionNotes> notes = wire::read_notes(file);
+  Result<msg::SessionNotes> live = wire::live_notes(file);
+  if (!live) return live.error();
+  Result<msg::SessionNotes> notes = wire::read_notes(file, std::move(live).value());
   if (!notes) return notes.error();
   session->notes = std::move(*notes);
   if (const Result<void> made = program::make_folder(folder, program::Readers::Group); !made) return made;

@@ -140,10 +140,15 @@ inline constexpr Topic kHandHolder{.name = "/viewer/hand_holder",
                                    .publisher = Publisher::Gateway,
                                    .validity = Validity::UntilChanged};
 
-inline constexpr std::array kTopics{
-    kCameraColor,  kCameraDepth,  kCameraInfo,      kCameraStatus,      kClock,         kServerStats,
-    kStationState, kStationTicks, kStationSurface,  kStationEvents,     kStationStats,  kStationCompensation,
-    kViewerHand,   kHandHolder,   kCameraColorInfo, kStationUltrasound, kStationInside, kCameraColorVideo};
+/// Moments that people marked while the session took place.
+inline constexpr Topic kSessionNotes{
+    .name = "/session/notes", .schema = "telepalp.msg.LiveNote", .publisher = Publisher::Gateway};
+
+inline constexpr std::array kTopics{kCameraColor,    kCameraDepth,      kCameraInfo,      kCameraStatus,
+                                    kClock,          kServerStats,      kStationState,    kStationTicks,
+                                    kStationSurface, kStationEvents,    kStationStats,    kStationCompensation,
+                                    kViewerHand,     kHandHolder,       kCameraColorInfo, kStationUltrasound,
+                                    kStationInside,  kCameraColorVideo, kSessionNotes};
 
 /// The topic of this name; nullopt if telepalp has no such topic.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

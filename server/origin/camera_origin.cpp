@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "messages/recording.pb.h"
+#include "server/origin/live_notes.h"
 #include "support/program/message_json.h"
 
 namespace telepalp::origin {
@@ -73,9 +74,11 @@ class CameraOrigin final : public Origin {
         source_(std::move(source)),
         source_name_(std::move(source_name)),
         encode_(encode),
-        clock_(clock) {}
+        clock_(clock),
+        notes_(clock) {}
 
   void start(Handlers handlers) override {
+    notes_.start(handlers.on_message);
     thread_ = std::make_unique<pipeline::CaptureThread>(
         network_, std::move(source_), source_name_, encode_, clock_,
         pipeline::CaptureThread::Handlers{
@@ -115,6 +118,7 @@ class CameraOrigin final : public Origin {
     offer.resources[kExposure.topic.name] = {
         .state = [this] { return state_message(state_of(exposure_)); },
         .change = at_once([this](const std::string& json, const std::string&) { return expose(json); })};
+    offer.resources[kMarks.topic.name] = notes_.resource();
     return offer;
   }
 
@@ -132,6 +136,7 @@ class CameraOrigin final : public Origin {
   std::string source_name_;
   pipeline::EncodeOptions encode_;
   wire::SessionClock clock_;
+  LiveNotes notes_;
   pipeline::ExposureReport exposure_;
   std::unique_ptr<pipeline::CaptureThread> thread_;  // from start() on
 };

@@ -12,7 +12,7 @@ const google::protobuf::Descriptor* descriptor_of_state(const wire::Topic& topic
        {msg::PlaybackState::descriptor(), msg::SessionEvents::descriptor(), msg::NetworkState::descriptor(),
         msg::SessionNotes::descriptor(), msg::ComparisonState::descriptor(), msg::RecordingState::descriptor(),
         msg::SessionList::descriptor(), msg::ReadingState::descriptor(), msg::SourceState::descriptor(),
-        msg::ExposureState::descriptor(), msg::PeopleState::descriptor()})
+        msg::ExposureState::descriptor(), msg::PeopleState::descriptor(), msg::MarksState::descriptor()})
     if (type->full_name() == topic.schema) return type;
   demand(false, "the message type of each resource's state is listed in this file");
   return nullptr;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "proto/wire/mcap/notes_file.h"
 #include "proto/words/demand.h"
 #include "server/origin/session_inbox.h"
 #include "server/origin/session_origin.h"
@@ -48,12 +49,16 @@ std::uint64_t utc_s(fs::file_time_type at) {
 struct SessionShelf::Opened {
   std::unique_ptr<playback::SessionPlayer> player;
   std::unique_ptr<playback::SessionComparison> comparison{};  ///< null: no folder of other sessions is named
+  msg::SessionNotes live_notes{};
 
   static Result<Opened> read(const playback::PlaybackSpec& spec, bool loop, const wire::SessionClock& clock,
                              const Options& options, const Progress& progress) {
     auto player = playback::SessionPlayer::open(spec, loop, clock, progress);
     if (!player) return player.error();
     Opened opened{std::move(player).value()};
+    auto live_notes = wire::live_notes(spec.file);
+    if (!live_notes) return live_notes.error();
+    opened.live_notes = std::move(live_notes).value();
     if (options.compared.empty()) return opened;
     auto comparison = playback::SessionComparison::open(spec.file, options.compared, options.say);
     if (!comparison) return comparison.error();
@@ -80,7 +85,8 @@ Result<std::unique_ptr<Origin>> SessionShelf::origin_of(Opened opened, const pla
   const fs::path file = fs::absolute(spec.file).lexically_normal();
   std::shared_ptr<SessionSurvey> survey = surveys_[file].lock();
   if (!survey) {
-    Result<playback::SessionNotes> notes = playback::SessionNotes::open(spec.file, opened.player->state().duration_s());
+    Result<playback::SessionNotes> notes =
+        playback::SessionNotes::open(spec.file, opened.player->state().duration_s(), std::move(opened.live_notes));
     if (!notes) return notes.error();
     survey.reset(new SessionSurvey{{spec.file, opened.player->begin(), options_.say}, std::move(*notes)});
     surveys_[file] = survey;

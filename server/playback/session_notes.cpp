@@ -18,10 +18,6 @@ Error wrong(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "playback/notes", .fix = std::move(fix)};
 }
 
-bool is_one_line(std::string_view text) {
-  return std::none_of(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
-}
-
 void insert(msg::SessionNotes& notes, msg::SessionNotes::Note note) {
   *notes.add_notes() = std::move(note);
   for (int at = notes.notes_size() - 1; at > 0 && notes.notes(at).at_s() < notes.notes(at - 1).at_s(); --at)
@@ -36,8 +32,9 @@ std::optional<int> place_of(const msg::SessionNotes& notes, std::uint64_t number
 
 }  // namespace
 
-Result<SessionNotes> SessionNotes::open(const std::filesystem::path& session, double duration_s) {
-  Result<msg::SessionNotes> notes = wire::read_notes(session);
+Result<SessionNotes> SessionNotes::open(const std::filesystem::path& session, double duration_s,
+                                        msg::SessionNotes live) {
+  Result<msg::SessionNotes> notes = wire::read_notes(session, std::move(live));
   if (!notes) return notes.error();
   return SessionNotes(wire::notes_file(session), duration_s, std::move(*notes));
 }
@@ -54,10 +51,9 @@ Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
   if (!(command.at_s() >= 0.0 && command.at_s() <= duration_s_))
     return wrong("at_s is not from 0 to the session's end, " + std::to_string(duration_s_) + " s",
                  "send a time in the session");
-  if (command.text().empty() || command.text().size() > kMostText_B)
-    return wrong("text is not from 1 to 500 bytes long", "send a text of this length");
-  if (!is_one_line(command.text()))
-    return wrong("text has a line break or another control character", "send one line of text");
+  if (command.text().empty()) return wrong("text is empty", "send one line of at most 500 bytes");
+  if (const std::string_view fault = wire::fault_of_note(command.text()); !fault.empty())
+    return wrong(std::string(fault), "send one line of at most 500 bytes");
   if (notes_.notes_size() >= wire::kMostNotes)
     return wrong("the session has 1000 notes, as many as it may have", "remove a note first");
   return {};

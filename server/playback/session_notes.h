@@ -14,11 +14,11 @@ namespace telepalp::playback {
 /// each change until the file is on the disk.
 class SessionNotes {
  public:
-  static constexpr std::size_t kMostText_B = 500;
-
-  /// Reads the notes on `session`. `duration_s`: the session's length. Error: the notes file
-  /// cannot be read, has too many notes, or a note with an impossible time.
-  [[nodiscard]] static Result<SessionNotes> open(const std::filesystem::path& session, double duration_s);
+  /// Reads the notes on `session`. `duration_s`: the session's length. `live`: wire::live_notes(), with which the list
+  /// begins if nobody has written or removed a note yet. Error: the notes file cannot be read, has too many notes, or a
+  /// note with an impossible time.
+  [[nodiscard]] static Result<SessionNotes> open(const std::filesystem::path& session, double duration_s,
+                                                 msg::SessionNotes live);
 
   /// Carries out the JSON of a msg::NoteCommand, and writes the file. A command without fields changes nothing. `who`:
   /// the writer. `now`: the date of the note. Error: the command is wrong, or the file cannot be written; the notes are

@@ -211,8 +211,8 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
 /** A scene with an ultrasound probe and layers below the skin. */
 const RIBS = fileURLToPath(new URL('../../haptic_station/scenes/ribs-ultrasound.scene.textproto', import.meta.url));
 
-/** Topics with messages only on occasions: while a viewer holds or asks for the hand, and at events of the station. */
-const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events'];
+/** Topics with messages only on occasions: while a viewer holds or asks for the hand, at events of the station, and when somebody marks a moment. */
+const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events', '/session/notes'];
 
 test('each advertised topic is received by a page of an allowed origin, and decoded by the schema that comes along', async () => {
   const workplace = new Workplace('foxglove_topics');

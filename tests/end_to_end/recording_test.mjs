@@ -2,7 +2,7 @@
 // machine. It needs the tick for consent. The file is complete, names the consent, and can be played.
 import assert from 'node:assert/strict';
 import {execFile} from 'node:child_process';
-import {mkdirSync, readdirSync} from 'node:fs';
+import {mkdirSync, readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
@@ -57,6 +57,8 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   await page.click('#record');
   await until('it records', async () => (await state()).phase === 'PHASE_RECORDING' && Number((await state()).bytes) > 100_000);
   await until('the page says so', async () => (await page.textContent('#recording-rows')).includes('Nowrecording'));
+  await page.keyboard.press('m');
+  await until('the moment is marked', async () => (await page.textContent('#mark')) === 'Mark · 1');
   const second = await ask({record: true, consent: 'x'});
   assert.match(second.text, /a recording is running/);
   await page.focus('#record');
@@ -73,6 +75,22 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   assert.match(stdout, /ticked in the web viewer by local: study 17, signed/);
   await until('the next recording needs a new tick', async () => (await page.isDisabled('#record')) && !(await page.isChecked('#consent-given')));
   assert.deepEqual(browser.problems, []);
+});
+
+test('the moment that was marked with the key M is a note on the timeline of the recording, and in its report', async () => {
+  const [file] = readdirSync(folder);
+  const {http_port} = await place.server(join(binDir, 'telepalp-server'), ['--source', `session:${join(folder, file)}`, '--viewer', viewer]);
+  const {notes} = await (await fetch(`http://127.0.0.1:${http_port}/playback/notes`)).json();
+  assert.equal(notes.length, 1);
+  assert.equal(notes[0].text, 'marked');
+  const {duration_s} = await (await fetch(`http://127.0.0.1:${http_port}/playback`)).json();
+  assert.ok(notes[0].at_s >= 0 && notes[0].at_s <= duration_s, `${notes[0].at_s} of ${duration_s} s`);
+  const {page} = browser;
+  await page.goto(`http://127.0.0.1:${http_port}/?view=qa`);
+  await until('the note is listed', async () => (await page.textContent('#notes')).includes('marked'));
+  assert.equal(await page.isHidden('#mark'), true, 'a played session has no moment to mark');
+  await run(join(binDir, 'telepalp-report'), [join(folder, file), '--out', join(place.folder, 'report')]);
+  assert.match(readFileSync(join(place.folder, 'report', 'report.json'), 'utf8'), /"marked"/);
 });
 
 test('a server that ends completes the recording', async () => {

@@ -107,7 +107,8 @@ struct Session : SenderRecord {
   std::string name;         ///< file name without folders
   wire::SessionInfo info;   ///< what the recorder stated
   std::string origin;       ///< the recorded server or file, from the metadata; empty: not stated
-  msg::SessionNotes notes;  ///< notes of people who watched the session, from SESSION.mcap.notes.json
+  msg::SessionNotes notes;  ///< notes of people who watched the session, from SESSION.mcap.notes.json, or
+                            ///< the session's own marks
   std::map<std::uint32_t, SenderRecord> others;                               ///< of the other senders, by their number
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;

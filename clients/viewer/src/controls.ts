@@ -1,4 +1,5 @@
 import type {InsideView} from './inside/inside_view';
+import type {MarkButton} from './mark_button';
 import type {ViewerHandInput} from './touch/viewer_hand';
 import type {SceneView} from './scene/scene_view';
 import type {ThemeSwitch} from './theme';
@@ -30,7 +31,7 @@ function takesKey(focus: EventTarget | null, key: string): boolean {
 /** Wires buttons and keys to the view. */
 export function wireControls(
     view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView,
-    {details, cards}: {details: Details; cards: FoldingCards}): void {
+    {details, cards, markButton}: {details: Details; cards: FoldingCards; markButton: MarkButton}): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.setHandShown(shown)},
@@ -69,6 +70,7 @@ export function wireControls(
     l: () => theme.flip(),
     d: () => details.flip(),
     z: () => cards.foldAll(),
+    m: () => void markButton.mark(),
     '?': () => help.showModal(),
   };
   for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);

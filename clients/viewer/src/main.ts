@@ -1,5 +1,6 @@
 import {offerAnchor} from './anchor_button';
 import {wireControls} from './controls';
+import {MarkButton, type MarkCommand, shownAgo_s} from './mark_button';
 import {ViewerHandInput} from './touch/viewer_hand';
 import {offerHeadset} from './headset_button';
 import {measureHeight} from './page/layout';
@@ -15,6 +16,7 @@ import {SessionsCard} from './panel/sessions_card';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {EXPOSURE} from './panel/technician/exposure_card';
+import type {MarksState} from './messages/generated';
 import {type PeopleCommand, type PeopleState, readPeople} from './panel/technician/people_card';
 import {readSource, type SourceCommand, type SourceState} from './panel/technician/source_card';
 import {readRecording, type RecordingCommand, type RecordingState} from './panel/technician/recording_state';
@@ -93,6 +95,7 @@ const parts = {
 const source = resources.at<'/source', SourceState, SourceCommand>('/source', {read: readSource});
 const exposure = resources.at('/exposure', EXPOSURE);
 const people = resources.at<'/people', PeopleState, PeopleCommand>('/people', {read: readPeople});
+const marks = resources.at<'/marks', MarksState, MarkCommand>('/marks', {read: (state) => state, mostWaiting: 3});
 const recording = resources.at<'/recording', RecordingState, RecordingCommand>('/recording', {read: readRecording});
 const link = new SiteLink({
   instant: (instant) => {
@@ -181,7 +184,14 @@ const views = new ViewSwitch((chosen) => {
   cards.show(chosen);
   details.show(chosen);
 });
-wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards});
+const markButton = new MarkButton(
+    marks,
+    () => {
+      const {pictureInstant_ms, sessionNow_ns} = read();
+      return shownAgo_s(pictureInstant_ms, sessionNow_ns);
+    },
+    (text) => readouts.showNotice({level: 'warn', title: 'The moment is not marked', text}));
+wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards, markButton});
 new TimelineBar(playback);
 const colorSwitch = new ColorSwitch(browserStore(), (coding) => link.askForColor(coding));
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "proto/wire/mcap/reader.h"
 #include "proto/words/error_line.h"
 
 namespace telepalp::wire {
@@ -24,7 +27,52 @@ Error unreadable(const std::filesystem::path& file, std::string what) {
 
 bool has_a_time(const msg::SessionNotes::Note& note) { return std::isfinite(note.at_s()) && note.at_s() >= 0.0; }
 
+/// True: `note` is one that telepalp writes. A file may be made by anybody.
+bool is_whole(const msg::LiveNote& note) {
+  return note.at_ns() <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) &&
+         fault_of_note(note.text()).empty() && fault_of_note(note.who()).empty() &&
+         fault_of_note(note.written()).empty();
+}
+
+msg::SessionNotes::Note note_from(const msg::LiveNote& live, SessionTime begin, std::uint64_t number) {
+  msg::SessionNotes::Note note;
+  note.set_number(number);
+  note.set_at_s(std::max(0.0, to_seconds(session_time(static_cast<std::int64_t>(live.at_ns())) - begin)));
+  note.set_text(live.text().empty() ? "marked" : live.text());
+  note.set_who(live.who());
+  note.set_written(live.written());
+  return note;
+}
+
 }  // namespace
+
+std::string_view fault_of_note(std::string_view text) noexcept {
+  if (text.size() > kMostNoteText_B) return "text is longer than 500 bytes";
+  const bool one_line =
+      std::none_of(text.begin(), text.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; });
+  return one_line ? "" : "text has a line break or another control character";
+}
+
+Result<msg::SessionNotes> live_notes(const std::filesystem::path& session) {
+  Result<McapReader> reader = McapReader::open(session);
+  if (!reader) return reader.error();
+  const SessionTime begin = session_time(static_cast<std::int64_t>(reader->summary().statistics.message_start_time));
+  reader->select({.topics = {std::string(kSessionNotes.name)}});
+  std::vector<msg::SessionNotes::Note> found;
+  while (found.size() < static_cast<std::size_t>(kMostNotes)) {
+    const Result<std::optional<Message>> next = reader->next();
+    if (!next) continue;  // one damaged chunk; the player counts it
+    if (!*next) break;
+    msg::LiveNote live;
+    if (live.ParseFromString(*(**next).payload) && is_whole(live))
+      found.push_back(note_from(live, begin, found.size() + 1));
+  }
+  std::ranges::stable_sort(found, {}, [](const msg::SessionNotes::Note& note) { return note.at_s(); });
+  msg::SessionNotes notes;
+  notes.set_last_number(found.size());
+  for (msg::SessionNotes::Note& note : found) *notes.add_notes() = std::move(note);
+  return notes;
+}
 
 std::filesystem::path notes_file(const std::filesystem::path& session) {
   std::filesystem::path file = session;
@@ -32,11 +80,10 @@ std::filesystem::path notes_file(const std::filesystem::path& session) {
   return file;
 }
 
-Result<msg::SessionNotes> read_notes(const std::filesystem::path& session) {
+Result<msg::SessionNotes> read_notes(const std::filesystem::path& session, msg::SessionNotes live) {
   const std::filesystem::path file = notes_file(session);
   std::error_code problem;
-  msg::SessionNotes notes;
-  if (!std::filesystem::exists(file, problem)) return notes;
+  if (!std::filesystem::exists(file, problem)) return live;
   if (std::filesystem::file_size(file, problem) > kMostFile_B || problem)
     return unreadable(file, "this is not a file of notes: it is not a regular file, or larger than 4 MiB");
   std::ifstream in(file, std::ios::binary);
@@ -45,6 +92,7 @@ Result<msg::SessionNotes> read_notes(const std::filesystem::path& session) {
     return Error{.what = "the notes cannot be read",
                  .where = file.string(),
                  .fix = "allow the user of this program to read the file, or move the file away"};
+  msg::SessionNotes notes;
   if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok()) {
     return unreadable(file, "the JSON cannot be read: " + first_line(std::string(parsed.message())));
   }

@@ -28,6 +28,12 @@ constexpr std::string_view kChoosesNothing =
     "the page of this server does not choose the source. fix: start telepalp-server with another --source";
 constexpr std::string_view kExposesNothing =
     "this server shows no camera. fix: choose a camera, or the synthetic patient, as its source";
+constexpr std::string_view kMarksNoForeignPage =
+    "this web page is from another site, which may not mark moments. fix: allow the page's scheme and host: "
+    "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kMarksNothing =
+    "this server shows no camera, so there is no moment to mark. fix: write a note on the played session: POST "
+    "/playback/notes";
 constexpr std::string_view kSendsOutNoForeignPage =
     "this web page is from another site, which may not send persons out. fix: allow the page's scheme and host: "
     "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
@@ -97,6 +103,15 @@ constexpr std::array kRows{
              std::nullopt),  // the server notes each file once it is whole
     set_up(origin::kSource, kChoosesNothing, access::AuditEvent::ChoseSource),
     set_up(origin::kExposure, kExposesNothing, access::AuditEvent::SetExposure),
+    ResourceRow{.path = origin::kMarks.topic.name,
+                .read = Operation::Watch,
+                .change = Operation::Record,
+                .change_own = Operation::Record,
+                .people = "only doctors, technicians and QA may mark moments",
+                .pages = kMarksNoForeignPage,
+                .absent = kMarksNothing,
+                .empty_if_absent = true,
+                .audited_as = {}},  // the mark itself says whose it is
     ResourceRow{.path = origin::kPeople.topic.name,
                 .read = Operation::SetUp,
                 .change = Operation::SetUp,

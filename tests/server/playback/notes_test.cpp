@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "proto/wire/mcap/notes_file.h"
+#include "proto/wire/mcap/writer.h"
+#include "proto/wire/topics.h"
 #include "server/playback/session_notes.h"
 #include "support/program/message_json.h"
 
@@ -23,7 +25,7 @@ struct Notes : ::testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
   SessionNotes open() const {
-    auto notes = SessionNotes::open(session, 60.0);
+    auto notes = SessionNotes::open(session, 60.0, {});
     EXPECT_TRUE(notes) << to_string(notes.error());
     return *notes;
   }
@@ -55,7 +57,7 @@ TEST_F(Notes, ARemovedNotesNumberIsNotGivenAgain) {
 
 TEST_F(Notes, WrongCommandsAreNamedAndChangeNothing) {
   SessionNotes notes = open();
-  const std::string long_text(SessionNotes::kMostText_B + 1, 'x');
+  const std::string long_text(wire::kMostNoteText_B + 1, 'x');
   for (const std::string& wrong :
        {std::string("nonsense"), std::string(R"({"at_s": 1})"), std::string(R"({"text": "no time"})"),
         std::string(R"({"at_s": 61, "text": "behind the end"})"), std::string(R"({"at_s": -1, "text": "before"})"),
@@ -82,15 +84,46 @@ TEST_F(Notes, AFileThatHoldsNoNotesIsNamedAndNotOverwritten) {
   for (const std::string& wrong : {std::string("{\"notes\": 3}"), std::string(5'000'000, ' '),
                                    std::string(R"({"notes": [{"at_s": "NaN", "text": "never"}]})")}) {
     write(wrong);
-    const auto opened = SessionNotes::open(session, 60.0);
+    const auto opened = SessionNotes::open(session, 60.0, {});
     ASSERT_FALSE(opened);
     EXPECT_NE(opened.error().where.find("a.mcap.notes.json"), std::string::npos);
     EXPECT_EQ(std::filesystem::file_size(file), wrong.size());
   }
 }
 
+TEST_F(Notes, BeginWithTheMomentsThatWereMarkedDuringTheSession) {
+  auto writer = std::move(wire::McapWriter::open(session, {}).value());
+  const auto put = [&](std::uint64_t at_ns, std::uint64_t published_ns, const char* text) {
+    msg::LiveNote note;
+    note.set_at_ns(at_ns);
+    note.set_text(text);
+    note.set_who("doctor Anna");
+    const auto published = session_time(static_cast<std::int64_t>(published_ns));
+    EXPECT_TRUE(writer.write(wire::make_message(wire::kSessionNotes, published, note)));
+  };
+  put(1'000'000'000, 1'500'000'000, "before the recording began");
+  put(9'000'000'000, 9'100'000'000, "");
+  put(7'500'000'000, 9'200'000'000, "tender here");
+  put(UINT64_MAX, 9'300'000'000, "of a damaged writer");
+  put(9'000'000'000, 9'400'000'000, "two\nlines");
+  ASSERT_TRUE(writer.close());
+  const auto live = wire::live_notes(session);
+  ASSERT_TRUE(live) << to_string(live.error());
+  auto notes = SessionNotes::open(session, 60.0, *live);
+  ASSERT_TRUE(notes);
+  const auto text_at = [&](int at) { return notes->all().notes(at).text(); };
+  ASSERT_EQ(notes->all().notes_size(), 3) << program::to_json(notes->all());
+  EXPECT_EQ(notes->all().notes(0).at_s(), 0.0);
+  EXPECT_NEAR(notes->all().notes(1).at_s(), 6.0, 1e-9) << "since the first message of the file";
+  EXPECT_EQ(text_at(1), "tender here");
+  EXPECT_EQ(text_at(2), "marked");
+  EXPECT_EQ(notes->all().notes(2).who(), "doctor Anna");
+  ASSERT_TRUE(notes->apply(R"({"remove": 2})", "Bo", kNow));
+  EXPECT_EQ(SessionNotes::open(session, 60.0, *live)->all().notes_size(), 2) << "a removed mark does not come back";
+}
+
 TEST_F(Notes, AnUnwritableFolderLeavesTheNotesAsTheyWere) {
-  auto notes = SessionNotes::open(folder / "missing" / "a.mcap", 60.0);
+  auto notes = SessionNotes::open(folder / "missing" / "a.mcap", 60.0, {});
   ASSERT_TRUE(notes);
   const std::string before = program::to_json(notes->all());
   EXPECT_FALSE(notes->apply(R"({"at_s": 1, "text": "one"})", "", kNow));

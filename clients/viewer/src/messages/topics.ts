@@ -1,6 +1,6 @@
 import type {
   CameraCalibration, CaptureStatus, Clock, ComparisonState, CompressedImage, CompressedVideo, DepthImage, ExposureState, HandHolder,
-  InnerStructures,
+  InnerStructures, MarksState,
   NetworkState, PeopleState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList,
   SessionNotes, SourceState,
   StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand,
@@ -38,11 +38,12 @@ export interface StateTopics {
   '/source': SourceState;
   '/exposure': ExposureState;
   '/people': PeopleState;
+  '/marks': MarksState;
 }
 export type StateTopic = keyof StateTopics;
 export const STATE_TOPICS = [
   '/playback', '/playback/events', '/playback/network', '/playback/notes', '/playback/comparison', '/reading', '/recording',
-  '/sessions', '/source', '/exposure', '/people',
+  '/sessions', '/source', '/exposure', '/people', '/marks',
 ] as const satisfies readonly StateTopic[];
 
 /** A state, and the session time at which the server published it. */

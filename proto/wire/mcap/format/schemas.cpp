@@ -10,6 +10,7 @@
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
 #include "messages/inside.pb.h"
+#include "messages/playback.pb.h"
 #include "messages/station.pb.h"
 #include "messages/viewer.pb.h"
 #include "proto/words/demand.h"
@@ -31,6 +32,7 @@ const DescriptorPool& pool_with_our_types() {
                                              msg::Clock::descriptor(),
                                              msg::StationState::descriptor(),
                                              msg::UltrasoundImage::descriptor(),
+                                             msg::LiveNote::descriptor(),
                                              msg::ViewerHand::descriptor()};
   return *linked[0]->file()->pool();
 }
