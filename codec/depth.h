@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "proto/words/depth/depth_window.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -30,13 +31,24 @@ inline constexpr std::uint8_t kLastDepthMode = 3;
 /// sensor's own resolution, and at least a millimetre.
 inline constexpr DepthErrorBound kOneDisparityStep{.least_m = 0.001, .per_m = 2.85e-3};
 
+/// How the error bound grows from a window for the hand to the image's border.
+enum class WindowGrowth : std::uint8_t {
+  Flat,     ///< twice kOneDisparityStep everywhere outside the window
+  Growing,  ///< from twice beside the window to four times kOneDisparityStep at the image's border
+};
+
+/// A window that is exact in `exact`, with the bounds of `growth` around it.
+[[nodiscard]] DepthWindow window_around(const PixelRect& exact, WindowGrowth growth) noexcept;
+
 /// A compressed depth image, with facts about it that a reader would otherwise parse from `bytes`.
 struct EncodedDepth {
   std::string bytes;
   bool key_frame = true;  ///< decodes without the frame before it
   DepthMode mode = DepthMode::Fast;
-  std::optional<DepthErrorBound> bound;  ///< set for near-lossless coding; nullopt: lossless
-  std::uint32_t crc = 0;                 ///< CRC-32C of header and decoded samples; it names this frame as a reference
+  std::optional<DepthErrorBound>
+      bound;  ///< set for near-lossless coding; nullopt: lossless. With a window: the largest
+  std::optional<DepthWindow> window = {};  ///< where the image is exact; nullopt: everywhere, or nowhere if bounded
+  std::uint32_t crc = 0;  ///< CRC-32C of header and decoded samples; it names this frame as a reference
 };
 
 /// Compresses one depth image as a key frame. Lossless except for Bounded, which uses kOneDisparityStep. `depth`
@@ -57,6 +69,7 @@ struct DepthPacketInfo {
   double unit_m = 0.001;
   int slices = 1;
   int since_key = 0;  ///< frames since the last key frame; 0: this is a key frame
+  std::optional<DepthWindow> window = {};
 };
 
 [[nodiscard]] Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> packet);

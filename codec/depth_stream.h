@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "codec/depth.h"
+#include "proto/words/depth/depth_window.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -26,8 +28,10 @@ class DepthEncoder {
   DepthEncoder(DepthEncoder&&) noexcept;
   DepthEncoder& operator=(DepthEncoder&&) noexcept;
 
-  /// `depth` must be well formed. A change of image size or unit forces a key frame.
-  [[nodiscard]] EncodedDepth encode(const DepthImage& depth);
+  /// `depth` must be well formed. A change of image size or unit forces a key frame. `window`, in the modes Intra and
+  /// Temporal: the part that stays exact, from frame to frame another one if need be. It must be well formed for this
+  /// image. Other modes ignore it.
+  [[nodiscard]] EncodedDepth encode(const DepthImage& depth, const std::optional<DepthWindow>& window = std::nullopt);
 
   /// Forces the next frame to be a key frame: a receiver joined, or lost a frame.
   void request_key_frame() noexcept;
@@ -58,6 +62,7 @@ struct DecodedDepth {
   DepthImage image;
   DepthMode mode = DepthMode::Fast;
   bool key_frame = true;
+  std::optional<DepthWindow> window = {};  ///< where the image is exact, and the bounds elsewhere; nullopt: no window
 };
 
 /// Decodes some frames of a stream and skips others: read() or skip() is called for each packet, in the stream's order.

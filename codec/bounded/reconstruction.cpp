@@ -136,14 +136,14 @@ struct Choice {
   std::vector<std::size_t> most;
 };
 
-Choice choice_of(const LevelPalette& present, const ReconstructionLevels& reconstruction) {
+Choice choice_of(const LevelPalette& present, const LevelPalette& reconstruction, const BoundInUnits& bound_at) {
   Choice choice{.least = {0}, .most = {0}};
-  const std::vector<std::uint16_t>& levels = reconstruction.levels.levels;
+  const std::vector<std::uint16_t>& levels = reconstruction.levels;
   std::size_t least = 1;
   std::size_t most = 0;
   for (std::size_t rank = 1; rank < present.size(); ++rank) {
     const int level = present.levels[rank];
-    const int bound = reconstruction.bound(level);
+    const int bound = bound_at(level);
     while (levels[least] < level - bound) ++least;
     while (most + 1 < levels.size() && levels[most + 1] <= level + bound) ++most;
     choice.least.push_back(least);
@@ -153,16 +153,52 @@ Choice choice_of(const LevelPalette& present, const ReconstructionLevels& recons
 }
 
 /// Puts the reconstruction levels that some level may take into `palette`, and returns the rank of each.
-std::vector<std::uint16_t> rank_those_of(const Choice& choice, const ReconstructionLevels& reconstruction,
+std::vector<std::uint16_t> rank_those_of(const Choice& choice, const LevelPalette& reconstruction,
                                          LevelPalette& palette) {
   std::vector<std::uint16_t> rank_of(reconstruction.levels.size());
   std::size_t next = 1;
   for (std::size_t i = 1; i < choice.least.size(); ++i)
     for (next = std::max(next, choice.least[i]); next <= choice.most[i]; ++next) {
       rank_of[next] = static_cast<std::uint16_t>(palette.size());
-      palette.levels.push_back(reconstruction.levels.levels[next]);
+      palette.levels.push_back(reconstruction.levels[next]);
     }
   return rank_of;
+}
+
+/// Least rank (low half) and greatest rank (high half) of each level of a frame; of level 0, which is not measured,
+/// any.
+std::vector<std::uint32_t> packed_ranks(const Choice& choice, const std::vector<std::uint16_t>& rank_of) {
+  std::vector<std::uint32_t> ranks{0xffff0000};
+  for (std::size_t i = 1; i < choice.least.size(); ++i)
+    ranks.push_back(std::uint32_t{rank_of[choice.most[i]]} << 16 | rank_of[choice.least[i]]);
+  return ranks;
+}
+
+/// packed_ranks() of all rings of a window, one after the other. Fills `palette`.
+std::vector<std::uint32_t> packed_ranks_of_rings(const LevelPalette& present,
+                                                 const ReconstructionLevels& reconstruction, const DepthWindow& window,
+                                                 LevelPalette& palette) {
+  const auto choice_in = [&](int ring) {
+    return choice_of(present, reconstruction.levels, {window.in_ring(ring), reconstruction.bound.unit_m});
+  };
+  // The outermost ring may take every level that another ring may.
+  const std::vector<std::uint16_t> rank_of =
+      rank_those_of(choice_in(DepthWindow::kRings - 1), reconstruction.levels, palette);
+  std::vector<std::uint32_t> ranks;
+  for (int ring = 0; ring < DepthWindow::kRings; ++ring) {
+    const std::vector<std::uint32_t> of_ring = packed_ranks(choice_in(ring), rank_of);
+    ranks.insert(ranks.end(), of_ring.begin(), of_ring.end());
+  }
+  return ranks;
+}
+
+/// For each place on an axis: where its ring's part of a table with `count` entries for each ring begins. 0 in the
+/// window, where a pixel's ring depends on the other axis alone.
+std::vector<std::size_t> ring_offsets(int exact_first, int exact_size, int size, std::size_t count) {
+  std::vector<std::size_t> offsets;
+  for (int at = 0; at < size; ++at)
+    offsets.push_back(count * static_cast<std::size_t>(std::max(0, ring_on_axis(at, exact_first, exact_size, size))));
+  return offsets;
 }
 
 }  // namespace
@@ -183,14 +219,12 @@ ReconstructionLevels reconstruction_levels_for(const DepthImage& depth, const Le
 
 RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& present, ReconstructionLevels& reconstruction) {
   complete(reconstruction, present);
-  const Choice choice = choice_of(present, reconstruction);
+  const Choice choice = choice_of(present, reconstruction.levels, reconstruction.bound);
   RankedFrame frame;
-  const std::vector<std::uint16_t> rank_of = rank_those_of(choice, reconstruction, frame.palette);
-  std::vector<std::uint32_t> ranks_of_sample(
-      kSamples);  // greatest rank in the high half, least rank in the low half: one look-up for both
-  ranks_of_sample[0] = 0xffff0000;
-  for (std::size_t i = 1; i < present.size(); ++i)
-    ranks_of_sample[present.levels[i]] = std::uint32_t{rank_of[choice.most[i]]} << 16 | rank_of[choice.least[i]];
+  const std::vector<std::uint16_t> rank_of = rank_those_of(choice, reconstruction.levels, frame.palette);
+  const std::vector<std::uint32_t> ranks_of_level = packed_ranks(choice, rank_of);
+  std::vector<std::uint32_t> ranks_of_sample(kSamples);  // one look-up for both ranks
+  for (std::size_t i = 0; i < present.size(); ++i) ranks_of_sample[present.levels[i]] = ranks_of_level[i];
   frame.ranks.resize(depth.samples.size());
   frame.most.resize(depth.samples.size());
   for (std::size_t i = 0; i < depth.samples.size(); ++i) {
@@ -198,6 +232,28 @@ RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& present, 
     frame.ranks[i] = static_cast<std::uint16_t>(ranks);
     frame.most[i] = static_cast<std::uint16_t>(ranks >> 16);
   }
+  return frame;
+}
+
+RankedFrame within_window(const DepthImage& outer, const LevelPalette& present, ReconstructionLevels& reconstruction,
+                          const DepthWindow& window) {
+  reconstruction.bound.bound = window.near;
+  complete(reconstruction, present);
+  RankedFrame frame;
+  const std::vector<std::uint32_t> packed = packed_ranks_of_rings(present, reconstruction, window, frame.palette);
+  const RankOfLevel rank_of = ranks_of(present);
+  const PixelRect& exact = window.exact;
+  const auto of_column = ring_offsets(exact.column, exact.width, outer.width, present.size());
+  const auto of_row = ring_offsets(exact.row, exact.height, outer.height, present.size());
+  frame.ranks.resize(outer.samples.size());
+  frame.most.resize(outer.samples.size());
+  std::size_t i = 0;
+  for (const std::size_t row : of_row)
+    for (const std::size_t column : of_column) {
+      const std::uint32_t ranks = packed[std::max(row, column) + rank_of[outer.samples[i]]];
+      frame.ranks[i] = static_cast<std::uint16_t>(ranks);
+      frame.most[i++] = static_cast<std::uint16_t>(ranks >> 16);
+    }
   return frame;
 }
 

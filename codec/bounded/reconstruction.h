@@ -5,6 +5,7 @@
 
 #include "codec/depth.h"
 #include "codec/levels/ranked_frame.h"
+#include "proto/words/depth/depth_window.h"
 #include "proto/words/rgbd_frame.h"
 
 namespace telepalp::codec {
@@ -32,5 +33,10 @@ struct ReconstructionLevels {
 /// within its bound (the levels were chosen for the key frame), the function adds one to `reconstruction`.
 [[nodiscard]] RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& palette,
                                         ReconstructionLevels& reconstruction);
+
+/// As within_bounds(), with the bounds that `window` states around it. `outer`: the image, in whose window nothing is
+/// measured. `palette`: of `outer`. The levels of `reconstruction` may have been chosen for another frame or window.
+[[nodiscard]] RankedFrame within_window(const DepthImage& outer, const LevelPalette& palette,
+                                        ReconstructionLevels& reconstruction, const DepthWindow& window);
 
 }  // namespace telepalp::codec

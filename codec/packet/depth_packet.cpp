@@ -10,12 +10,21 @@ namespace telepalp::codec {
 namespace {
 
 constexpr std::string_view kMagic = "TPD";
-constexpr char kVersion = '0' + kDepthPacketVersion;
+constexpr char kVersion = '0' + kOldestDepthPacketVersion;
+constexpr char kVersionWithWindow = '0' + kDepthPacketVersion;
 constexpr std::size_t kCrcAt = 12;
+
+void append_window(std::string& bytes, const DepthWindow& window) {
+  const PixelRect& exact = window.exact;
+  for (const int number : {exact.column, exact.row, exact.width, exact.height})
+    append(bytes, static_cast<std::uint16_t>(number));
+  for (const double bound : {window.near.least_m, window.near.per_m, window.border.least_m, window.border.per_m})
+    append(bytes, bound);
+}
 
 std::string header_bytes(const PacketHeader& header) {
   std::string bytes(kMagic);
-  bytes.push_back(kVersion);
+  bytes.push_back(header.window ? kVersionWithWindow : kVersion);
   append(bytes, static_cast<std::uint8_t>(header.mode));
   append(bytes, static_cast<std::uint8_t>(header.coding));
   append(bytes, header.slices);
@@ -27,6 +36,7 @@ std::string header_bytes(const PacketHeader& header) {
   append(bytes, header.reference);
   append(bytes, header.since_key);
   append(bytes, std::uint16_t{0});
+  if (header.window) append_window(bytes, *header.window);
   return bytes;
 }
 
@@ -57,18 +67,37 @@ WrittenPacket write_packet(PacketHeader header, std::span<const std::uint16_t> s
   return packet;
 }
 
-Result<Packet> read_packet(std::span<const std::byte> bytes) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (bytes.size() < kHeaderBytes || !text.starts_with(kMagic))
-    return damaged("its " + std::to_string(bytes.size()) + " B do not begin with the header of a depth image");
-  if (text[kMagic.size()] != kVersion)
-    return Error{.what = "it has version " + std::to_string(static_cast<int>(text[kMagic.size()]) - '0') +
-                         " of the depth codec, but this program reads version " + std::to_string(kDepthPacketVersion),
-                 .where = "compressed depth image",
-                 .fix =
-                     "install the same version of telepalp at both ends; read a recording with the version that "
-                     "recorded it"};
-  ByteReader reader(bytes.subspan(4));
+namespace {
+
+Error other_version(char version) {
+  return {
+      .what = "it has version " + std::to_string(static_cast<int>(version) - '0') +
+              " of the depth codec, but this program reads versions " + std::to_string(kOldestDepthPacketVersion) +
+              " to " + std::to_string(kDepthPacketVersion),
+      .where = "compressed depth image",
+      .fix = "install the same version of telepalp at both ends; read a recording with the version that recorded it"};
+}
+
+/// Reads the window after the fixed header into `header`. Error: there is none that the image can have.
+Result<void> read_window(ByteReader& reader, PacketHeader& header) {
+  if (reader.rest().size() < kWindowBytes) return damaged("it ends before its window");
+  DepthWindow window;
+  for (int* number : {&window.exact.column, &window.exact.row, &window.exact.width, &window.exact.height})
+    *number = *reader.number<std::uint16_t>();
+  for (double* bound : {&window.near.least_m, &window.near.per_m, &window.border.least_m, &window.border.per_m})
+    *bound = *reader.number<double>();
+  if (!is_well_formed(window, header.width, header.height))
+    return damaged("its window is empty, leaves the image, or has bounds that are not 0 to 1 m and growing");
+  if (header.mode != DepthMode::Intra && header.mode != DepthMode::Temporal)
+    return damaged("it has a window, but a mode without windows");
+  if (header.coding == Coding::Zstd || header.coding == Coding::Tokens)
+    return damaged("it has a window, but a coding without windows");
+  header.window = window;
+  return {};
+}
+
+/// Reads the 28 bytes after magic and version. Error: a field is out of bounds.
+Result<PacketHeader> read_header(ByteReader& reader) {
   PacketHeader header;
   const std::uint8_t mode = *reader.number<std::uint8_t>();
   const std::uint8_t coding = *reader.number<std::uint8_t>();
@@ -91,7 +120,23 @@ Result<Packet> read_packet(std::span<const std::byte> bytes) {
   if (!std::isfinite(header.unit_m) || header.unit_m <= 0.0) return damaged("its depth unit is not a positive length");
   if ((header.coding == Coding::Dependent) != (header.since_key != 0))
     return damaged("it is marked both as a key frame and as a predicted frame");
-  return Packet{header, reader.rest()};
+  return header;
+}
+
+}  // namespace
+
+Result<Packet> read_packet(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (bytes.size() < kHeaderBytes || !text.starts_with(kMagic))
+    return damaged("its " + std::to_string(bytes.size()) + " B do not begin with the header of a depth image");
+  const char version = text[kMagic.size()];
+  if (version != kVersion && version != kVersionWithWindow) return other_version(version);
+  ByteReader reader(bytes.subspan(kMagic.size() + sizeof version));
+  Result<PacketHeader> header = read_header(reader);
+  if (!header) return header.error();
+  if (version == kVersionWithWindow)
+    if (const Result<void> read = read_window(reader, *header); !read) return read.error();
+  return Packet{*header, reader.rest()};
 }
 
 bool is_key_frame(std::span<const std::byte> bytes) {

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "codec/depth.h"
+#include "proto/words/depth/depth_window.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -26,9 +28,12 @@ enum class Coding : std::uint8_t {
 inline constexpr std::uint8_t kLastCoding = 4;
 
 /// The header of every packet, 32 bytes:
-/// "TPD3" | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m f64 | reference u32 |
-/// since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of the other 28 bytes, then of the decoded samples. As it
-/// covers the decoded samples, it detects a decoder's wrong reference frame or probability tables, and a flipped bit.
+/// "TPD" | version u8, '3' or '4' | mode u8 | coding u8 | slices u8 | 0 u8 | width u16 | height u16 | crc u32 | unit_m
+/// f64 | reference u32 | since_key u16 | 0 u16, little-endian. `crc` is CRC-32C of the other 28 bytes, then of the
+/// decoded samples. As it covers the decoded samples, it detects a decoder's wrong reference frame or probability
+/// tables, and a flipped bit. A packet of version 4 has a window: 40 more bytes follow, which the crc covers too:
+/// column u16 | row u16 | width u16 | height u16 | near least_m f64 | near per_m f64 | border least_m f64 | border
+/// per_m f64. Its body is described at codec/stream/window_coding.h.
 struct PacketHeader {
   DepthMode mode = DepthMode::Fast;
   Coding coding = Coding::Stored;
@@ -37,8 +42,9 @@ struct PacketHeader {
   int height = 0;
   std::uint32_t crc = 0;
   double unit_m = 0.001;
-  std::uint32_t reference = 0;  ///< crc of the reference frame; 0 in a key frame
-  std::uint16_t since_key = 0;  ///< frames since the last key frame; 0 in a key frame
+  std::uint32_t reference = 0;             ///< crc of the reference frame; 0 in a key frame
+  std::uint16_t since_key = 0;             ///< frames since the last key frame; 0 in a key frame
+  std::optional<DepthWindow> window = {};  ///< of Intra and Temporal; well formed; nullopt: version 3
 
   [[nodiscard]] std::size_t pixels() const noexcept {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -46,6 +52,7 @@ struct PacketHeader {
 };
 
 inline constexpr std::size_t kHeaderBytes = 32;
+inline constexpr std::size_t kWindowBytes = 40;
 
 struct Packet {
   PacketHeader header;

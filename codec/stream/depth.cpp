@@ -21,6 +21,13 @@ std::optional<DepthMode> depth_mode(std::string_view name) noexcept {
   return std::nullopt;
 }
 
+DepthWindow window_around(const PixelRect& exact, WindowGrowth growth) noexcept {
+  const auto times = [](double factor) {
+    return DepthErrorBound{.least_m = factor * kOneDisparityStep.least_m, .per_m = factor * kOneDisparityStep.per_m};
+  };
+  return {.exact = exact, .near = times(2.0), .border = times(growth == WindowGrowth::Flat ? 2.0 : 4.0)};
+}
+
 std::string encode_depth(const DepthImage& depth, DepthMode mode) {
   demand(is_well_formed(depth), "encode_depth is given a well-formed image");
   if (mode == DepthMode::Bounded) {
@@ -52,7 +59,8 @@ Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> bytes) {
                          .height = header.height,
                          .unit_m = header.unit_m,
                          .slices = header.slices,
-                         .since_key = header.since_key};
+                         .since_key = header.since_key,
+                         .window = header.window};
 }
 
 }  // namespace telepalp::codec

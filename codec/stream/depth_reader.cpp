@@ -54,7 +54,10 @@ Result<DecodedDepth> DepthReader::read(std::span<const std::byte> bytes) {
   if (!packet) return packet.error();
   Result<DepthImage> image = state.decoder.decode(*packet);
   if (!image) return image.error();
-  return DecodedDepth{.image = std::move(*image), .mode = packet->header.mode, .key_frame = is_key(*packet)};
+  return DecodedDepth{.image = std::move(*image),
+                      .mode = packet->header.mode,
+                      .key_frame = is_key(*packet),
+                      .window = packet->header.window};
 }
 
 }  // namespace telepalp::codec

@@ -2,41 +2,23 @@
 
 #include <utility>
 
-#include "codec/context/context_coding.h"
 #include "codec/fast/fast_coding.h"
+#include "codec/stream/window_coding.h"
 
 namespace telepalp::codec {
 namespace {
 
-std::span<const std::uint16_t> samples_of(const Reference& reference) noexcept {
-  if (reference.depth == nullptr) return {};
-  return reference.depth->samples;
-}
-
-WrittenPacket packet_of(const DepthImage& depth, PacketHeader header, std::string_view body) {
-  header.width = depth.width;
-  header.height = depth.height;
-  header.unit_m = depth.unit_m;
-  return write_packet(header, depth.samples, body);
-}
-
 WrittenPacket stored_packet(const DepthImage& depth, DepthMode mode) {
-  return packet_of(depth, {.mode = mode, .coding = Coding::Stored}, stored(depth).bytes);
-}
-
-PacketHeader header_of(DepthMode mode, const Slicing& slicing, const Reference& reference) {
-  PacketHeader header{.mode = mode, .coding = Coding::Contexts, .slices = static_cast<std::uint8_t>(slicing.slices)};
-  if (reference.depth == nullptr) return header;
-  header.coding = Coding::Dependent;
-  header.reference = reference.crc;
-  header.since_key = reference.since_key;
-  return header;
+  const PacketHeader header{
+      .mode = mode, .coding = Coding::Stored, .width = depth.width, .height = depth.height, .unit_m = depth.unit_m};
+  return write_packet(header, depth.samples, stored(depth).bytes);
 }
 
 /// Fills the frame. False when the body is damaged.
 bool decode_body(const Packet& packet, const Reference& reference, DecodedFrame& frame) {
   const Coding coding = packet.header.coding;
   if (coding != Coding::Contexts && coding != Coding::Dependent) return decode_fast(packet, frame.depth.samples);
+  if (packet.header.window) return decode_window(packet, samples_of(reference), frame.depth.samples);
   frame.palette =
       decode_contexts(packet, {samples_of(reference), reference.palette}, frame.depth.samples, context_kernel());
   return frame.palette.has_value();
@@ -44,10 +26,31 @@ bool decode_body(const Packet& packet, const Reference& reference, DecodedFrame&
 
 }  // namespace
 
+std::span<const std::uint16_t> samples_of(const Reference& reference) noexcept {
+  if (reference.depth == nullptr) return {};
+  return reference.depth->samples;
+}
+
+PacketHeader header_of(DepthMode mode, const DepthImage& depth, const Slicing& slicing, const Reference& reference) {
+  PacketHeader header{.mode = mode,
+                      .coding = Coding::Contexts,
+                      .slices = static_cast<std::uint8_t>(slicing.slices),
+                      .width = depth.width,
+                      .height = depth.height,
+                      .unit_m = depth.unit_m};
+  if (reference.depth == nullptr) return header;
+  header.coding = Coding::Dependent;
+  header.reference = reference.crc;
+  header.since_key = reference.since_key;
+  return header;
+}
+
 WrittenPacket write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference) {
   if (mode != DepthMode::Fast) return write_lossless(depth, palette_of(depth.samples), mode, reference);
   const Body body = encode_fast(depth);
-  return packet_of(depth, {.mode = mode, .coding = body.coding}, body.bytes);
+  const PacketHeader header{
+      .mode = mode, .coding = body.coding, .width = depth.width, .height = depth.height, .unit_m = depth.unit_m};
+  return write_packet(header, depth.samples, body.bytes);
 }
 
 WrittenPacket write_lossless(const DepthImage& depth, const LevelPalette& palette, DepthMode mode,
@@ -56,7 +59,8 @@ WrittenPacket write_lossless(const DepthImage& depth, const LevelPalette& palett
   const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
   const std::optional<std::string> body =
       encode_contexts(frame, depth.width, {samples_of(reference), reference.palette}, slicing, context_kernel());
-  return body ? packet_of(depth, header_of(mode, slicing, reference), *body) : stored_packet(depth, mode);
+  return body ? write_packet(header_of(mode, depth, slicing, reference), depth.samples, *body)
+              : stored_packet(depth, mode);
 }
 
 CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette, ReconstructionLevels& reconstruction,
@@ -68,7 +72,7 @@ CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette, Re
   if (!body) return {.packet = stored_packet(depth, DepthMode::Bounded), .depth = depth, .palette = palette};
   DepthImage moved = depth;
   put_levels(frame.ranks, frame.palette, moved.samples);
-  WrittenPacket packet = packet_of(moved, header_of(DepthMode::Bounded, slicing, reference), *body);
+  WrittenPacket packet = write_packet(header_of(DepthMode::Bounded, depth, slicing, reference), moved.samples, *body);
   return {.packet = std::move(packet), .depth = std::move(moved), .palette = std::move(frame.palette)};
 }
 

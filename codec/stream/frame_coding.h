@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "codec/bounded/reconstruction.h"
+#include "codec/context/context_coding.h"
 #include "codec/levels/level_palette.h"
 #include "codec/packet/depth_packet.h"
 #include "proto/words/rgbd_frame.h"
@@ -30,8 +32,15 @@ struct Reference {
 struct CodedFrame {
   WrittenPacket packet;
   DepthImage depth;
-  LevelPalette palette;
+  std::optional<LevelPalette> palette = {};  ///< of `depth`; nullopt: not known yet
 };
+
+/// The samples of the reference frame; empty for a key frame.
+[[nodiscard]] std::span<const std::uint16_t> samples_of(const Reference& reference) noexcept;
+
+/// The header of a packet whose body codes `depth` in contexts.
+[[nodiscard]] PacketHeader header_of(DepthMode mode, const DepthImage& depth, const Slicing& slicing,
+                                     const Reference& reference);
 
 /// Codes `depth` near-losslessly: each pixel moves, within its bound, to a depth that costs few bits. `palette`: of
 /// `depth`. `reconstruction`: the depths to which pixels may move (codec/bounded/reconstruction.h).
@@ -40,7 +49,7 @@ struct CodedFrame {
 
 struct DecodedFrame {
   DepthImage depth;
-  std::optional<LevelPalette> palette;  ///< nullopt: the packet's coding is neither Contexts nor Dependent
+  std::optional<LevelPalette> palette;  ///< nullopt: not known, because of the packet's coding or window
 };
 
 /// Decodes a packet. The decoded samples must match the header's crc.

@@ -19,7 +19,8 @@ clang++-14 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi
   codec/fast/token_reader.cpp codec/fast/token_writer.cpp codec/levels/disparity_law.cpp \
   codec/levels/level_palette.cpp codec/model/depth_tables.cpp codec/packet/depth_packet.cpp \
   codec/stream/depth.cpp codec/stream/depth_stream.cpp codec/stream/frame_coding.cpp \
-  codec/stream/packet_decoder.cpp proto/words/rgbd_frame.cpp \
+  codec/stream/packet_decoder.cpp codec/stream/window_coding.cpp \
+  proto/words/depth/depth_window.cpp proto/words/rgbd_frame.cpp \
   /usr/lib/wasm32-wasi/crt1-reactor.o -L/usr/lib/wasm32-wasi -L/usr/lib/llvm-14/lib/wasm32-wasi -lc++ -lc++abi -lc \
   -Wl,--no-entry -Wl,--export=_initialize -Wl,--gc-sections -Wl,--strip-all -Wl,--allow-undefined \
   -o "$work/depth_decoder.wasm"

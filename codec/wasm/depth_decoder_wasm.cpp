@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace {
 std::vector<std::byte> g_packet;  // one decoder per module; each worker has its own instance
 telepalp::codec::DepthDecoder g_decoder;
 DepthImage g_depth;
+std::optional<telepalp::DepthWindow> g_window;
 std::string g_problem;
 
 }  // namespace
@@ -38,6 +40,7 @@ TELEPALP_EXPORT(decode)()->std::int32_t {
     return 0;
   }
   g_depth = *std::move(depth);
+  g_window = telepalp::codec::inspect_depth(g_packet)->window;
   return 1;
 }
 
@@ -45,6 +48,21 @@ TELEPALP_EXPORT(width)()->std::int32_t { return g_depth.width; }
 TELEPALP_EXPORT(height)()->std::int32_t { return g_depth.height; }
 TELEPALP_EXPORT(unit_m)()->double { return g_depth.unit_m; }
 TELEPALP_EXPORT(samples)()->const std::uint16_t* { return g_depth.samples.data(); }
+/// The window's numbers in the order of the packet: 0 to 3 its rectangle, 4 and 5 the bound beside it, 6 and 7 the
+/// bound at the border (least_m, then per_m). -1 for each: the image has no window.
+TELEPALP_EXPORT(window)(std::int32_t index)->double {
+  if (!g_window) return -1.0;
+  const auto& [exact, near, border] = *g_window;
+  const double numbers[] = {static_cast<double>(exact.column),
+                            static_cast<double>(exact.row),
+                            static_cast<double>(exact.width),
+                            static_cast<double>(exact.height),
+                            near.least_m,
+                            near.per_m,
+                            border.least_m,
+                            border.per_m};
+  return index >= 0 && index < 8 ? numbers[index] : -1.0;
+}
 TELEPALP_EXPORT(problem)()->const char* { return g_problem.c_str(); }
 
 // A failed demand() cannot print here; its trap reaches JavaScript as an exception.

@@ -50,7 +50,7 @@ constexpr std::array kBenches{
     bench::Bench{"station", "jitter of the 2 kHz thread, and calibration under noise", bench::run_station},
     bench::Bench{"synthetic", "time and depth error of the synthetic patient", bench::run_synthetic},
     bench::Bench{"surface", "touch of a noisy, moving surface: time, error and steadiness", bench::run_surface},
-    bench::Bench{"thin", "colour as video beside pictures: bytes at equal quality, time", bench::run_thin},
+    bench::Bench{"thin", "depth in a window, colour as video: bytes, accuracy, time", bench::run_thin},
     bench::Bench{"users", "programs and page, driven as a user drives them, under faults", bench::run_users},
 };
 
@@ -59,8 +59,8 @@ program::Usage usage() {
                        .purpose = "measures one part of telepalp and compares it with its budget",
                        .positional = {},
                        .options = {{"json", "", "print JSON instead of a table"},
-                                   {"input", "FILE|DIR", "depth, needle: data; link, pipeline, thin: a --source"},
-                                   {"part", "NAME", "accuracy, mixed, needle, site, users: only this part"},
+                                   {"input", "FILE|DIR", "depth, needle, thin: data; link, pipeline: a --source"},
+                                   {"part", "NAME", "accuracy, mixed, needle, site, thin, users: only this part"},
                                    {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
                                    {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                                    {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},

@@ -29,17 +29,21 @@ function decoder() {
   return (packet) => {
     view(wasm.packet(packet.length), packet.length).set(packet);
     if (wasm.decode() === 0) return undefined;
-    return [...new Uint16Array(wasm.memory.buffer, wasm.samples(), wasm.width() * wasm.height())];
+    const samples = [...new Uint16Array(wasm.memory.buffer, wasm.samples(), wasm.width() * wasm.height())];
+    const window = Array.from({length: 8}, (_, index) => wasm.window(index));
+    return {samples, window: window[0] === -1 ? undefined : window};
   };
 }
 
 let frames = 0;
-for (const mode of ['fast', 'intra', 'temporal', 'bounded']) {
+for (const mode of ['fast', 'intra', 'temporal', 'bounded', 'window_intra', 'window_temporal']) {
   const decode = decoder();
   for (let i = 0; i < 3; ++i) {
     const stem = join(folder, `${mode}_${i}`);
     const packet = readFileSync(`${stem}.tpd`);
-    const expected = readFileSync(`${stem}.pgm`, 'utf8').split('\n').slice(4).join(' ').trim().split(/\s+/).map(Number);
+    const [, comment, , , ...rows] = readFileSync(`${stem}.pgm`, 'utf8').split('\n');
+    const stated = /exact (.*), near (.*), border (.*)/.exec(comment)?.slice(1).join(' ').split(' ').map(Number);
+    const expected = {samples: rows.join(' ').trim().split(/\s+/).map(Number), window: stated};
     const damaged = Uint8Array.from(packet);
     damaged[packet.length >> 1] ^= 0x10;
     assert.equal(decode(damaged), undefined, `${stem} damaged`);

@@ -44,6 +44,11 @@ inline DepthImage noise(int width, int height, unsigned seed) {
   return depth;
 }
 
+/// The three images of each golden sequence.
+inline DepthImage golden_frame(unsigned i) {
+  return i == 2 ? noise(24, 18, 9) : kinect_like(24, 18, i, static_cast<int>(i));
+}
+
 inline std::span<const std::byte> bytes_of(const std::string& packet) { return std::as_bytes(std::span(packet)); }
 
 }  // namespace telepalp::codec

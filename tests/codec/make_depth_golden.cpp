@@ -3,28 +3,44 @@
 
 #include <cstdio>
 #include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
 
 #include "codec/depth_stream.h"
 #include "tests/codec/depth_frames.h"
+#include "tests/codec/depth_windows.h"
 
 namespace telepalp::codec {
 namespace {
 
-void write(const std::string& stem, const std::string& packet, const DepthImage& depth) {
-  std::ofstream(stem + ".tpd", std::ios::binary) << packet;
-  std::ofstream readable(stem + ".pgm");
-  readable << "P2\n# unit_m " << depth.unit_m << "\n" << depth.width << ' ' << depth.height << "\n65535\n";
-  for (std::size_t i = 0; i < depth.samples.size(); ++i)
-    readable << depth.samples[i] << ((i + 1) % static_cast<std::size_t>(depth.width) == 0 ? '\n' : ' ');
+/// "# unit_m 0.001", and the window, if there is one: ", exact 6 4 10 8, near 0.002 0.0057, border 0.002 0.0057".
+std::string comment_of(const DecodedDepth& depth) {
+  std::ostringstream text;
+  text << "# unit_m " << depth.image.unit_m;
+  if (!depth.window) return text.str();
+  const auto& [exact, near, border] = *depth.window;
+  text << ", exact " << exact.column << ' ' << exact.row << ' ' << exact.width << ' ' << exact.height << ", near "
+       << near.least_m << ' ' << near.per_m << ", border " << border.least_m << ' ' << border.per_m;
+  return text.str();
 }
 
-void write_sequence(const std::string& folder, DepthMode mode) {
+void write(const std::string& stem, const std::string& packet, const DecodedDepth& depth) {
+  std::ofstream(stem + ".tpd", std::ios::binary) << packet;
+  std::ofstream readable(stem + ".pgm");
+  const DepthImage& image = depth.image;
+  readable << "P2\n" << comment_of(depth) << "\n" << image.width << ' ' << image.height << "\n65535\n";
+  for (std::size_t i = 0; i < image.samples.size(); ++i)
+    readable << image.samples[i] << ((i + 1) % static_cast<std::size_t>(image.width) == 0 ? '\n' : ' ');
+}
+
+void write_sequence(const std::string& stem, DepthMode mode, bool has_window) {
   DepthEncoder encoder({.mode = mode});
-  DepthDecoder decoder;
+  DepthReader reader;
   for (unsigned i = 0; i < 3; ++i) {
-    const DepthImage depth = i == 2 ? noise(24, 18, 9) : kinect_like(24, 18, i, static_cast<int>(i));
-    const std::string packet = encoder.encode(depth).bytes;
-    write(folder + "/" + std::string(name(mode)) + "_" + std::to_string(i), packet, *decoder.decode(bytes_of(packet)));
+    const auto window = has_window ? std::optional(golden_window(i)) : std::nullopt;
+    const std::string packet = encoder.encode(golden_frame(i), window).bytes;
+    write(stem + "_" + std::to_string(i), packet, *reader.read(bytes_of(packet)));
   }
 }
 
@@ -37,7 +53,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "error: name the folder to write to\n");
     return 2;
   }
+  const std::string folder = std::string(argv[1]) + "/";
   for (const DepthMode mode : {DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal, DepthMode::Bounded})
-    telepalp::codec::write_sequence(argv[1], mode);
+    telepalp::codec::write_sequence(folder + std::string(telepalp::codec::name(mode)), mode, false);
+  for (const DepthMode mode : {DepthMode::Intra, DepthMode::Temporal})
+    telepalp::codec::write_sequence(folder + "window_" + std::string(telepalp::codec::name(mode)), mode, true);
   return 0;
 }

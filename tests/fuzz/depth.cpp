@@ -3,6 +3,7 @@
 #include "codec/context/context_coding.h"
 #include "codec/depth_stream.h"
 #include "codec/stream/frame_coding.h"
+#include "codec/stream/window_coding.h"
 #include "proto/words/demand.h"
 
 namespace {
@@ -39,6 +40,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const DepthImage before = some_frame(header.width, header.height);
   const FrameBefore reference = header.coding == Coding::Dependent ? FrameBefore{before.samples} : FrameBefore{};
   std::vector<std::uint16_t> plain(header.pixels());
+  if (header.window) {
+    (void)decode_window(*packet, reference.samples, plain);
+    return 0;
+  }
   const bool plain_done = decode_contexts(*packet, reference, plain, portable_context_kernel()).has_value();
   if (v3_context_kernel() == nullptr) return 0;
   std::vector<std::uint16_t> vector(header.pixels());

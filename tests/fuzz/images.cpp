@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 
 #include "codec/depth_stream.h"
 #include "proto/words/demand.h"
@@ -12,25 +13,36 @@ using namespace telepalp;
 using namespace telepalp::codec;
 
 constexpr std::size_t kFrames = 3;
-constexpr std::size_t kHead = 4;  // the first bytes select mode and unit, width, and the bound's two numbers
+constexpr std::size_t kHead = 4;  // the first bytes select mode, unit and window, width, and the bound's two numbers
 
 std::uint16_t sample_at(const std::uint8_t* data, std::size_t index) {
   return static_cast<std::uint16_t>(data[2 * index] | data[2 * index + 1] << 8);
 }
 
-/// Largest allowed change of a sample, in units.
-double most_moved(const DepthStreamSettings& settings, int sample, double unit_m) {
-  return settings.mode == DepthMode::Bounded ? settings.bound.at(sample * unit_m) / unit_m + 1e-6 : 0.0;
+/// A window in an image of that size, from three bytes; nullopt unless the first byte asks for one.
+std::optional<DepthWindow> window_of(const std::uint8_t* data, int width, int height) {
+  if ((data[0] & 8) == 0) return std::nullopt;
+  const PixelRect exact{
+      .column = data[2] % width, .row = data[3] % height, .width = 1 + data[3] % width, .height = 1 + data[2] % height};
+  return window_around(*clipped(exact, width, height), static_cast<WindowGrowth>(data[0] >> 4 & 1));
 }
 
-void demand_kept(const DepthImage& sent, const DepthImage& got, const DepthStreamSettings& settings) {
+/// The bound of a pixel; nullopt: it is exact.
+std::optional<DepthErrorBound> bound_of(const EncodedDepth& encoded, const DepthImage& image, int column, int row) {
+  return encoded.window ? bound_at(*encoded.window, image.width, image.height, column, row) : encoded.bound;
+}
+
+void demand_kept(const DepthImage& sent, const DepthImage& got, const EncodedDepth& encoded) {
   demand(got.width == sent.width && got.height == sent.height && got.unit_m == sent.unit_m, "the same frame");
-  for (std::size_t i = 0; i < sent.samples.size(); ++i) {
-    const int was = sent.samples[i];
-    const int is = got.samples[i];
-    demand((was == 0) == (is == 0), "holes stay holes, and depths depths");
-    demand(std::abs(is - was) <= most_moved(settings, was, sent.unit_m), "no depth beyond its bound");
-  }
+  for (int row = 0; row < sent.height; ++row)
+    for (int column = 0; column < sent.width; ++column) {
+      const int was = sent.at(column, row);
+      const int is = got.at(column, row);
+      const std::optional<DepthErrorBound> bound = bound_of(encoded, sent, column, row);
+      const double most = bound ? bound->at(was * sent.unit_m) / sent.unit_m + 1e-6 : 0.0;
+      demand((was == 0) == (is == 0), "holes stay holes, and depths depths");
+      demand(std::abs(is - was) <= most, "no depth beyond its bound");
+    }
 }
 
 }  // namespace
@@ -53,11 +65,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                      .samples = {}};
     for (std::size_t i = 0; i < width * height; ++i)
       depth.samples.push_back(sample_at(data + kHead, frame * samples + i));
-    const std::string packet = encoder.encode(depth).bytes;
-    demand(packet.size() <= 2 * depth.samples.size() + 64, "a packet is never much larger than its frame");
-    const Result<DepthImage> back = decoder.decode(std::as_bytes(std::span(packet)));
+    const EncodedDepth encoded = encoder.encode(depth, window_of(data, depth.width, depth.height));
+    demand(encoded.bytes.size() <= 2 * depth.samples.size() + 72, "a packet is never much larger than its frame");
+    const Result<DepthImage> back = decoder.decode(std::as_bytes(std::span(encoded.bytes)));
     demand(back.ok(), "what was encoded can be decoded");
-    demand_kept(depth, *back, settings);
+    demand_kept(depth, *back, encoded);
   }
   return 0;
 }

@@ -8,19 +8,14 @@
 
 #include "codec/context/kernel.h"
 #include "codec/depth_stream.h"
-#include "codec/levels/level_palette.h"
-#include "proto/words/numbers/quantile.h"
-#include "server/capture/capture_source.h"
 #include "tests/bench/depth/depth_asked.h"
 #include "tests/bench/depth/depth_peers.h"
+#include "tests/bench/depth/depth_set.h"
 #include "tests/bench/distribution.h"
-#include "tools/codec_tool/depth_files.h"
 
 namespace telepalp::bench {
 namespace {
 
-constexpr std::size_t kSyntheticFrames = 20;
-constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of samples held in memory: 1700 frames of 640 x 480
 constexpr std::size_t kFrameTimes = 60;  // least number of measured frames per codec; small sets are repeated
 constexpr double kMostSeconds = 3;       // of one codec
 
@@ -29,38 +24,6 @@ double cpu_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-struct Frames {
-  std::vector<DepthImage> images;
-  std::size_t left_out = 0;  ///< beyond kMostBytes
-};
-
-/// The frames of `input` that fit into memory; frames of the synthetic patient if `input` is empty.
-Result<Frames> frames_of(const std::string& input) {
-  Frames frames;
-  std::size_t bytes = 0;
-  if (!input.empty()) {
-    const Result<void> read =
-        codec_tool::for_each_depth(input, 0.001, [&](codec_tool::NamedDepth named) -> Result<void> {
-          bytes += 2 * named.depth.samples.size();
-          if (bytes <= kMostBytes)
-            frames.images.push_back(std::move(named.depth));
-          else
-            ++frames.left_out;
-          return {};
-        });
-    if (!read) return read.error();
-  } else {
-    auto source =
-        capture::open_source("synthetic", {.clock = wire::SessionClock{Nanoseconds{0}}, .loop = true, .paced = false});
-    if (!source) return source.error();
-    while (frames.images.size() < kSyntheticFrames)
-      if (auto frame = (*source)->next(std::chrono::milliseconds{100}))
-        frames.images.push_back(std::move(frame->depth));
-  }
-  if (frames.images.empty()) return Error{.what = "holds no depth image", .where = input, .fix = "give depth images"};
-  return frames;
 }
 
 /// Results of one codec over all frames.
@@ -147,12 +110,6 @@ Measured measure_mode(const std::vector<DepthImage>& frames, codec::DepthMode mo
       yard);
 }
 
-double raw_bytes(const std::vector<DepthImage>& frames) {
-  double bytes = 0.0;
-  for (const DepthImage& frame : frames) bytes += 2.0 * static_cast<double>(frame.samples.size());
-  return bytes;
-}
-
 void add_rows(const std::string& name, const Measured& measured, double raw, double ratio_asked, Report& report) {
   const std::string ratio = name + ": compression ratio";
   report.rows.push_back(ratio_asked > 0.0 ? at_least(ratio, raw / measured.bytes, "", ratio_asked)
@@ -192,29 +149,13 @@ TimesAsked times_asked(codec::DepthMode mode) {
 constexpr std::array kModes{codec::DepthMode::Fast, codec::DepthMode::Intra, codec::DepthMode::Temporal,
                             codec::DepthMode::Bounded};
 
-/// True if the levels are those of a Kinect v1: about 2.85 mm apart at 1 m, and farther with the square of depth. The
-/// budgets of time are for its frames: zstd takes a third of the time for an empty frame, and twice for noise.
-bool is_kinects(const DepthImage& frame) {
-  constexpr double kStep_per_m = 2.85e-3;
-  constexpr std::size_t kFewest = 16;
-  std::vector<double> steps;
-  const std::vector<std::uint16_t> levels = codec::palette_of(frame.samples).levels;
-  for (std::size_t i = 2; i < levels.size(); ++i) {
-    const double near_m = levels[i - 1] * frame.unit_m;
-    const double far_m = levels[i] * frame.unit_m;
-    if (near_m >= 1.0) steps.push_back((far_m - near_m) / (near_m * far_m));  // nearer levels are rounded too coarsely
-  }
-  if (steps.size() < kFewest) return false;
-  return std::abs(median_of(steps) / kStep_per_m - 1.0) < 0.1;
-}
-
 /// The geometric mean of each mode's ratio over several sets of Kinect frames that were not used for training.
 Result<void> add_held_out(const std::string& sets, Report& report) {
   std::array<double, kModes.size()> log_ratio{};
   int count = 0;
   std::istringstream names(sets);
   for (std::string name; std::getline(names, name, ',');) {
-    const Result<Frames> frames = frames_of(name);
+    const Result<DepthSet> frames = depth_set_of(name);
     if (!frames) return frames.error();
     ++count;
     for (std::size_t i = 0; i < kModes.size(); ++i)
@@ -234,7 +175,7 @@ Result<Report> run_depth(const program::Arguments& arguments) {
   // Further recordings, after a comma, are those on which the codec's tables were not trained.
   const std::string inputs = arguments.text("input");
   const std::string first = inputs.substr(0, inputs.find(','));
-  const Result<Frames> read = frames_of(first);
+  const Result<DepthSet> read = depth_set_of(first);
   if (!read) return read.error();
   const std::vector<DepthImage>& frames = read->images;
   const RatiosAsked* asked_ratios = ratios_asked(frames.front());

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "codec/color.h"
@@ -12,6 +13,7 @@
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
 #include "tests/bench/thin/ssim.h"
+#include "tests/bench/thin/window_rows.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -152,13 +154,10 @@ Result<void> add_default_rows(Report& report, const Film& film, const std::strin
   return {};
 }
 
-}  // namespace
-
-Result<Report> run_thin(const program::Arguments& arguments) {
-  Report report{.bench = "thin", .rows = {}, .notes = {}};
+Result<void> add_color_rows(Report& report, const std::string& input) {
   std::vector<std::pair<std::string, std::string>> films{{"synthetic patient", "synthetic"},
                                                          {"recorded room", std::string("oni:") + kRoom}};
-  if (arguments.has("input")) films.emplace_back("--input", arguments.text("input"));
+  if (!input.empty()) films.emplace_back("--input", input);
   for (const auto& [name, spec] : films) {
     const Result<Film> film = film_of(spec);
     if (!film) return film.error();
@@ -173,7 +172,27 @@ Result<Report> run_thin(const program::Arguments& arguments) {
   report.notes.emplace_back(
       "a film of fewer than " + std::to_string(kFrames) +
       " images runs forwards and backwards at 30 Hz; the recorded room's images were JPEG before");
-  report.notes.emplace_back("times: processor time of one thread; SSIM of luma, windows of 8 x 8");
+  report.notes.emplace_back("SSIM of luma, windows of 8 x 8");
+  return {};
+}
+
+}  // namespace
+
+Result<Report> run_thin(const program::Arguments& arguments) {
+  Report report{.bench = "thin", .rows = {}, .notes = {}};
+  const std::string part = arguments.text("part");
+  const std::string input = arguments.text("input");
+  if (!part.empty() && part != "color" && part != "window")
+    return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color or window"};
+  if (part.empty() && !input.empty())
+    return Error{.what = "the input may be colour or depth",
+                 .where = "--input",
+                 .fix = "add --part color for a --source of the server, or --part window for sets of depth"};
+  if (part != "window")
+    if (const auto added = add_color_rows(report, input); !added) return added.error();
+  if (part != "color")
+    if (const auto added = add_window_rows(report, input); !added) return added.error();
+  report.notes.emplace_back("times: processor time of one thread");
   return report;
 }
 

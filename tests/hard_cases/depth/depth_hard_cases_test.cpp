@@ -5,6 +5,7 @@
 
 #include "codec/depth_stream.h"
 #include "tests/codec/depth_frames.h"
+#include "tests/codec/depth_windows.h"
 
 namespace telepalp::codec {
 namespace {
@@ -103,6 +104,29 @@ TEST_P(DepthHardCase, MayFollowAnyOtherInOneStream) {
       ASSERT_TRUE(back.ok()) << hard << ": " << to_string(back.error());
       expect_kept(*back, hard.depth, GetParam(), hard);
     }
+}
+
+/// A window in the middle third of an image, or all of an image that is smaller than that.
+DepthWindow middle_of(const DepthImage& depth, WindowGrowth growth) {
+  const int width = std::max(1, depth.width / 3);
+  const int height = std::max(1, depth.height / 3);
+  return window_around({(depth.width - width) / 2, (depth.height - height) / 2, width, height}, growth);
+}
+
+TEST(DepthWindowHardCase, IsExactInTheWindowAndWithinItsBoundAroundIt) {
+  for (const DepthMode mode : {DepthMode::Intra, DepthMode::Temporal}) {
+    DepthEncoder encoder({.mode = mode});
+    DepthDecoder decoder;
+    for (const WindowGrowth growth : {WindowGrowth::Flat, WindowGrowth::Growing, WindowGrowth::Flat})
+      for (const DepthCase& hard : hard_cases()) {
+        const DepthWindow window = middle_of(hard.depth, growth);
+        const std::string packet = encoder.encode(hard.depth, window).bytes;
+        EXPECT_LE(packet.size(), hard.depth.samples.size() * 2 + 72) << hard;
+        const Result<DepthImage> back = decoder.decode(bytes_of(packet));
+        ASSERT_TRUE(back.ok()) << hard << ": " << to_string(back.error());
+        expect_within(*back, hard.depth, window, hard);
+      }
+  }
 }
 
 TEST_P(DepthHardCase, ASetOfLevelsThatChangesEachFrameIsCarried) {

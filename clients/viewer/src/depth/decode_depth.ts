@@ -1,11 +1,28 @@
 import {decompress} from 'fzstd';
 
+/** The error at a depth of z metres is at most max(least_m, per_m z²) metres. */
+export interface DepthErrorBound {
+  least_m: number;
+  per_m: number;
+}
+
+/** Where a frame is exact [pixels], and its error bounds beside that window and at the frame's border. */
+export interface DepthWindow {
+  column: number;
+  row: number;
+  width: number;
+  height: number;
+  near: DepthErrorBound;
+  border: DepthErrorBound;
+}
+
 /** Depth along the optical axis: `samples[row * width + column] * unit_m` metres, 0 where nothing was measured. */
 export interface DepthFrame {
   width: number;
   height: number;
   unit_m: number;
   samples: Uint16Array;
+  window?: DepthWindow;  // undefined: the frame is as its message states everywhere
 }
 
 /** The functions of the compiled decoder; see codec/wasm/depth_decoder_wasm.cpp. */
@@ -18,6 +35,7 @@ interface Decoder {
   height(): number;
   unit_m(): number;
   samples(): number;
+  window(index: number): number;
   problem(): number;
 }
 
@@ -47,7 +65,18 @@ function decodeWith(wasm: Decoder, packet: Uint8Array): DepthFrame {
   if (wasm.decode() === 0) throw new Error(`depth packet: ${text(wasm.memory, wasm.problem())}`);
   const [width, height] = [wasm.width(), wasm.height()];
   const samples = new Uint16Array(wasm.memory.buffer, wasm.samples(), width * height).slice();
-  return {width, height, unit_m: wasm.unit_m(), samples};
+  const window = windowOf(wasm);
+  return {width, height, unit_m: wasm.unit_m(), samples, ...(window && {window})};
+}
+
+function windowOf({window}: Decoder): DepthWindow | undefined {
+  if (window(0) < 0) return undefined;
+  const [column, row, width, height] = [window(0), window(1), window(2), window(3)];
+  return {
+    column, row, width, height,
+    near: {least_m: window(4), per_m: window(5)},
+    border: {least_m: window(6), per_m: window(7)},
+  };
 }
 
 function instantiate(module: WebAssembly.Module): Decoder {
