@@ -21,9 +21,9 @@ struct LayeredTissueSettings {
 ///
 /// Its forces come from anchors that follow the tip, which are state (effect.h). So EffectBank keeps holds_N() of the
 /// device's force for it, and gives the springs of the scene the rest. Where the tissue's wrench exceeds this share, in
-/// force or in torque, all anchors move towards the needle, which dissipates energy. This also holds for nets that lie
-/// so close that the tip pushes two of them at once: they may yield before they are punctured. Holes last from one
-/// contact to the next; forces do not. The skin is weaker only while the needle is in a hole.
+/// force or in torque, all anchors move towards the needle, which dissipates energy. On a device that can give
+/// holds_N() this does not happen, also where the tip pushes several nets at once: each is punctured by its own force.
+/// Holes last from one contact to the next; forces do not. The skin is weaker only while the needle is in a hole.
 class LayeredTissue {
  public:
   static constexpr const char* kName = "layered_tissue";

@@ -87,4 +87,20 @@ std::vector<SceneObject> objects_of(const Scene& scene) {
   return objects.all;
 }
 
+std::optional<SceneNeedle> needle_of(const Scene& scene) {
+  constexpr double kLong_m = 0.1;
+  for (const effects::Recipe& recipe : scene.effects) {
+    const auto* given = std::get_if<effects::LayeredTissueSettings>(&recipe);
+    if (given == nullptr || !given->model) continue;
+    const tissue::TissueSettings& settings = tissue::settings_of(*given->model);
+    double deep_m = settings.layers.back().top_m + settings.layers.back().thickness_m;
+    for (const tissue::LayerSettings& layer : settings.layers)
+      if (layer.surface) deep_m = layer.top_m;
+    const Eigen::Vector3d tip_m = settings.at_m - deep_m * Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d along_m = given->tip_m.isZero() ? Eigen::Vector3d(0.0, -kLong_m, 0.0) : given->tip_m;
+    return SceneNeedle{tip_m, tip_m - along_m};
+  }
+  return std::nullopt;
+}
+
 }  // namespace telepalp::scenes

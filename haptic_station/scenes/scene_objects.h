@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,15 @@ struct SceneObject {
 /// The objects of the scene for pictures, in the order of the effects: layers, cylinders, spheres, organs, and the
 /// stiff regions of the skin as flat discs. Skin and friction cover the whole body and have no object.
 [[nodiscard]] std::vector<SceneObject> objects_of(const Scene& scene);
+
+/// A needle in a picture of a scene, as a line [m, in H].
+struct SceneNeedle {
+  Eigen::Vector3d tip_m;
+  Eigen::Vector3d held_m;  ///< its other end
+};
+
+/// The needle of the scene's layered tissue, with its tip at the innermost net; nullopt without layers. A needle whose
+/// tip is the device point stands upright and is drawn 100 mm long.
+[[nodiscard]] std::optional<SceneNeedle> needle_of(const Scene& scene);
 
 }  // namespace telepalp::scenes

@@ -166,22 +166,7 @@ double LayeredTissue::stiffness_N_per_m() const noexcept {
   return sum;
 }
 
-double LayeredTissue::most_N() const noexcept {
-  const TissueSettings& settings = model_->settings;
-  double sum = 0.0;
-  double whole = 0.0;
-  double end_m = 0.0;
-  for (const LayerSettings& layer : settings.layers) {
-    if (layer.surface) {
-      sum += layer.surface->friction_N;
-      whole = std::max(whole, layer.surface->punctures_at_N);
-    }
-    if (layer.bulk)
-      sum += layer.bulk->slips_at_N + layer.bulk->slips_at_N_per_m * layer.thickness_m + layer.bulk->cuts_at_N;
-    end_m = layer.top_m + layer.thickness_m;
-  }
-  return sum + whole + (settings.shaft.side_N_per_m > 0.0 ? settings.shaft.tears_at_N_per_m * end_m : 0.0);
-}
+double LayeredTissue::most_N() const noexcept { return model_->most_N; }
 
 /// The tip cuts in at most two layers at once, where one ends and the next begins.
 double LayeredTissue::stiffest_N_per_m() const noexcept {

@@ -70,8 +70,8 @@ class LayeredTissue {
   /// Upper bound of the stiffness of the layers that act now: |change of force| / |motion| where nothing slips or
   /// ruptures.
   [[nodiscard]] double stiffness_N_per_m() const noexcept;
-  /// The greatest force that a tissue of these settings gives while the tip pushes at most one net, except where a fast
-  /// tick overshoots a puncture. Nets that lie so close that the tip pushes two of them at once can give more.
+  /// The greatest force that a tissue of these settings gives (build/force_bound.h), also while the tip pushes several
+  /// nets at once, except where a fast tick overshoots a puncture, or a damper of S4's eq. (5) is pulled fast.
   [[nodiscard]] double most_N() const noexcept;
   /// Greatest stiffness of all layers together at the middle of the nets. Near its fixed rim, a net is stiffer.
   [[nodiscard]] double stiffest_N_per_m() const noexcept;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kHole_m = 0.0025;       ///< a tip at most this far from a hole enters it
 constexpr double kJustInside_m = 0.005;  ///< a tip at most this far below the surface counts as come from outside
-constexpr double kStiffestShare = 3.0;   ///< greatest stiffness of the net, near its fixed rim, relative to its middle
 
 }  // namespace
 
@@ -47,7 +46,7 @@ void PuncturedSurface::touch(const TissueModel& model, const MeshPoint& at, doub
   contact_ = at;
   plane_m_ = at.at_m;
   out_ = side * model.mesh.normal(at.triangle);
-  stiffness_ = std::clamp(model.stiffness.at(at.triangle, at.shares), 0.1, kStiffestShare);
+  stiffness_ = model.stiffness.felt_at(at.triangle, at.shares);
   whole_ = 1.0;
   spring_ = {};
   drag_ = {};
@@ -116,7 +115,7 @@ void PuncturedSurface::slide(const TissueModel& model, const LayerSettings& laye
   const Vector3d to_m = contact_.at_m + (1.0 - kept) * (bent_m - bent_m.dot(out_) * out_);
   spring_.shorten_across(out_, kept);
   contact_ = model.tree.nearest(to_m);
-  stiffness_ = std::min(stiffness_, std::max(0.1, model.stiffness.at(contact_.triangle, contact_.shares)));
+  stiffness_ = std::min(stiffness_, model.stiffness.felt_at(contact_.triangle, contact_.shares));
 }
 
 void PuncturedSurface::puncture(const Vector3d& tip_m) noexcept {

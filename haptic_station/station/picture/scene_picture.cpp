@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "haptic_station/effects/presets/tissue_presets.h"
+#include "haptic_station/station/picture/drawn_needle.h"
 #include "haptic_station/station/picture/ground.h"
 #include "haptic_station/station/picture/picture_view.h"
 #include "haptic_station/station/picture/pixels.h"
@@ -93,6 +94,7 @@ std::vector<LegendLine> legend_of(const scenes::Scene& scene, const std::vector<
   }
   lines.push_back({kSkin, "skin" + tissue + (friction ? " with friction" : "") +
                               (is_model ? "" : " (drawn flat; its shape comes from the camera)")});
+  if (scenes::needle_of(scene)) lines.push_back({kInk, "needle, at the innermost net"});
   return lines;
 }
 
@@ -169,6 +171,7 @@ ColorImage picture_of_scene(const scenes::Scene& scene, std::span<const SkinPoin
   std::vector<solids::PaintedSolid> painted;
   for (std::size_t i = 0; i < objects.size(); ++i) painted.push_back({objects[i].tree.get(), color_of(i)});
   ColorImage picture = through_skin(solids::picture_of(painted, view), ground_of(view, skin, kSamples));
+  if (const auto needle = scenes::needle_of(scene)) draw_needle(picture, view, *needle);
   draw_scale(picture, view);
   draw_directions(picture, directions);
   const std::vector<LegendLine> legend = legend_of(scene, objects, !skin.empty());

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "tests/bench/needle/section.h"
@@ -41,8 +42,8 @@ Drop drop_of(const tissue::SurfaceSettings& given) {
   return drop;
 }
 
-/// Greatest change of the net's stiffness by one subdivision, over contacts on the line from the middle to a rim's
-/// vertex, in steps of a tenth of the way. Beyond 0.8 of it, the load reaches the rim.
+/// Greatest change of the net's stiffness by one further subdivision, over contacts on the line from the middle to a
+/// rim's vertex, in steps of a tenth of the way, up to 0.8 of it.
 double change_by_subdivision(const tissue::TissueSettings& settings) {
   const tissue::SurfaceMesh mesh = tissue::lattice_disc(settings.net_radius_m, settings.net_edge_m);
   const tissue::TriangleTree tree(mesh);
@@ -50,11 +51,40 @@ double change_by_subdivision(const tissue::TissueSettings& settings) {
   for (int i = 0; i <= 8; ++i) {
     const tissue::MeshPoint at = tree.nearest({0.1 * i * settings.net_radius_m, 0.0, 0.03 * i * settings.net_radius_m});
     tissue::NetSettings net = settings.net;
-    net.subdivisions = 0;
     const double whole = tissue::net_compliance(mesh, net, at.triangle, at.shares);
-    net.subdivisions = 1;
+    ++net.subdivisions;
     worst = std::max(worst, std::abs(whole / tissue::net_compliance(mesh, net, at.triangle, at.shares) - 1.0));
   }
+  return worst;
+}
+
+/// Greatest relative step of the net's stiffness where a contact slides from one triangle to the next, and the
+/// subdivided part of the net with it. Contacts up to 0.8 of the net's radius.
+double step_to_the_next_triangle(const tissue::TissueSettings& settings) {
+  const tissue::SurfaceMesh mesh = tissue::lattice_disc(settings.net_radius_m, settings.net_edge_m);
+  const tissue::StiffnessMap map(mesh, settings.net);
+  struct Side {
+    std::uint32_t triangle;
+    int corner;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Side> first;
+  double worst = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = mesh.triangles()[t][i];
+      const std::uint32_t b = mesh.triangles()[t][(i + 1) % 3];
+      const auto [other, fresh] = first.try_emplace(std::minmax(a, b), Side{t, i});
+      if (fresh) continue;
+      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const Vector3d at_m = (1.0 - share) * mesh.vertices()[a] + share * mesh.vertices()[b];
+        if (at_m.norm() > 0.8 * settings.net_radius_m) continue;
+        Vector3d here = Vector3d::Zero();
+        Vector3d there = Vector3d::Zero();
+        here[i] = there[(other->second.corner + 1) % 3] = 1.0 - share;
+        here[(i + 1) % 3] = there[other->second.corner] = share;
+        worst = std::max(worst, std::abs(map.at(t, here) / map.at(other->second.triangle, there) - 1.0));
+      }
+    }
   return worst;
 }
 
@@ -76,6 +106,8 @@ std::vector<Row> run_needle_force_section() {
     }
     rows.push_back(at_most(std::string(name) + ": change of the force at a subdivision",
                            100.0 * change_by_subdivision(settings), "%", 1.0));
+    rows.push_back(at_most(std::string(name) + ": step of the net's stiffness from one triangle to the next",
+                           100.0 * step_to_the_next_triangle(settings), "%", 1.0));
   }
   return rows;
 }

@@ -111,8 +111,8 @@ AssertionResult at_the_threshold() {
                  {run.tissue.layer(0).state == LayerState::Inserted, "0.1 um more punctures"}});
 }
 
-/// The controller need only stay steady: the effect holds both nets together to LayeredTissue::most_N(), which counts
-/// one of them, so that they yield before one is punctured. What the nets themselves do is judged on the tissue alone.
+/// Through the controller, both nets push with their whole force, and both are punctured: at the end the two holes
+/// drag, and no net pushes. Which of them gives way first is seen on the tissue alone.
 AssertionResult two_at_once() {
   tissue::TissueSettings two = tissue::one_surface(1.0, 0.1);
   two.layers.push_back(two.layers[0]);
@@ -130,9 +130,33 @@ AssertionResult two_at_once() {
                (run.tissue.layer(1).state != LayerState::Inserted || run.tissue.layer(0).state == LayerState::Inserted);
   }
   return all_of({steady(needle),
+                 above("both push on the hand", needle.most_N, 1.8, 1.0, "N"),
+                 below_N("then both holes drag", needle.last_N, 0.21),
                  above("both push", both_N, 1.8, 1.0, "N"),
                  {in_order && run.tissue.layer(1).state == LayerState::Inserted, "the outer one is punctured first"},
                  below_N("then friction alone", run.force_N.norm(), 0.21)});
+}
+
+/// S4's law as printed drops the spring's force in the tick in which it slips, and the limiter spreads this over ticks.
+AssertionResult as_printed() {
+  constexpr double kLegs_s = 1.0;
+  const auto in_steps = [](double s) {  // 6 mm in 0.3 s, then a rest of 0.7 s, seven times
+    const double legs = std::floor(s / kLegs_s);
+    return Vector3d(0.0, 0.001 - 0.006 * (std::min(legs, 7.0) + (legs < 7.0 ? std::min(1.0, (s - legs) / 0.3) : 0.0)),
+                    0.0);
+  };
+  const Needle needle = drive(tissue::three_layers(1.0, tissue::BulkLaw::Paper), in_steps, 8.0);
+  tissue::Insertion run(tissue::three_layers(1.0, tissue::BulkLaw::Paper));
+  double slips = 0.0;
+  for (int i = 0; i < 16'000; ++i) {
+    const double before_N = run.force_N.y();
+    run.tick(in_steps(i * tissue::kTick_s));
+    if (before_N - run.force_N.y() > 0.2) ++slips;
+  }
+  Claim bounded = below_N("step", needle.felt.worst_step_N, kTick_N + 0.05);
+  bounded.holds = bounded.holds && needle.felt.finite && !needle.felt.faulted;
+  return all_of({bounded, below_mJ("ledger", needle.ledger_J, 0.1),
+                 above("sticks after a rest, and slips", slips, 3.0, 1.0, "times")});
 }
 
 AssertionResult thinner_than_a_tick() {
@@ -194,8 +218,10 @@ std::vector<HardCase> needle_rows() {
        edge_and_vertex},
       {"stopped exactly at a threshold", "rounding could puncture or chatter",
        "the force stays, and 0.1 um more punctures", at_the_threshold},
-      {"two layers at one place", "both are touched in one tick", "both push, the outer one gives way first",
+      {"two layers at one place", "both are touched in one tick", "both push the hand, the outer one gives way first",
        two_at_once},
+      {"S4's muscle as printed", "it slips in one tick, and sticks when coordinates repeat",
+       "the limiter spreads the step, and it sticks after each rest", as_printed},
       {"a layer thinner than a tick's way", "the tip is through it in one tick", "it is met and punctured",
        thinner_than_a_tick},
       {"withdrawn and put in again", "a second rupture would be wrong", "the hole is felt, not the skin", in_again},
