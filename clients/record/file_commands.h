@@ -8,5 +8,6 @@ int verify_command(int argc, const char* const* argv);
 int repair_command(int argc, const char* const* argv);
 int cut_command(int argc, const char* const* argv);
 int merge_command(int argc, const char* const* argv);
+int expire_command(int argc, const char* const* argv);
 
 }  // namespace telepalp::record

@@ -16,32 +16,34 @@ using namespace telepalp;
 constexpr const char* kProgram = "telepalp-record";
 
 program::Usage usage() {
-  return {.program = kProgram,
-          .purpose = "records a server's messages to a session file; describes and edits such files",
-          .positional = {},
-          .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
-                      {"key", "FILE", "your key file, for a server on another machine"},
-                      {"out", "FILE.mcap", "new session file; FILE.mcap.partial until complete"},
-                      {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
-                      {"color", "jpeg|vp8", "colour as pictures, or as video, over a thin line", "jpeg"},
-                      {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
-                      {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
-                      {"keep-last", "TIME", "delete files of this recording older than TIME: 5min"},
-                      program::consent_option(),
-                      {"scene", "FILE", "the station's scene file, to be attached"},
-                      {.name = "attach",
-                       .argument = "FILE",
-                       .help = "another file to attach, such as a report; may be repeated",
-                       .repeatable = true},
-                      program::patience_option("how long to wait for the server at the start; 0: for ever"),
-                      {"ready-file", "FILE", "file that is written when the recording begins"}},
-          .example = "telepalp-record --out session.mcap --seconds 60",
-          .commands = {{"info", "FILE", "describe a session file", record::info_command},
-                       {"verify", "FILE", "check that all of a session file can be read", record::verify_command},
-                       {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file",
-                        record::repair_command},
-                       {"cut", "FILE", "copy a part of a session", record::cut_command},
-                       {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command}}};
+  return {
+      .program = kProgram,
+      .purpose = "records a server's messages to a session file; describes and edits such files",
+      .positional = {},
+      .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
+                  {"key", "FILE", "your key file, for a server on another machine"},
+                  {"out", "FILE.mcap", "new session file; FILE.mcap.partial until complete"},
+                  {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
+                  {"color", "jpeg|vp8", "colour as pictures, or as video, over a thin line", "jpeg"},
+                  {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
+                  {"split", "SIZE|TIME", "begin a new file after this: 500MB, 10min"},
+                  {"keep-last", "TIME", "delete files of this recording older than TIME: 5min"},
+                  program::consent_option(),
+                  {"scene", "FILE", "the station's scene file, to be attached"},
+                  {.name = "attach",
+                   .argument = "FILE",
+                   .help = "another file to attach, such as a report; may be repeated",
+                   .repeatable = true},
+                  program::patience_option("how long to wait for the server at the start; 0: for ever"),
+                  {"ready-file", "FILE", "file that is written when the recording begins"}},
+      .example = "telepalp-record --out session.mcap --seconds 60",
+      .commands = {
+          {"info", "FILE", "describe a session file", record::info_command},
+          {"verify", "FILE", "check that all of a session file can be read", record::verify_command},
+          {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file", record::repair_command},
+          {"cut", "FILE", "copy a part of a session", record::cut_command},
+          {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command},
+          {"expire", "DIR", "delete what is over its time or whose consent is withdrawn", record::expire_command}}};
 }
 
 /// A shorter time would begin a new file at nearly each message, or delete nearly the whole recording.
@@ -105,7 +107,7 @@ int run_recording(const program::Arguments& arguments) {
   if (!arguments.has("out"))
     return program::fail({.what = "neither a file to record to nor a command is given",
                           .where = kProgram,
-                          .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge"},
+                          .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge, expire"},
                          program::kAskedWrongly);
   Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);

@@ -9,10 +9,10 @@ import {atMost} from './rows.mjs';
 const BANNED = /^lib(pcl|openni2)/;
 
 /** One paragraph of dpkg's status as {Package: …, Depends: …}; continued lines are left out. */
-const fieldsOf = (paragraph) => Object.fromEntries(
+export const fieldsOf = (paragraph) => Object.fromEntries(
   [...paragraph.matchAll(/^([A-Za-z-]+): (.*)$/gm)].map(([, name, value]) => [name, value]));
 
-const namesIn = (depends = '') => depends.split(/[,|]/).map((one) => one.trim().split(/[ :(]/)[0]).filter((name) => name !== '');
+export const namesIn = (depends = '') => depends.split(/[,|]/).map((one) => one.trim().split(/[ :(]/)[0]).filter((name) => name !== '');
 
 /**
  * The paragraphs of dpkg's `status` that a minimal Debian has, too: essential and required packages, apt, and what these

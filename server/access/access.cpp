@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "proto/keys/audit_chain.h"
+#include "proto/keys/audit_text.h"
 #include "proto/keys/token.h"
 #include "proto/words/counted.h"
 #include "proto/words/numbers/utc_text.h"
-#include "server/access/audit_text.h"
 
 namespace telepalp::access {
 namespace {
@@ -69,7 +69,7 @@ Result<void> Access::open_audit(const fs::path& log) {
   auto audit = AuditLog::open(log, say_, AuditLog::kMostBytes, anchors_->at_start());
   if (!audit) return audit.error();
   audit_ = std::move(audit).value();
-  if (const std::string why = alarm(); !why.empty()) note_own(AuditEvent::Damaged, "why=" + audit_text(why));
+  if (const std::string why = alarm(); !why.empty()) note_own(AuditEvent::Damaged, "why=" + keys::audit_text(why));
   return {};
 }
 
@@ -275,7 +275,8 @@ void Access::look_at_anchor(bool always) {
 
 std::uint64_t Access::enter(const keys::Identity& who, const std::string& program, const std::string& from,
                             const std::string& more) {
-  note(AuditEvent::Joined, who, "program=" + audit_text(program) + " from=" + from + (more.empty() ? "" : " ") + more);
+  note(AuditEvent::Joined, who,
+       "program=" + keys::audit_text(program) + " from=" + from + (more.empty() ? "" : " ") + more);
   return people_.enter(
       {.who = who, .program = program, .from = from, .since = utc_stamp(std::chrono::system_clock::now())});
 }
@@ -284,14 +285,14 @@ void Access::leave(std::uint64_t number, const std::string& more) {
   const std::optional<Present> left = people_.leave(number);
   if (!left) return;
   note(AuditEvent::Left, left->who,
-       "program=" + audit_text(left->program) + " from=" + left->from + (more.empty() ? "" : " ") + more);
+       "program=" + keys::audit_text(left->program) + " from=" + left->from + (more.empty() ? "" : " ") + more);
 }
 
 Result<void> Access::send_out(const std::string& serial, const std::string& by) {
   for (const auto& [number, stream] : people_.present()) {
     if (stream.who.serial != serial) continue;
     if (describe(stream.who) == by) return refused("you cannot send yourself out", "close this page instead");
-    note(AuditEvent::SentOut, stream.who, "by=" + audit_text(by));
+    note(AuditEvent::SentOut, stream.who, "by=" + keys::audit_text(by));
     people_.send_out(keys::Identity(stream.who), std::chrono::steady_clock::now());
     return {};
   }
@@ -300,14 +301,14 @@ Result<void> Access::send_out(const std::string& serial, const std::string& by) 
 
 void Access::let_in(const std::string& serial, const std::string& by) {
   for (const keys::Identity& who : people_.sent_out(std::chrono::steady_clock::now()))
-    if (who.serial == serial) note(AuditEvent::LetIn, who, "by=" + audit_text(by));
+    if (who.serial == serial) note(AuditEvent::LetIn, who, "by=" + keys::audit_text(by));
   people_.let_in(serial);
 }
 
 Result<void> Access::take_touch_away(const std::string& by) {
   const std::optional<std::string> from = touch_.take_away(std::chrono::steady_clock::now());
   if (!from) return refused("nobody holds the touch", "nothing is to do: no station gives a force");
-  note_own(AuditEvent::TookAwayTouch, "from=" + audit_text(*from) + " by=" + audit_text(by));
+  note_own(AuditEvent::TookAwayTouch, "from=" + keys::audit_text(*from) + " by=" + keys::audit_text(by));
   keep_touch();
   return {};
 }

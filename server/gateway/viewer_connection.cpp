@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "server/access/audit_text.h"
+#include "proto/keys/audit_text.h"
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/viewer_commands.h"
@@ -270,7 +270,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
                                       : Error{.what = "nobody is signed in", .where = {}, .fix = {}};
     if (!may && !std::exchange(denied_, true)) {
       context()->options.access->note(access::AuditEvent::Refused, whose(),
-                                      "program=browser why=" + access::audit_text(may.error().what));
+                                      "program=browser why=" + keys::audit_text(may.error().what));
       warn(may.error().what + ". fix: sign in with a doctor's token");
     }
     return may.ok();

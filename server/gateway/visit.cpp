@@ -3,7 +3,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <utility>
 
-#include "server/access/audit_text.h"
+#include "proto/keys/audit_text.h"
 #include "server/gateway/health/metrics.h"
 #include "server/gateway/request/reading_request.h"
 #include "server/gateway/request_policy.h"
@@ -94,7 +94,7 @@ Visit::Visit(GatewayContext& context, const HttpRequest& request, const boost::a
     brought_token_ = bearer.ok();
     if (bearer) visitor_ = Visitor{.who = *bearer, .cookie = {}};
     if (!bearer) {
-      note(access::AuditEvent::Refused, std::nullopt, "why=" + access::audit_text(bearer.error().what));
+      note(access::AuditEvent::Refused, std::nullopt, "why=" + keys::audit_text(bearer.error().what));
       problem_ = bearer.error().what + ". " + bearer.error().fix;
     }
   } else if (const auto who = context_.sessions.find(cookie, steady_now()); who && access.still_holds(*who)) {
@@ -141,7 +141,7 @@ HttpReply Visit::sign_in(const HttpRequest& request) {
   const Result<keys::Identity> who =
       access.sign_in(token_in_form(request.body()), address_, our_cookie(view(request[http::field::cookie])));
   if (!who) {
-    note(access::AuditEvent::Refused, std::nullopt, "why=" + access::audit_text(who.error().what));
+    note(access::AuditEvent::Refused, std::nullopt, "why=" + keys::audit_text(who.error().what));
     return sign_in_page(request, who.error().what + ". " + who.error().fix);
   }
   note(access::AuditEvent::SignedIn, *who, "consent=stated");
@@ -206,7 +206,7 @@ void Visit::resource(const HttpRequest& request, const ResourceRow& row, const R
     return reply(row.empty_if_absent && !commands ? json_reply(request, "{}")
                                                   : refuse(request, http::status::not_found, row.absent));
   const std::string who = describe(visitor_->who);
-  if (commands && row.audited_as) note(*row.audited_as, visitor_->who, "asked=" + access::audit_text(request.body()));
+  if (commands && row.audited_as) note(*row.audited_as, visitor_->who, "asked=" + keys::audit_text(request.body()));
   origin::StatePublisher& states = reading ? reading->states() : *context_.states;
   // The reply keeps the reading, and so the resource and its states, until the command has been carried out.
   answer_state(request, row.path, found->second, states, who,
@@ -225,7 +225,7 @@ std::shared_ptr<origin::Reading> Visit::reading(const HttpRequest& request) cons
     return context_.readings.failed(spec, allowed.error());
   std::shared_ptr<origin::Reading> joined = context_.readings.join((*asked)->id, spec);
   if (!spec.session.empty() && joined->state().phase() != msg::ReadingState::PHASE_FAILED)
-    note(access::AuditEvent::OpenedSession, visitor_->who, "session=" + access::audit_text(spec.session));
+    note(access::AuditEvent::OpenedSession, visitor_->who, "session=" + keys::audit_text(spec.session));
   return joined;
 }
 

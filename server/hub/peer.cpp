@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "server/access/audit_text.h"
+#include "proto/keys/audit_text.h"
 
 namespace telepalp::hub {
 namespace {
@@ -64,8 +64,7 @@ bool Peer::accepts(const wire::Topic& topic) {
   const bool may = may_publish_upstream(topic) && who_ && !site_.no_stations &&
                    site_.access.may(*who_, keys::Operation::Touch) && may_be_station() &&
                    (touch_.holds() || takes_touch(false));
-  if (!may)
-    audit(access::AuditEvent::Refused, "why=" + access::audit_text("may not publish " + std::string(topic.name)));
+  if (!may) audit(access::AuditEvent::Refused, "why=" + keys::audit_text("may not publish " + std::string(topic.name)));
   advertised_ = advertised_ || may;
   return may;
 }
@@ -73,19 +72,19 @@ bool Peer::accepts(const wire::Topic& topic) {
 void Peer::audit(access::AuditEvent event, const std::string& more) {
   site_.access.note(
       event, who_,
-      "program=" + access::audit_text(name_) + " from=" + connection_->peer() + (more.empty() ? "" : " " + more));
+      "program=" + keys::audit_text(name_) + " from=" + connection_->peer() + (more.empty() ? "" : " " + more));
 }
 
 /// Refuses the peer with a Goodbye that tells the peer not to try again, because the attempt would fail the same way.
 void Peer::deny(const Error& why) {
   audited_ = true;
-  audit(access::AuditEvent::Refused, "why=" + access::audit_text(why.what));
+  audit(access::AuditEvent::Refused, "why=" + keys::audit_text(why.what));
   site_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + why.what);
   connection_->close(to_string(why), true);
 }
 
 void Peer::refuse(const std::string& reason) {
-  audit(access::AuditEvent::Refused, "why=" + access::audit_text(reason));
+  audit(access::AuditEvent::Refused, "why=" + keys::audit_text(reason));
   site_.note_refusal(name_ + " at " + connection_->peer() + " is refused: " + reason);
   connection_->close(reason);
 }
@@ -139,7 +138,7 @@ void Peer::join(PlaceKind kind, const msg::Hello& peer) {
       name_, connection_->peer(), [this] { wake(); }, sender_);
   site_.note(name_ + " (" + (site_.access.has_keys() ? describe(*who_) : peer.role()) + ") joined from " +
              connection_->peer());
-  const std::string consent = "consent=" + access::audit_text(peer.consent().empty() ? "not stated" : peer.consent());
+  const std::string consent = "consent=" + keys::audit_text(peer.consent().empty() ? "not stated" : peer.consent());
   std::string more = kind == PlaceKind::Viewer ? consent : "";
   if (!connection_->identity() && site_.access.has_keys()) more += (more.empty() ? "" : " ") + std::string("by=token");
   stream_ = site_.access.enter(*who_, name_, connection_->peer(), more);
@@ -220,10 +219,10 @@ void Peer::on_key_frame_request(const wire::Topic& topic, SessionTime published)
 }
 
 void Peer::on_closed(const std::string& reason) {
-  if (place_) site_.access.leave(stream_, "why=" + access::audit_text(reason));
+  if (place_) site_.access.leave(stream_, "why=" + keys::audit_text(reason));
   touch_.leave(reason.starts_with("peer left"));
   if (!who_ && !audited_ && site_.access.has_keys())
-    audit(access::AuditEvent::Refused, "why=" + access::audit_text(reason));
+    audit(access::AuditEvent::Refused, "why=" + keys::audit_text(reason));
   leave_hub();
   const std::string from = connection_->peer();
   if (place_)

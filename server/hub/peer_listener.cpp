@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "proto/keys/audit_text.h"
 #include "proto/wire/sockets/tcp_socket.h"
 #include "proto/words/counted.h"
-#include "server/access/audit_text.h"
 #include "server/hub/peer.h"
 
 namespace telepalp::hub {
@@ -179,7 +179,7 @@ void PeerListener::note_pause(const error_code& why) {
   const std::string text = "no connection can be accepted (" + why.message() +
                            "): accepting pauses, and the server tries again every 0.1 s"
                            ". fix: stop clients of this server, or restart it with a higher ulimit -n";
-  options_.access->note(access::AuditEvent::Refused, std::nullopt, "why=" + access::audit_text(text));
+  options_.access->note(access::AuditEvent::Refused, std::nullopt, "why=" + keys::audit_text(text));
   note_refusal(text);
 }
 
@@ -243,7 +243,7 @@ void PeerListener::let_a_stranger_go() {
       " connections have not sent their Hello message yet, the greeting of a telepalp program, and its network "
       "holds most of them";
   options_.access->note(access::AuditEvent::Refused, std::nullopt,
-                        "from=" + chosen->second->from() + " why=" + access::audit_text(text));
+                        "from=" + chosen->second->from() + " why=" + keys::audit_text(text));
   note_refusal(text);
   peers_.erase(chosen);
 }
@@ -273,10 +273,10 @@ void PeerListener::audit_refused_datagrams(std::chrono::steady_clock::time_point
   if (forged + strange == 0 || now - datagrams_audited_ < kQuiet) return;
   datagrams_audited_ = now;
   audited_ = counts;
-  options_.access->note(access::AuditEvent::Refused, std::nullopt,
-                        "why=" + access::audit_text("datagrams were refused: " + std::to_string(strange) +
-                                                    " with an unknown session number, " + std::to_string(forged) +
-                                                    " malformed or forged"));
+  options_.access->note(
+      access::AuditEvent::Refused, std::nullopt,
+      "why=" + keys::audit_text("datagrams were refused: " + std::to_string(strange) +
+                                " with an unknown session number, " + std::to_string(forged) + " malformed or forged"));
 }
 
 /// Logs the first refusal at once and then at most one line in five seconds, so that many refusals do not fill the log.

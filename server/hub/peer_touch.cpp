@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "server/access/audit_text.h"
+#include "proto/keys/audit_text.h"
 
 namespace telepalp::hub {
 namespace {
@@ -34,7 +34,7 @@ PeerTouch::Taken PeerTouch::take(const keys::Identity& who, bool accepts) {
     holds_ = from.has_value();
   }
   access_.keep_touch();
-  if (holds_) audit_(access::AuditEvent::TookTouch, from ? "by=hand-over from=" + access::audit_text(*before) : "");
+  if (holds_) audit_(access::AuditEvent::TookTouch, from ? "by=hand-over from=" + keys::audit_text(*before) : "");
   return {.may_touch = holds_, .from = from};
 }
 
@@ -44,12 +44,12 @@ bool PeerTouch::renew() {
   if (holds_) return true;
   const bool taken_away = access_.touch().must_accept(run_, Clock::now());
   audit_(access::AuditEvent::GaveTouch,
-         "why=" + access::audit_text(taken_away ? "the technician took it away" : "silent for 10 s"));
+         "why=" + keys::audit_text(taken_away ? "the technician took it away" : "silent for 10 s"));
   return false;
 }
 
 std::string PeerTouch::lose_to(const keys::Identity& who) {
-  if (std::exchange(holds_, false)) audit_(access::AuditEvent::GaveTouch, "to=" + access::audit_text(describe(who)));
+  if (std::exchange(holds_, false)) audit_(access::AuditEvent::GaveTouch, "to=" + keys::audit_text(describe(who)));
   return "the touch is handed over to " + describe(who) + ", who has accepted it";
 }
 
@@ -65,7 +65,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
     return refuse(
         "this server has no keys, so nobody holds the touch. fix: stop this station, then start the other station");
   if (const Result<void> may = access_.may(who, keys::Operation::HandOver); !may) {
-    audit_(access::AuditEvent::Refused, "why=" + access::audit_text(may.error().what));
+    audit_(access::AuditEvent::Refused, "why=" + keys::audit_text(may.error().what));
     return refuse(to_string(may.error()));
   }
   if (to == who.name)
@@ -81,7 +81,7 @@ msg::HandOver PeerTouch::offer(const keys::Identity& who, const std::string& to)
 }
 
 std::string PeerTouch::offered(const std::string& to) {
-  audit_(access::AuditEvent::OfferedTouch, to.empty() ? "to=nobody" : "to=" + access::audit_text(to));
+  audit_(access::AuditEvent::OfferedTouch, to.empty() ? "to=nobody" : "to=" + keys::audit_text(to));
   if (to.empty()) return "the offer is withdrawn: you keep the touch";
   return "the touch is offered to doctor " + to + " for " + std::to_string(access::TouchLease::kOffer.count()) +
          " s: you keep the touch until that doctor accepts it";

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/access/audit_text.h"
+#include "proto/keys/audit_text.h"
 #include "server/playback/session_player.h"
 #include "support/program/message_json.h"
 
@@ -131,8 +131,8 @@ void SessionInbox::note(const std::string& name, const std::string& who, const R
   std::error_code unknown;
   const std::uintmax_t bytes = outcome ? fs::file_size(options_.folder / name, unknown) : 0;
   options_.on_brought(
-      "who=" + who + " session=" + access::audit_text(name) +
-      (outcome ? " bytes=" + std::to_string(bytes) : " refused=" + access::audit_text(outcome.error().what)));
+      "who=" + who + " session=" + keys::audit_text(name) +
+      (outcome ? " bytes=" + std::to_string(bytes) : " refused=" + keys::audit_text(outcome.error().what)));
 }
 
 void SessionInbox::look_for_abandoned() {

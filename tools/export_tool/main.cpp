@@ -15,6 +15,7 @@
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "tools/export_tool/cloud_file.h"
+#include "tools/export_tool/deidentify/deidentify_command.h"
 #include "tools/export_tool/foxglove_command.h"
 #include "tools/export_tool/frames.h"
 #include "tools/export_tool/image_folder.h"
@@ -38,8 +39,11 @@ program::Usage usage() {
                       {"foxglove", "FILE.mcap", "images, point clouds, transforms and force in Foxglove's types"},
                       {"parts", "LIST", "for --foxglove: of points,depth,color,station; default: all"},
                       {"rate", "HZ", "for --foxglove: at most so many images a second; default: all"},
+                      {"deidentify", "FILE.mcap",
+                       "the session without people, places, notes and colour; says what remains"},
+                      {"color", "remove|blur", "for --deidentify: what becomes of colour; default: remove"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
-                      {"out", "FILE", "file for --csv, --ply or --pcd; default: stdout"}},
+                      {"out", "FILE", "file for --csv, --ply, --pcd, or what --deidentify says; default: stdout"}},
           .example = "telepalp-export session.mcap --ply 1.5 --out skin.ply"};
 }
 
@@ -49,8 +53,12 @@ int say(const Result<std::uint64_t>& count, const char* one, const char* more, c
   return program::kDone;
 }
 
-/// Error: `--out` names the session, which must not be overwritten.
+/// Error: `--out` names the session, which must not be overwritten, or the copy that --deidentify writes.
 Result<void> check_out(const std::string& session, const program::Arguments& asked) {
+  if (asked.has("out") && asked.text("out") == asked.text("deidentify"))
+    return Error{.what = "is the copy of the session itself",
+                 .where = "--out " + asked.text("out"),
+                 .fix = "name another file for what --deidentify says"};
   if (!asked.has("out") || !program::is_same_file(session, asked.text("out"))) return {};
   return Error{.what = "is the session itself, which is not overwritten",
                .where = "--out " + asked.text("out"),
@@ -137,7 +145,8 @@ int run_report(const std::string& file, const std::string& folder) {
 std::string kept(const program::Arguments& asked) {
   if (asked.has("png"))
     return "the images written so far, in " + asked.text("png") + ", are whole; camera.textproto is missing there";
-  if (asked.has("foxglove")) return asked.text("foxglove") + ".partial holds what was written so far";
+  for (const char* copy : {"foxglove", "deidentify"})
+    if (asked.has(copy)) return asked.text(copy) + ".partial holds what was written so far";
   return "no file was written";
 }
 
@@ -145,6 +154,7 @@ int run(const std::string& file, const program::Arguments& asked) {
   program::say_when_stopped(std::string(kProgram) + ": stopped: " + kept(asked));
   if (asked.has("png")) return run_images(file, asked.text("png"));
   if (asked.has("foxglove")) return export_tool::foxglove_command(file, asked);
+  if (asked.has("deidentify")) return export_tool::deidentify_command(file, asked);
   if (asked.has("report")) return run_report(file, asked.text("report"));
   if (asked.has("ply")) return run_cloud(file, asked, "ply", export_tool::ply_of);
   if (asked.has("pcd")) return run_cloud(file, asked, "pcd", export_tool::pcd_of);
@@ -153,16 +163,23 @@ int run(const std::string& file, const program::Arguments& asked) {
 
 int run_asked(const program::Arguments& asked) {
   int formats = 0;
-  for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "report"}) formats += asked.has(option) ? 1 : 0;
+  for (const char* option : {"png", "csv", "ply", "pcd", "foxglove", "deidentify", "report"})
+    formats += asked.has(option) ? 1 : 0;
   if (asked.positional().size() != 1 || formats != 1)
-    return program::fail({.what = "the command does not name exactly one session file and one format",
-                          .where = kProgram,
-                          .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove and --report"},
-                         program::kAskedWrongly);
+    return program::fail(
+        {.what = "the command does not name exactly one session file and one format",
+         .where = kProgram,
+         .fix = "give a session file, and one of --png, --csv, --ply, --pcd, --foxglove, --deidentify and --report"},
+        program::kAskedWrongly);
   if (!asked.has("foxglove") && (asked.has("parts") || asked.has("rate")))
     return program::fail({.what = "the options choose what --foxglove writes, which is not given",
                           .where = "--parts and --rate",
                           .fix = "give --foxglove FILE.mcap, or leave them out"},
+                         program::kAskedWrongly);
+  if (asked.has("color") && !asked.has("deidentify"))
+    return program::fail({.what = "the option chooses what --deidentify writes, which is not given",
+                          .where = "--color",
+                          .fix = "give --deidentify FILE.mcap, or leave it out"},
                          program::kAskedWrongly);
   if (const Result<void> out = check_out(asked.positional().front(), asked); !out)
     return program::fail(out.error(), program::kAskedWrongly);

@@ -1,9 +1,7 @@
 #include "clients/record/live/recording_plan.h"
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include "clients/record/live/attached_files.h"
+#include "support/program/people/account.h"
 #include "support/program/version.h"
 
 namespace telepalp::record {
@@ -11,9 +9,7 @@ namespace {
 
 /// The key's owner, or the account on this machine.
 std::string recorded_by(const RecordingOptions& options) {
-  if (options.key) return keys::describe(options.key->identity);
-  const ::passwd* const account = ::getpwuid(::getuid());
-  return "account " + (account == nullptr ? std::to_string(::getuid()) : std::string(account->pw_name));
+  return options.key ? keys::describe(options.key->identity) : program::account();
 }
 
 }  // namespace

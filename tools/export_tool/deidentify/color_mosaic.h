@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "codec/color_reader.h"
+#include "codec/video.h"
+#include "proto/wire/message.h"
+
+namespace telepalp::export_tool {
+
+/// Number of squares across the width of a blurred image.
+inline constexpr int kMosaicColumns = 16;
+
+/// `color` with each square of 1/16 of its width filled by the square's mean colour.
+[[nodiscard]] ColorImage mosaic(const ColorImage& color);
+
+/// A colour message, blurred.
+struct BlurredColor {
+  std::string payload;
+  bool key_frame = true;
+};
+
+/// Blurs a session's colour images, pictures and video, by mosaic(). All images are passed, in their order.
+class ColorBlur {
+ public:
+  /// nullopt: the image cannot be decoded, so that nothing of it may stay.
+  [[nodiscard]] std::optional<BlurredColor> blurred(const wire::Message& message);
+
+ private:
+  codec::ColorReader pictures_;
+  codec::ColorReader video_;
+  codec::ColorVideoEncoder encoder_{codec::ColorVideoSettings{}};
+};
+
+}  // namespace telepalp::export_tool

@@ -1,0 +1,154 @@
+#include "tools/export_tool/deidentify/deidentified_session.h"
+
+#include <regex>
+#include <utility>
+
+#include "proto/wire/camera/color_message.h"
+#include "proto/wire/mcap/format/schemas.h"
+#include "proto/wire/mcap/notes_file.h"
+#include "proto/wire/mcap/reader.h"
+#include "proto/wire/mcap/writer.h"
+#include "support/program/version.h"
+#include "tools/export_tool/deidentify/color_mosaic.h"
+
+namespace telepalp::export_tool {
+namespace {
+
+bool matches(const std::string& text, const char* pattern) {
+  return text.size() <= 100 && std::regex_match(text, std::regex(pattern));
+}
+
+std::string if_matches(const std::string& text, const char* pattern) { return matches(text, pattern) ? text : ""; }
+
+/// The session's own metadata: programs and versions stay; the scene stays without names, files and comments.
+wire::SessionInfo cleaned(const wire::SessionInfo& session, MessageCleaner& cleaner) {
+  return {.program = if_matches(session.program, "telepalp-[a-z]+"),
+          .version = if_matches(session.version, "[0-9]+(\\.[0-9]+)*"),
+          .commit = if_matches(session.commit, "[0-9a-f]+"),
+          .source = {},
+          .scene = cleaner.cleaned_scene(session.scene)};
+}
+
+/// Keeps the numbers in a record about a recording or its repair, and the recorder's words on the depth's error.
+wire::mcap::Metadata cleaned(const wire::mcap::Metadata& metadata) {
+  wire::mcap::Metadata numbers{metadata.name, {}};
+  for (const auto& [key, value] : metadata.values) {
+    const bool is_number =
+        matches(key, "(gaps|gap_s|lost|clock_uncertainty_us|dropped/[a-z/]+)") && matches(value, "[0-9]+(\\.[0-9]+)?");
+    const bool is_depth =
+        key == "depth" &&
+        matches(value,
+                "(fast|intra|temporal|bounded), (lossless|off by (an unknown amount|up to [0-9.e+-]+ mm at 1 m))");
+    if (is_number || is_depth) numbers.values.emplace(key, value);
+  }
+  return numbers;
+}
+
+/// Copies a session's messages, cleaned.
+class Copy {
+ public:
+  Copy(wire::McapWriter& writer, ColorRule color, MessageCleaner& cleaner, Deidentified& report)
+      : writer_(writer), color_(color), cleaner_(cleaner), report_(report) {}
+
+  Result<void> add(const wire::mcap::StoredMessage& stored) {
+    const std::optional<wire::Message> message = to_message(stored);
+    Deidentified::Messages& count = report_.topics[message ? std::string(message->topic.name) : kOtherTopics];
+    if (!message || (color_ == ColorRule::Remove && wire::carries_color(message->topic))) {
+      ++count.removed;
+      return {};
+    }
+    std::optional<std::string> payload = cleaner_.cleaned(message->topic, *message->payload);
+    bool key_frame = message->key_frame;
+    if (payload && wire::carries_color(message->topic)) {
+      wire::Message clean = *message;
+      clean.payload = std::make_shared<const std::string>(std::move(*payload));
+      std::optional<BlurredColor> blurred = blur_.blurred(clean);
+      payload = blurred ? std::optional(std::move(blurred->payload)) : std::nullopt;
+      key_frame = blurred && blurred->key_frame;
+      count.blurred += blurred ? 1 : 0;
+    }
+    ++(payload ? count.kept : count.unreadable);
+    return payload ? write(stored, message->topic, *payload, key_frame) : Result<void>{};
+  }
+
+ private:
+  /// Writes under the topic's own type and channel, not under the file's, which may hold any text.
+  Result<void> write(const wire::mcap::StoredMessage& stored, const wire::Topic& topic, const std::string& payload,
+                     bool key_frame) {
+    const wire::mcap::Schema schema{.id = 1,
+                                    .name = std::string(topic.schema),
+                                    .encoding = "protobuf",
+                                    .data = wire::file_descriptor_set(*wire::descriptor_of(topic))};
+    const wire::mcap::StoredChannel channel{.channel = wire::mcap::channel_for(topic, key_frame),
+                                            .schema = &schema,
+                                            .topic = topic,
+                                            .key_frames = key_frame};
+    wire::mcap::MessageRecord record = stored.record;
+    record.data = payload;
+    return writer_.copy({.channel = &channel, .record = record});
+  }
+
+  wire::McapWriter& writer_;
+  ColorRule color_;
+  MessageCleaner& cleaner_;
+  Deidentified& report_;
+  ColorBlur blur_;
+};
+
+Result<void> copy_messages(wire::McapReader& reader, Copy& copy, Deidentified& report) {
+  for (;;) {
+    const auto next = reader.next_stored();
+    if (!next) ++report.damaged;
+    if (!next) continue;
+    if (!*next) return {};
+    if (const Result<void> added = copy.add(**next); !added) return added;
+  }
+}
+
+Result<void> copy_metadata(wire::McapReader& reader, wire::McapWriter& writer, Deidentified& report) {
+  report.attachments = reader.summary().attachments.size();
+  for (const wire::mcap::MetadataIndex& index : reader.summary().metadata) {
+    if (index.name == wire::kSessionMetadata) continue;
+    const bool has_numbers = index.name == wire::kRecordingMetadata || index.name == "telepalp.repair";
+    const Result<wire::mcap::Metadata> metadata = reader.read(index);
+    const wire::mcap::Metadata clean = has_numbers && metadata ? cleaned(*metadata) : wire::mcap::Metadata{};
+    if (clean.values.empty()) ++report.records_of_metadata;
+    if (clean.values.empty()) continue;
+    if (const Result<void> added = writer.add(clean); !added) return added;
+  }
+  return {};
+}
+
+wire::mcap::Metadata note_of(ColorRule color) {
+  return {"telepalp.deidentified",
+          {{"program", program::software("telepalp-export")},
+           {"color", color == ColorRule::Remove ? "removed" : "blurred"},
+           {"dates", "as recorded"}}};
+}
+
+}  // namespace
+
+Result<Deidentified> write_deidentified(const std::filesystem::path& file, const std::filesystem::path& out,
+                                        ColorRule color) {
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  if (!reader) return reader.error();
+  const Result<wire::SessionInfo> session = reader->session();
+  if (!session) return session.error();
+  Deidentified report;
+  const Result<msg::SessionNotes> notes = wire::read_notes(file);
+  report.notes = notes ? static_cast<std::uint64_t>(notes->notes_size()) : 0;
+  MessageCleaner cleaner;
+  const wire::SessionInfo clean = cleaned(*session, cleaner);
+  report.scene_removed = !session->scene.empty() && clean.scene.empty();
+  Result<wire::McapWriter> writer = wire::McapWriter::open(out, clean);
+  if (!writer) return writer.error();
+  Copy copy(*writer, color, cleaner, report);
+  Result<void> written = copy_metadata(*reader, *writer, report);
+  if (written) written = writer->add(note_of(color));
+  if (written) written = copy_messages(*reader, copy, report);
+  if (written = writer->finish(written); !written) return written.error();
+  report.texts = cleaner.texts();
+  return report;
+}
+
+}  // namespace telepalp::export_tool

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "support/program/options.h"
+#include "tools/export_tool/deidentify/deidentified_session.h"
+
+namespace telepalp::export_tool {
+
+/// The report for a person: one line for each kind of thing that was removed, replaced or kept, and what the copy still
+/// tells. Holds no text of the session.
+[[nodiscard]] std::string in_words(const Deidentified& report, ColorRule color);
+
+/// Runs telepalp-export SESSION --deidentify FILE.mcap; prints the report, or writes it to --out. Returns the exit
+/// code.
+[[nodiscard]] int deidentify_command(const std::string& session, const program::Arguments& asked);
+
+}  // namespace telepalp::export_tool
