@@ -56,7 +56,8 @@ program::Usage usage() {
       .options = {{"json", "", "print JSON instead of a table"},
                   {"list", "", "print the benchmarks' names and exit"},
                   {"input", "FILE|DIR",
-                   "depth: images or a recording; link, pipeline: a source, as for telepalp-server --source"},
+                   "depth: images or a recording; hand: meshes to slide over; link, pipeline: a source, as for "
+                   "telepalp-server --source"},
                   {"held-out", "SET,SET…", "depth: also the mean ratio of these; training used none"},
                   {"part", "NAME", "accuracy, mixed, site, users: only this part"},
                   {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
