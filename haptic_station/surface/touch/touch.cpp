@@ -142,11 +142,12 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   if (!felt) end_too_deep(device.m);
   const bool was_inside = side_ == Side::Inside && at_foot_.valid;
   const Vector3d foot_before = foot_;
+  const double depth_before_m = normal_.dot(foot_ - device.m);
   for (int part = 1; part <= parts; ++part) look(from + (device.m - from) * (static_cast<double>(part) / parts));
   const double foot_most_m = kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt;
   if (was_inside && side_ == Side::Inside)  // under a deep device the nearest skin point can jump far to the side
     foot_ = foot_before + shortened(foot_ - foot_before, foot_most_m);
-  else if (was_inside)
+  else if (was_inside && (glides_ || depth_before_m > foot_most_m))  // else the skin moved away, or the device came out
     leave(device.m, foot_before, foot_most_m, dt);
   device_ = device.m;
   has_device_ = true;
