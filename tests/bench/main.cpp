@@ -59,7 +59,7 @@ program::Usage usage() {
                        .purpose = "measures one part of telepalp and compares it with its budget",
                        .positional = {},
                        .options = {{"json", "", "print JSON instead of a table"},
-                                   {"input", "FILE|DIR", "depth, needle, thin: data; link, pipeline: a --source"},
+                                   {"input", "FILE|DIR", "depth, hand, needle, thin: data; link, pipeline: a --source"},
                                    {"part", "NAME", "accuracy, mixed, needle, site, thin, users: only this part"},
                                    {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
                                    {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},

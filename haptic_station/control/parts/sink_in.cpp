@@ -5,12 +5,11 @@
 namespace telepalp::control {
 namespace {
 
-constexpr double kFastest_m_per_s = 0.05;
-constexpr double kEasesOver_s = 0.05;  // slower over the last 2.5 mm, so that it stops without a jerk
+constexpr double kEasesOver_s = 0.05;  // slower over the last 5 mm, so that it stops without a jerk
 constexpr double kSlowest_m_per_s = 0.0003;
-constexpr double kFastestTogether_m_per_s = 0.1;  // with the displayed surface's own approach to the measured one
-constexpr double kFastestInGap_m_per_s = 0.15;    // where the body gives no force
-constexpr double kClosesGapOver_s = 0.05;         // slower over the last 7.5 mm, so that it meets the hand gently
+constexpr double kFastest_m_per_s = 0.1;  // together with the displayed surface's own approach to the measured one
+constexpr double kFastestInGap_m_per_s = 0.15;  // where the body gives no force
+constexpr double kClosesGapOver_s = 0.05;       // slower over the last 7.5 mm, so that it meets the hand gently
 
 }  // namespace
 
@@ -29,9 +28,8 @@ void SinkIn::step(const ports::SurfaceContact& contact, double dt_s) noexcept {
   const double in_gap_m_per_s = std::min((contact.distance_m + lowered_m_) / kClosesGapOver_s, kFastestInGap_m_per_s);
   const double surface_rises_m_per_s = std::max(0.0, contact.surface_speed_m_per_s - contact.measured_speed_m_per_s);
   // Negative where the displayed surface alone rises faster than both may together: the body is then lowered further.
-  const double speed_m_per_s =
-      std::min({std::max(lowered_m_ / kEasesOver_s, kSlowest_m_per_s), std::max(kFastest_m_per_s, in_gap_m_per_s),
-                std::max(kFastestTogether_m_per_s, in_gap_m_per_s) - surface_rises_m_per_s});
+  const double speed_m_per_s = std::min(std::max(lowered_m_ / kEasesOver_s, kSlowest_m_per_s),
+                                        std::max(kFastest_m_per_s, in_gap_m_per_s) - surface_rises_m_per_s);
   const double risen_m = std::min(lowered_m_, speed_m_per_s * dt_s);
   rising_m_per_s_ = risen_m / std::max(dt_s, 1e-9);
   lowered_m_ -= risen_m;

@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 using surface::CloudPoint;
 using surface::StaticModel;
 
-constexpr std::string_view kMagic = "telepalp model samples 1\n";
+constexpr std::string_view kMagic = "telepalp model samples 2\n";
 constexpr std::size_t kHashBytes = 64;  // of its hexadecimal text
 constexpr std::size_t kMostKept = 20;
-static_assert(std::is_trivially_copyable_v<Eigen::Vector3f::Scalar> && sizeof(CloudPoint) == 6 * sizeof(float));
+static_assert(std::is_trivially_copyable_v<Eigen::Vector3f::Scalar> && sizeof(CloudPoint) == 7 * sizeof(float));
 
 std::optional<std::string> content_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -81,10 +81,14 @@ std::string body_of(const StaticModel& model) {
   put(body, static_cast<std::uint64_t>(shape.neighbors));
   put(body, model.remarks);
   put(body, model.sampling);
+  put(body, model.thin_share);
   put(body, static_cast<std::uint64_t>(model.snapshot->cloud().size()));
-  for (const CloudPoint& point : model.snapshot->cloud())
+  put(body, static_cast<std::uint8_t>(shape.graded ? 1 : 0));
+  for (const CloudPoint& point : model.snapshot->cloud()) {
     for (const Eigen::Vector3f& vector : {point.at_m, point.normal})
       for (const float value : vector) put(body, value);
+    put(body, point.support_m);
+  }
   return body;
 }
 
@@ -98,12 +102,16 @@ std::optional<StaticModel> model_in(std::string_view body) {
   StaticModel model;
   model.remarks = take.text();
   model.sampling = take.text();
+  model.thin_share = take.number<double>();
   const auto count = take.number<std::uint64_t>();
+  shape.graded = take.number<std::uint8_t>() != 0;
   if (!take.ok() || count == 0 || count > body.size() / sizeof(CloudPoint)) return std::nullopt;
   std::vector<CloudPoint> points(count);
-  for (CloudPoint& point : points)
+  for (CloudPoint& point : points) {
     for (Eigen::Vector3f* vector : {&point.at_m, &point.normal})
       for (float& value : *vector) value = take.number<float>();
+    point.support_m = take.number<float>();
+  }
   if (!take.ok() || !take.at_end()) return std::nullopt;
   model.snapshot = std::make_shared<const surface::CloudSnapshot>(std::move(points), shape, surface::Index::Nanoflann);
   return model;

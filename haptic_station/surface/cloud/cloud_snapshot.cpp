@@ -38,12 +38,19 @@ double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& ind
 CloudSnapshot::CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& shape, Index index)
     : storage_(std::move(cloud)), owned_index_(make_index(index, positions(storage_))) {
   shape_ = shape;
-  if (!(shape_.support_m > 0.0)) shape_.support_m = 3.0 * std::max(1e-6, spacing_m(storage_, *owned_index_));
+  if (!(shape_.support_m > 0.0))
+    shape_.support_m = kSupportPerSpacing * std::max(1e-6, spacing_m(storage_, *owned_index_));
   points_ = storage_;
   index_ = owned_index_.get();
   points = static_cast<std::uint32_t>(storage_.size());
   index_name = index_->name();
   motion.ages = false;
+}
+
+double CloudSnapshot::spacing_at_m(const Eigen::Vector3f& local, double evenly_m) const noexcept {
+  std::array<Neighbor, 1> nearest;
+  if (!shape_.graded || index_->within(local, kAnywhere_m, nearest) == 0) return evenly_m;
+  return static_cast<double>(storage_[nearest[0].index].support_m) / kSupportPerSpacing;
 }
 
 std::optional<Eigen::Vector3f> normal_of(const std::vector<Eigen::Vector3f>& near) {

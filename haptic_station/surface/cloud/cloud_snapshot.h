@@ -20,6 +20,8 @@ class CloudSnapshot final : public CloudSurface {
 
   [[nodiscard]] const CloudShape& shape() const noexcept { return shape_; }
   [[nodiscard]] const std::vector<CloudPoint>& cloud() const noexcept { return storage_; }
+  /// The spacing of the points near `local` [m], relative to the origin: `evenly_m`, unless the shape is graded.
+  [[nodiscard]] double spacing_at_m(const Eigen::Vector3f& local, double evenly_m) const noexcept;
 
  private:
   std::vector<CloudPoint> storage_;

@@ -73,15 +73,27 @@ FieldSample sample_of(const Sums& sums) noexcept {
 
 }  // namespace
 
+/// The distance within which all points lie that have a weight at `local`. A point of support h at the distance r
+/// counts if r < h, and h <= h0 + kSupportGrade (r + d0) for the nearest point's support h0 and distance d0.
+double CloudSurface::reach_m(const Eigen::Vector3f& local) const noexcept {
+  if (!shape_.graded) return shape_.support_m;
+  std::array<Neighbor, 1> nearest;
+  if (index_->within(local, static_cast<float>(shape_.support_m), nearest) == 0) return 0.0;
+  const double away_m = std::sqrt(static_cast<double>(nearest[0].squared_m2));
+  const double support_m = static_cast<double>(points_[nearest[0].index].support_m);
+  return std::min(shape_.support_m, (support_m + kSupportGrade * away_m) / (1.0 - kSupportGrade));
+}
+
 FieldSample CloudSurface::evaluate(const Vector3d& query, const Vector3d& facing,
                                    const MotionBasis& /*a model stands still*/) const noexcept {
   if (index_ == nullptr || !query.allFinite()) return {};
   const Vector3d local = query - shape_.origin_m;
   std::array<Neighbor, kMostNeighbors> found;
   const std::size_t most = shape_.neighbors > 0 ? std::min(shape_.neighbors, kMostNeighbors) : kMostNeighbors;
-  const std::size_t count =
-      index_->within(local.cast<float>(), static_cast<float>(shape_.support_m), {found.data(), most});
-  double support2 = shape_.support_m * shape_.support_m;
+  const Eigen::Vector3f at = local.cast<float>();
+  const double reach = reach_m(at);
+  const std::size_t count = index_->within(at, static_cast<float>(reach), {found.data(), most});
+  double support2 = reach * reach;
   if (count == most) {  // the k-th neighbour has weight zero, so f does not jump without the (k + 1)-th
     support2 = 0.0;
     for (std::size_t i = 0; i < count; ++i) support2 = std::max(support2, static_cast<double>(found[i].squared_m2));
@@ -91,7 +103,9 @@ FieldSample CloudSurface::evaluate(const Vector3d& query, const Vector3d& facing
   for (std::size_t i = 0; i < count; ++i) {
     const CloudPoint& point = points_[found[i].index];
     const Vector3d normal = point.normal.cast<double>();
-    add(sums, local - point.at_m.cast<double>(), normal, side_weight(normal, facing), 1.0 / support2);
+    const auto own_m = static_cast<double>(point.support_m);
+    const double per_r2 = 1.0 / (shape_.graded ? std::min(support2, own_m * own_m) : support2);
+    add(sums, local - point.at_m.cast<double>(), normal, side_weight(normal, facing), per_r2);
   }
   return sample_of(sums);
 }
@@ -106,6 +120,13 @@ std::optional<Seed> CloudSurface::seed(const Vector3d& query) const noexcept {
   return Seed{shape_.origin_m + at, point.normal.cast<double>().dot(local - at) >= 0.0};
 }
 
-double CloudSurface::stride_m(const Vector3d& /*query*/) const noexcept { return 0.4 * shape_.support_m; }
+double CloudSurface::stride_m(const Vector3d& query) const noexcept {
+  constexpr double kShare = 0.4;
+  if (!shape_.graded) return kShare * shape_.support_m;
+  std::array<Neighbor, 1> nearest;
+  const Eigen::Vector3f local = (query - shape_.origin_m).cast<float>();
+  if (index_->within(local, static_cast<float>(shape_.support_m), nearest) == 0) return kShare * shape_.support_m;
+  return kShare * static_cast<double>(points_[nearest[0].index].support_m);
+}
 
 }  // namespace telepalp::surface

@@ -11,6 +11,7 @@ namespace telepalp::surface {
 struct CloudPoint {
   Eigen::Vector3f at_m = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, out of the body
+  float support_m = 0.0F;  ///< with CloudShape::graded: a query farther away than this gives the point no weight
 };
 
 struct CloudShape {
@@ -18,7 +19,14 @@ struct CloudShape {
   double support_m = 0.02;                             ///< a point farther than this from the query has no weight
   std::size_t neighbors = 0;   ///< k > 0: the distance of the k-th neighbour replaces a greater support; 0: k is 256
   double seed_radius_m = 0.3;  ///< search radius for the nearest point
+  /// Each point has a support of its own, at most support_m, which changes over the surface by at most kSupportGrade.
+  bool graded = false;
 };
+
+/// Ratio of a support that is not given to the spacing of the points.
+inline constexpr double kSupportPerSpacing = 3.0;
+/// Largest change of the points' own supports per distance between the points.
+inline constexpr double kSupportGrade = 0.5;
 
 /// A point-set surface for unorganised clouds: a weighted mean of tangent planes. Each weight falls to zero at the
 /// support, a distance in metres. The weight of a point also fades to zero as its normal turns away from `facing`, the
@@ -35,6 +43,7 @@ class CloudSurface : public SurfaceSnapshot {
 
  protected:
   ~CloudSurface() = default;
+  [[nodiscard]] double reach_m(const Eigen::Vector3f& local) const noexcept;
   CloudShape shape_;
   std::span<const CloudPoint> points_;
   const NeighborIndex* index_ = nullptr;

@@ -126,12 +126,13 @@ double MeshJudge::wall_m(const CloudPoint& place, double below_m) const {
   return std::numeric_limits<double>::infinity();
 }
 
-ThinWalls MeshJudge::thin_walls(double below_m) const {
+ThinWalls MeshJudge::thin_walls(const CloudSnapshot& snapshot, double spacing_m) const {
   constexpr double kApart_m = 0.02;
   constexpr std::size_t kMostPlaces = 3;
   std::vector<ThinWalls::Place> thin;
   for (std::size_t i = 0; i < by_area_; ++i)
-    if (const double thick_m = wall_m(places_[i], below_m); std::isfinite(thick_m))
+    if (const double thick_m = wall_m(places_[i], 2.0 * snapshot.spacing_at_m(places_[i].at_m, spacing_m));
+        std::isfinite(thick_m))
       thin.push_back({places_[i].at_m.cast<double>(), thick_m});
   std::sort(thin.begin(), thin.end(), [](const auto& a, const auto& b) { return a.wall_m < b.wall_m; });
   ThinWalls walls;

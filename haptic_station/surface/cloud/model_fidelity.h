@@ -17,11 +17,11 @@ struct Fidelity {
   double jumps = 0.0;    ///< share of presses in which the proxy jumps; see MeshJudge::share_of_jumps()
 };
 
-/// Walls of a mesh that are thinner than `below_m`, at random places of its reachable area.
+/// Walls of a mesh that are thinner than two spacings of its samples, at random places of its reachable area.
 struct ThinWalls {
   struct Place {
     Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< relative to the mean of the mesh
-    double wall_m = 0.0;                             ///< thickness, rounded up to an eighth of below_m
+    double wall_m = 0.0;                             ///< thickness, rounded up to a quarter of the spacing
   };
   double share = 0.0;         ///< of the reachable area, 0 to 1
   std::vector<Place> places;  ///< the three thinnest that are at least 20 mm apart, or fewer
@@ -47,8 +47,9 @@ class MeshJudge {
   /// share of presses in which the offset from hand to proxy changes by over 0.4 mm while the hand moves by 0.05 mm.
   [[nodiscard]] double share_of_jumps(const CloudSnapshot& snapshot) const;
 
-  /// Looks for walls thinner than `below_m`. An open sheet has no thickness and counts as no wall.
-  [[nodiscard]] ThinWalls thin_walls(double below_m) const;
+  /// Looks for walls thinner than two spacings. `spacing_m`: that of the snapshot's points; if the snapshot is graded,
+  /// a third of the nearest point's support is the spacing. An open sheet has no thickness and counts as no wall.
+  [[nodiscard]] ThinWalls thin_walls(const CloudSnapshot& snapshot, double spacing_m) const;
 
  private:
   [[nodiscard]] bool encloses(const Eigen::Vector3d& at) const;

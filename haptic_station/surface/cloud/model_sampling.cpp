@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "haptic_station/surface/cloud/wall_spacing.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -21,25 +23,48 @@ struct Sampler {
   MeshJudge judge;
 
   [[nodiscard]] SampledMesh operator()(std::size_t count) const {
+    say_count(count);
+    CloudShape shape;
+    shape.support_m = settings.support_m;
+    const double spacing_m = std::sqrt(area_m2 / static_cast<double>(count));
+    return touched(poisson_disk_samples(mesh, count, settings.seed), shape, spacing_m, spacing_m);
+  }
+  /// With denser samples at thin walls than `sampled` has.
+  [[nodiscard]] SampledMesh denser_at_walls(const SampledMesh& sampled, const WallSpacing& spacing,
+                                            double least_m) const {
+    say_count(static_cast<std::size_t>(spacing.samples()));
+    CloudShape shape;
+    shape.support_m = kSupportPerSpacing * sampled.spacing_m;
+    shape.graded = true;
+    const auto spacing_at = [&](const Eigen::Vector3f& place) { return spacing.at_m(place); };
+    std::vector<CloudPoint> points = graded_samples(mesh, spacing_at, settings.seed);
+    for (CloudPoint& point : points)
+      point.support_m = static_cast<float>(kSupportPerSpacing * spacing.at_m(point.at_m));
+    return touched(std::move(points), shape, sampled.spacing_m, least_m);
+  }
+  [[nodiscard]] std::size_t count_for(double spacing_m) const {
+    const double count = area_m2 / (spacing_m * spacing_m);
+    return static_cast<std::size_t>(std::clamp(count, 100.0, 1e6));
+  }
+
+ private:
+  void say_count(std::size_t count) const {
     if (settings.on_progress)
       settings.on_progress("spreading " + std::to_string(count) + " points over the mesh, and testing the surface");
-    std::vector<CloudPoint> points = poisson_disk_samples(mesh, count, settings.seed);
+  }
+  [[nodiscard]] SampledMesh touched(std::vector<CloudPoint> points, CloudShape shape, double spacing_m,
+                                    double least_m) const {
     for (CloudPoint& point : points) point.normal *= side;
     const double hidden = judge.leave_out_hidden(points);
-    CloudShape shape;
     shape.origin_m = origin_m;
-    shape.support_m = settings.support_m;
     SampledMesh sampled{std::make_shared<const CloudSnapshot>(std::move(points), shape, Index::Nanoflann),
-                        std::sqrt(area_m2 / static_cast<double>(count)),
+                        spacing_m,
+                        least_m,
                         hidden,
                         {},
                         {}};
     sampled.fidelity = judge.judge(*sampled.snapshot);
     return sampled;
-  }
-  [[nodiscard]] std::size_t count_for(double spacing_m) const {
-    const double count = area_m2 / (spacing_m * spacing_m);
-    return static_cast<std::size_t>(std::clamp(count, 100.0, 1e6));
   }
 };
 
@@ -62,10 +87,25 @@ SampledMesh refined(const Sampler& sampler) {
   return sampled;
 }
 
+/// Denser samples at thin walls, as dense as kMostSamples allows.
+SampledMesh denser_at_walls(const Sampler& sampler, SampledMesh sampled) {
+  constexpr double kLeast_m = 0.0002;
+  constexpr double kCoarser = 1.2;
+  const std::vector<CloudPoint>& points = sampled.snapshot->cloud();
+  for (double least_m = kLeast_m; least_m < sampled.spacing_m; least_m *= kCoarser) {
+    const WallSpacing spacing(points, sampled.spacing_m, least_m);
+    if (!spacing.differs()) break;
+    if (spacing.samples() <= static_cast<double>(kMostSamples))
+      return sampler.denser_at_walls(sampled, spacing, least_m);
+  }
+  return sampled;
+}
+
 SampledMesh sampled_as_asked(const Sampler& sampler) {
   if (sampler.settings.samples > 0) return sampler(sampler.settings.samples);
   if (sampler.settings.spacing_m > 0.0) return sampler(sampler.count_for(sampler.settings.spacing_m));
-  return refined(sampler);
+  SampledMesh sampled = refined(sampler);
+  return sampler.settings.support_m > 0.0 ? sampled : denser_at_walls(sampler, std::move(sampled));
 }
 
 /// "; 12 % of the surface has walls thinner than two spacings, ... : 2.3 mm at (0.01, 0.02, 0.3) m"
@@ -94,7 +134,7 @@ SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSetting
   if (!sampler.judge.has_places()) return {};
   SampledMesh sampled = sampled_as_asked(sampler);
   sampled.fidelity.jumps = sampler.judge.share_of_jumps(*sampled.snapshot);
-  sampled.thin = sampler.judge.thin_walls(2.0 * sampled.spacing_m);
+  sampled.thin = sampler.judge.thin_walls(*sampled.snapshot, sampled.spacing_m);
   for (ThinWalls::Place& place : sampled.thin.places) place.at_m += origin_m;
   return sampled;
 }
@@ -106,9 +146,14 @@ bool is_too_coarse(const Fidelity& fidelity) noexcept {
 
 std::string description_of(const SampledMesh& sampled) {
   char text[240];
+  std::string from;
+  if (sampled.least_spacing_m < sampled.spacing_m) {
+    std::snprintf(text, sizeof text, "%.1f to ", 1e3 * sampled.least_spacing_m);
+    from = text;
+  }
   std::snprintf(text, sizeof text,
-                "%u points %.1f mm apart: the surface felt lies within %.1f mm of the mesh in 99 of 100 places",
-                sampled.snapshot->points, 1e3 * sampled.spacing_m, 1e3 * sampled.fidelity.error_m);
+                "%u points %s%.1f mm apart: the surface felt lies within %.1f mm of the mesh in 99 of 100 places",
+                sampled.snapshot->points, from.c_str(), 1e3 * sampled.spacing_m, 1e3 * sampled.fidelity.error_m);
   std::string description = text;
   if (sampled.hidden > 0.001) {
     std::snprintf(text, sizeof text, "; %.0f %% of the mesh lies inside other parts of it and is left out",

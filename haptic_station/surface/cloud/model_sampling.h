@@ -11,8 +11,9 @@ namespace telepalp::surface {
 /// A mesh resampled as a touchable point-set surface.
 struct SampledMesh {
   std::shared_ptr<const CloudSnapshot> snapshot;
-  double spacing_m = 0.0;  ///< mean spacing of the points
-  double hidden = 0.0;     ///< share of the mesh's area that lies inside other parts of the mesh, and is left out
+  double spacing_m = 0.0;        ///< mean spacing of the points; at thick walls, if the spacing follows the walls
+  double least_spacing_m = 0.0;  ///< spacing at the thinnest walls
+  double hidden = 0.0;           ///< share of the mesh's area that lies inside other parts of the mesh, and is left out
   Fidelity fidelity;
   ThinWalls thin;  ///< walls thinner than two spacings; places in the file's frame
 };
@@ -20,9 +21,10 @@ struct SampledMesh {
 /// Samples `mesh`, whose points are in metres relative to their mean. `origin_m`: this mean, in the file's frame, which
 /// is the snapshot's. `settings` give the number of points or their spacing. If they give neither, the spacing is
 /// reduced until the surface lies within kFaithful_m of the mesh and gives no contact in free air, until a reduction
-/// leaves more than 70 % of the error, or until kMostSamples is reached. `side`: 1, or -1 to reverse all normals. Parts
-/// of the mesh inside other parts are left out: no finger reaches them, and they would pull the surface inwards and
-/// make the proxy jump from wall to wall. Returns a null snapshot if no part of the mesh can be reached.
+/// leaves more than 70 % of the error, or until kMostSamples is reached. At walls thinner than two of these spacings
+/// the samples are then denser (WallSpacing), as far as kMostSamples allows. `side`: 1, or -1 to reverse all normals.
+/// Parts of the mesh inside other parts are left out: no finger reaches them, and they would pull the surface inwards
+/// and make the proxy jump from wall to wall. Returns a null snapshot if no part of the mesh can be reached.
 [[nodiscard]] SampledMesh sample_mesh(const models::PointModel& mesh, const StaticModelSettings& settings,
                                       const Eigen::Vector3d& origin_m, float side);
 

@@ -124,6 +124,7 @@ Result<StaticModel> touched_mesh(models::PointModel mesh, const StaticModelSetti
   if (is_too_coarse(sampled.fidelity) && !settings.anyway) return too_coarse(sampled);
   made.sampling = description_of(sampled);
   made.snapshot = sampled.snapshot;
+  made.thin_share = sampled.thin.share;
   return made;
 }
 

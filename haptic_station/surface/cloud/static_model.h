@@ -25,8 +25,9 @@ struct StaticModelSettings {
 /// The surface of a model, with remarks for the user.
 struct StaticModel {
   std::shared_ptr<const CloudSnapshot> snapshot;
-  std::string remarks;   ///< such as that the mesh is open, was inverted or had no normals; may be empty
-  std::string sampling;  ///< of a mesh: spacing and error of its samples; of a cloud: spacing, noise and support
+  std::string remarks;      ///< such as that the mesh is open, was inverted or had no normals; may be empty
+  std::string sampling;     ///< of a mesh: spacing and error of its samples; of a cloud: spacing, noise and support
+  double thin_share = 0.0;  ///< of a mesh: share of its surface with walls thinner than two spacings of the samples
 };
 
 /// Makes a touchable surface from a mesh or cloud, in the frame of the file. A mesh is resampled by Poisson-disk sample
@@ -52,6 +53,13 @@ struct StaticModel {
 /// removes the most crowded ones first. Source: Yuksel 2015, sample elimination.
 [[nodiscard]] std::vector<CloudPoint> poisson_disk_samples(const models::PointModel& model, std::size_t count,
                                                            std::uint64_t seed);
+
+/// The wanted spacing of samples [m] at a place of the model.
+using SpacingAt = std::function<double(const Eigen::Vector3f& place)>;
+
+/// As poisson_disk_samples(), with a spacing that differs from place to place; it decides the number of points.
+[[nodiscard]] std::vector<CloudPoint> graded_samples(const models::PointModel& model, const SpacingAt& spacing_m,
+                                                     std::uint64_t seed);
 
 /// `count` random points on the triangles, by area. Empty for a mesh without area.
 [[nodiscard]] std::vector<CloudPoint> random_samples(const models::PointModel& model, std::size_t count,

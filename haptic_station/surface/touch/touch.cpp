@@ -142,10 +142,13 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   if (!felt) end_too_deep(device.m);
   const bool was_inside = side_ == Side::Inside && at_foot_.valid;
   const Vector3d foot_before = foot_;
+  const double depth_before_m = normal_.dot(foot_ - device.m);
   for (int part = 1; part <= parts; ++part) look(from + (device.m - from) * (static_cast<double>(part) / parts));
+  const double foot_most_m = kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt;
   if (was_inside && side_ == Side::Inside)  // under a deep device the nearest skin point can jump far to the side
-    foot_ =
-        foot_before + shortened(foot_ - foot_before, kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt);
+    foot_ = foot_before + shortened(foot_ - foot_before, foot_most_m);
+  else if (was_inside && (glides_ || depth_before_m > foot_most_m))  // else the skin moved away, or the device came out
+    leave(device.m, foot_before, foot_most_m, dt);
   device_ = device.m;
   has_device_ = true;
   if (felt)
@@ -154,6 +157,23 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
     anchored_ = false;  // a contact that is not felt has no anchor: the hand slides
   hold(dt, device.m, felt);
   return answer(device.m);
+}
+
+/// The device left the body from `foot_before`. A device that comes out through the skin has this point at hand, within
+/// `at_hand_m`. A device that is farther away from it fell into a fold or passed into another wall. The displayed skin
+/// then glides to the device, and the next contact may begin there.
+void Touch::leave(const Vector3d& device, const Vector3d& foot_before, double at_hand_m, double dt_s) noexcept {
+  const Vector3d pulled = foot_before - device;
+  if (pulled.norm() > at_hand_m) {
+    side_ = Side::Inside;
+    glides_ = true;
+    foot_ = foot_before - shortened(pulled, kFoot_m_per_s * dt_s);
+    normal_ = pulled.normalized();
+    return;
+  }
+  if (!std::exchange(glides_, false)) return;
+  side_ = Side::Unknown;
+  was_in_front_ = false;
 }
 
 /// Ends a contact that gives no force, as after a release, when the device is deeper than any contact may begin

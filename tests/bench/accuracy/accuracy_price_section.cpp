@@ -4,7 +4,11 @@
 
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/scene_bill.h"
+#include "haptic_station/surface/build/hidden_skin.h"
+#include "server/capture/synthetic/synthetic_patient.h"
+#include "support/program/files/shipped.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/effects/thread_time.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -80,6 +84,45 @@ void add_effects(const std::string& scene, const station::SceneBill& bill, doubl
   }
 }
 
+/// What the station pays to tell the patient's skin from objects over it (HiddenSkin), at 30 images of 640x480 pixels a
+/// second [% of a core]. A colleague's hand comes, stays and leaves in the measured time.
+Result<double> who_is_skin_share() {
+  constexpr double kRate_hz = 30.0;
+  constexpr int kImages = 150;
+  const char* const kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
+  const auto mesh = capture::read_mesh(program::shipped_file(kTorso).value_or(kTorso));
+  if (!mesh) return mesh.error();
+  const auto patient = capture::SyntheticPatient::make(*mesh, {});
+  if (!patient) return patient.error();
+  const auto at = [](double t) { return session_time(0) + from_seconds(t); };
+  const Intrinsics& camera = patient->settings().camera;
+  const capture::ColleagueVisit visit{.place = patient->surface_of({}).at_pixel(camera.cx, camera.cy).at,
+                                      .over_m = 0.06,
+                                      .begins_s = 0.5,
+                                      .stays_s = 1.0};
+  surface::HiddenSkin skin;
+  double spent_us = 0.0;
+  for (int i = 0; i < kImages; ++i) {
+    const double t = i / kRate_hz;
+    capture::PatientPose pose = patient->pose(at(t));
+    pose.colleague = visit.at(t, patient->surface_of({}), patient->surface_of(pose));
+    const surface::DepthField field = surface::to_depth_field(patient->depth_of(pose, at(t)));
+    const double start_us = thread_us();
+    (void)skin.add(field, camera, 1.0 / kRate_hz, visit.place);
+    spent_us += thread_us() - start_us;
+  }
+  return 1e-4 * kRate_hz * spent_us / kImages;
+}
+
+Result<void> add_who_is_skin(PageTable& prices, std::vector<Row>& rows) {
+  const Result<double> share = who_is_skin_share();
+  if (!share) return share.error();
+  rows.push_back(measured("whole station: who is skin, and who is a colleague's hand", *share, "% of a core"));
+  prices.rows.push_back(
+      {"who is skin, and who is a colleague's hand", cell(*share), cell(*share), "–", "–", "–", "–", "–"});
+  return {};
+}
+
 }  // namespace
 
 Result<Section> price_section() {
@@ -108,6 +151,7 @@ Result<Section> price_section() {
     add_scene(scene->name, *bill, scenes, section.rows);
     add_effects(scene->name, *bill, read_ms, prices, section.rows);
   }
+  if (const Result<void> added = add_who_is_skin(prices, section.rows); !added) return added.error();
   section.parts = {{"scenes", to_markdown(scenes)}, {"price", to_markdown(prices)}};
   return section;
 }

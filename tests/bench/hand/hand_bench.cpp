@@ -32,10 +32,11 @@ namespace hand {
 
 std::vector<Study> all_studies() {
   std::vector<Study> all;
-  for (const auto& group : {skin_felt_again(), colleague(),    step_response(),   excess_work(),  anchor_drift(),
-                            re_entry(),        force_error(),  beside_ideal(),    under_half(),   stiffness(),
-                            coughs(),          lies_down(),    inner_objects(),   creases(),      device_faults(),
-                            device_loop(),     browser_hand(), hand_prediction(), paper_trials(), cost()})
+  for (const auto& group :
+       {skin_felt_again(), colleague(),    arm_over(),        limits_of_sight(), step_response(), excess_work(),
+        anchor_drift(),    re_entry(),     force_error(),     beside_ideal(),    under_half(),    stiffness(),
+        coughs(),          lies_down(),    inner_objects(),   creases(),         mesh_slides(),   device_faults(),
+        device_loop(),     browser_hand(), hand_prediction(), paper_trials(),    cost()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -48,7 +49,9 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   if (const auto torso = hand::torso_is_there(); !torso) return torso.error();
   const std::string wanted = arguments.has("row") ? arguments.text("row") : "";
   Report report{.bench = "hand", .rows = {}, .notes = {}};
-  const std::vector<Study> studies = hand::all_studies();
+  std::vector<Study> studies = hand::all_studies();
+  if (arguments.has("input"))
+    for (Study& study : hand::slides_over(arguments.text("input"))) studies.push_back(std::move(study));
   for (const Study& study : studies) {
     if (!contains_one_of(study.name, wanted)) continue;
     Options options{.seeds = static_cast<int>(*seeds)};

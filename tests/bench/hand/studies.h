@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Study {
 
 [[nodiscard]] std::vector<Study> skin_felt_again();
 [[nodiscard]] std::vector<Study> colleague();
+[[nodiscard]] std::vector<Study> arm_over();
+[[nodiscard]] std::vector<Study> limits_of_sight();
 [[nodiscard]] std::vector<Study> step_response();
 [[nodiscard]] std::vector<Study> excess_work();
 [[nodiscard]] std::vector<Study> anchor_drift();
@@ -29,6 +32,9 @@ struct Study {
 [[nodiscard]] std::vector<Study> lies_down();
 [[nodiscard]] std::vector<Study> inner_objects();
 [[nodiscard]] std::vector<Study> creases();
+[[nodiscard]] std::vector<Study> mesh_slides();
+/// A study of slides for each mesh (.ply, .obj) of a folder of the user's, in metres or decimetres.
+[[nodiscard]] std::vector<Study> slides_over(const std::filesystem::path& folder);
 [[nodiscard]] std::vector<Study> device_faults();
 [[nodiscard]] std::vector<Study> browser_hand();
 [[nodiscard]] std::vector<Study> device_loop();

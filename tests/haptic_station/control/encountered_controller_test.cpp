@@ -122,7 +122,7 @@ struct Fed {
   ControlOutput into_body() {
     (void)at_height(0.05, 2000);
     (void)at_height(0.02, 1000);
-    return at_height(-0.02, 2000);  // the sink-in rises at 0.05 m/s
+    return at_height(-0.02, 2000);  // the sink-in rises at 0.1 m/s
   }
 };
 

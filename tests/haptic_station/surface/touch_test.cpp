@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -108,6 +109,45 @@ TEST(Touch, AContactThatIsNotFeltHasItsWholeShareOnceImagesReturn) {
 TEST(Touch, AContactThatIsFeltRegainsItsShareGradually) {
   const ShareOnReturn share = share_on_return(true);
   EXPECT_NEAR(share.after - share.before, 0.0005 / kLetGoOver_s, 1e-9);
+}
+
+/// What a device at rest feels, 2 mm deep, while the patient lies down and the displayed skin falls.
+struct Falling {
+  double fastest_m_per_s = 0.0;
+  double pull_m = 0.0;        ///< most by which the proxy lies nearer to the body than the device
+  double least_cosine = 1.0;  ///< of the normals in contact with the skin's
+  bool ends = false;
+};
+Falling falling_skin(const SurfaceSnapshot& before, const SurfaceSnapshot& lower, double depth_m) {
+  constexpr double kTick_s = 0.0005;
+  constexpr int kFalls = 200;
+  const Vector3d up = -Vector3d::UnitZ();
+  Touch touch({}, follow_limits(300.0));
+  touch.adopt(before, before.captured);
+  Falling got;
+  for (int tick = 0; tick < 600; ++tick) {
+    if (tick == kFalls) touch.adopt(lower, lower.captured);
+    const Point<DepthCamera> device{{0.0, 0.0, 0.8 + std::min(5e-5 * tick - 0.005, depth_m)}};
+    const TouchSample felt = touch.step(device, before.captured + from_seconds(tick * kTick_s), kTick_s);
+    got.fastest_m_per_s = std::max(got.fastest_m_per_s, -felt.surface_velocity_m_per_s);
+    got.pull_m = std::max(got.pull_m, -up.dot(felt.proxy.m - device.m));
+    if (felt.in_body) got.least_cosine = std::min(got.least_cosine, felt.normal.dot(up));
+    got.ends = !felt.in_body && tick > kFalls;
+  }
+  return got;
+}
+
+TEST(Touch, ASkinThatMovesAwayDoesNotPullTheDeviceAlong) {
+  const auto before = snapshot_of(*testing::plane({0.0, 0.0, 0.8}, -Vector3d::UnitZ()));
+  const auto lower =
+      snapshot_of(*testing::plane({0.0, 0.0, 0.83}, -Vector3d::UnitZ()), {}, before->captured + from_seconds(0.1));
+  for (int i = 0; i < 20; ++i) {
+    const Falling got = falling_skin(*before, *lower, 0.002 + 1e-5 * i);
+    EXPECT_GT(got.fastest_m_per_s, 0.15);
+    EXPECT_LE(got.pull_m, 0.0) << i;
+    EXPECT_GT(got.least_cosine, 0.9) << i;
+    EXPECT_TRUE(got.ends) << i;
+  }
 }
 
 TEST(GridSurface, TheGradientIsThatOfF) {

@@ -54,6 +54,24 @@ AssertionResult body_rises_under_the_hand() {
                  below_N("step", got.worst_step_N, kMostStep_N)});
 }
 
+/// An arm lies over a quarter of the image, 60 mm beside the device. The belly rises as in a cough, by 13 mm, more
+/// than the rest of the body.
+AssertionResult coughs_beside_an_arm() {
+  SeenPatient patient;
+  patient.depth_m = 0.004;
+  patient.over_m = [](int u, int v, double t) {
+    if (t > 1.5 && v > 90) return 0.74;
+    const double belly = std::exp(-0.5 * (std::pow((u - 80.0) / 40.0, 2.0) + std::pow((v - 75.0) / 30.0, 2.0)));
+    const double cough = t < 2.5 ? 0.0 : std::pow(std::sin(M_PI * std::fmod(t - 2.5, 1.5) / 1.5), 2.0);
+    return 0.8 - 0.013 * belly * cough;
+  };
+  patient.well_again_s = 6.25;  // at the top of the third cough, 11 mm up at the device
+  const Returned got = press_on(patient);
+  return all_of({{got.touched_before && got.never_lost, "felt all the time"},
+                 above("felt at its new place, 11 mm higher", got.last_N, 6.5, 1.0, "N"),
+                 below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
 /// What was remembered is no longer felt under an object that stays.
 AssertionResult remembered_skin_fades() {
   const auto force_after_N = [](double seconds) {
@@ -163,6 +181,8 @@ std::vector<HardCase> object_rows() {
       {"another's hand over a deep finger", "the finger is 100 mm below it", harmless, hand_60_mm_over_a_deep_finger},
       {"body rises under another's hand", "the place is not seen", "the remembered skin rises, too",
        body_rises_under_the_hand},
+      {"cough beside an arm", "the arm hides a quarter of the image, the belly moves", "the belly stays skin",
+       coughs_beside_an_arm},
       {"another's hand stays", "the skin is not seen for long", "felt for 1 s, no force after 3 s",
        remembered_skin_fades},
       {"patient sits up into the hand", "skin comes nearer by up to 54 mm on half of the image", "is felt",

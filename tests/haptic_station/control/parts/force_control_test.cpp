@@ -49,7 +49,8 @@ TEST(ForceControl, GivesNothingWithoutContact) {
 
 TEST(ForceControl, AContactThatBeginsAtDepthBeginsWithoutForce) {
   ForceControl control = over_a_skin_of(300.0);
-  EXPECT_LT(control.step(at_height(-0.02), true, kBound_N, 0.0, kTick_s).force.N.norm(), 0.01);
+  constexpr double kRise_m = 0.1 * kTick_s;  // of the body, in the first tick
+  EXPECT_LE(control.step(at_height(-0.02), true, kBound_N, 0.0, kTick_s).force.N.norm(), 300.0 * kRise_m + 1e-9);
   EXPECT_NEAR(control.shown().distance_m, 0.0, 1e-4);
 }
 

@@ -19,13 +19,13 @@ TEST(SinkIn, ShowsTheSkinAtTheDeviceFirstAndWhereItIsLater) {
   SinkIn sink_in;
   sink_in.begin(at_depth(0.02));
   sink_in.step(at_depth(0.02), kTick_s);
-  EXPECT_NEAR(sink_in.shown(at_depth(0.02)).distance_m, 0.0, 3e-5);
+  EXPECT_NEAR(sink_in.shown(at_depth(0.02)).distance_m, 0.0, 6e-5);
   double fastest = 0.0;
   for (int tick = 0; tick < 4000; ++tick) {
     sink_in.step(at_depth(0.02), kTick_s);
     fastest = std::max(fastest, sink_in.shown(at_depth(0.02)).surface_speed_m_per_s);
   }
-  EXPECT_DOUBLE_EQ(fastest, 0.05) << "it rises, and slowly";
+  EXPECT_DOUBLE_EQ(fastest, 0.1) << "it rises, and slowly";
   EXPECT_EQ(sink_in.shown(at_depth(0.02)).distance_m, -0.02);
   EXPECT_EQ(sink_in.shown(at_depth(0.02)).surface_speed_m_per_s, 0.0);
 }
@@ -38,13 +38,13 @@ TEST(SinkIn, RisesFasterInAGapAndMeetsTheEndEffectorSlowly) {
   double fastest_m_per_s = 0.0;
   double rises_for_s = 0.0;
   while (sink_in.shown(at_depth(0.02)).distance_m > 0.0) {
-    ASSERT_LT(rises_for_s += kTick_s, 0.8) << "50 mm/s would take 0.8 s";
+    ASSERT_LT(rises_for_s += kTick_s, 0.4) << "100 mm/s would take 0.4 s";
     sink_in.step(at_depth(0.02), kTick_s);
     fastest_m_per_s = std::max(fastest_m_per_s, sink_in.shown(at_depth(0.02)).surface_speed_m_per_s);
   }
   EXPECT_DOUBLE_EQ(fastest_m_per_s, 0.15);
-  EXPECT_LT(rises_for_s, 0.42);
-  EXPECT_DOUBLE_EQ(sink_in.shown(at_depth(0.02)).surface_speed_m_per_s, 0.05);
+  EXPECT_LT(rises_for_s, 0.3);
+  EXPECT_DOUBLE_EQ(sink_in.shown(at_depth(0.02)).surface_speed_m_per_s, 0.1);
 }
 
 /// The displayed surface itself still rises towards the measured one, faster than a contact allows at first.
@@ -106,7 +106,7 @@ TEST(SinkIn, ASupportThatGrowsInAContactDoesNotStiffenTheSkin) {
     const double before_m = contact.coverage * sink_in.shown(contact).distance_m;
     contact.coverage = std::min(1.0, contact.coverage + 2.0 * kTick_s);
     sink_in.step(contact, kTick_s);
-    ASSERT_GE(contact.coverage * sink_in.shown(contact).distance_m, before_m - 0.05 * kTick_s)
+    ASSERT_GE(contact.coverage * sink_in.shown(contact).distance_m, before_m - 0.1 * kTick_s)
         << "the spring is compressed only by the body's rise";
   }
   for (int tick = 0; tick < 4000; ++tick) sink_in.step(contact, kTick_s);
