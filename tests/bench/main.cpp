@@ -62,6 +62,7 @@ program::Usage usage() {
                   {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
                   {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                   {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},
+                  {"picture", "FILE", "hand: draw force and law over time as SVG, measure nothing"},
                   {"reached", "FILE", "hand: accept a miss up to 10 % beyond its value in FILE"},
                   {"seeds", "N", "hand: number of runs of a study with random runs", "200"},
                   {"seconds", "S", "duration of a run, in most benchmarks", "10"}},
