@@ -6,6 +6,7 @@
 
 #include "tests/bench/choice.h"
 #include "tests/bench/hand/patient.h"
+#include "tests/bench/hand/picture.h"
 #include "tests/bench/hand/reached.h"
 #include "tests/bench/hand/studies.h"
 
@@ -32,10 +33,11 @@ namespace hand {
 
 std::vector<Study> all_studies() {
   std::vector<Study> all;
-  for (const auto& group : {skin_felt_again(), colleague(),    step_response(),   excess_work(),  anchor_drift(),
-                            re_entry(),        force_error(),  beside_ideal(),    under_half(),   stiffness(),
-                            coughs(),          lies_down(),    inner_objects(),   creases(),      device_faults(),
-                            device_loop(),     browser_hand(), hand_prediction(), paper_trials(), cost()})
+  for (const auto& group :
+       {skin_felt_again(), colleague(),       step_response(), excess_work(),  rubbing(),       anchor_drift(),
+        re_entry(),        percussion(),      force_error(),   beside_ideal(), under_half(),    stiffness(),
+        coughs(),          lies_down(),       inner_objects(), creases(),      device_faults(), device_loop(),
+        browser_hand(),    hand_prediction(), paper_trials(),  cost()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -46,6 +48,10 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   const Result<double> seeds = arguments.number("seeds", 1.0, 100'000.0);
   if (!seeds) return seeds.error();
   if (const auto torso = hand::torso_is_there(); !torso) return torso.error();
+  if (arguments.has("picture")) {
+    if (const auto drawn = hand::draw_force(arguments.text("picture")); !drawn) return drawn.error();
+    return Report{.bench = "hand", .rows = {}, .notes = {"drawn: " + arguments.text("picture")}};
+  }
   const std::string wanted = arguments.has("row") ? arguments.text("row") : "";
   Report report{.bench = "hand", .rows = {}, .notes = {}};
   const std::vector<Study> studies = hand::all_studies();
