@@ -1,7 +1,5 @@
 #include "haptic_station/control/parts/position_control.h"
 
-#include <algorithm>
-
 #include "haptic_station/control/parts/coming_hand.h"
 #include "haptic_station/control/safety/shortened.h"
 
@@ -53,7 +51,7 @@ Vector3d PositionControl::step(const ControlInput& in, double target_height_m, d
   Vector3d wanted_N = at_most(settings_.stiffness_N_per_m * (target_.m - in.device.m) +
                                   settings_.damping_N_s_per_m * (speed - in.device_velocity.v),
                               settings_.most_N);
-  if (hand_comes(in)) wanted_N.y() = std::min(wanted_N.y(), settings_.against_hand_N);
+  if (hand_comes(in)) wanted_N = yielding(in, wanted_N, settings_.against_hand_N);
   force_N_ += at_most(wanted_N - force_N_, settings_.slew_N_per_s * dt_s);
   return force_N_;
 }

@@ -27,6 +27,17 @@ std::string names_of(const std::vector<Study>& studies) {
   return names;
 }
 
+/// --row picture: draws force.svg instead of measuring.
+Result<Report> draw_picture(const program::Arguments& arguments) {
+  if (!arguments.has("write"))
+    return Error{.what = "no folder is given for the picture",
+                 .where = "telepalp-bench hand --row picture",
+                 .fix = "add --write DIR; the picture becomes DIR/force.svg"};
+  const std::string file = arguments.text("write") + "/force.svg";
+  if (const auto drawn = hand::draw_force(file); !drawn) return drawn.error();
+  return Report{.bench = "hand", .rows = {}, .notes = {"drawn: " + file}};
+}
+
 }  // namespace
 
 namespace hand {
@@ -48,11 +59,8 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   const Result<double> seeds = arguments.number("seeds", 1.0, 100'000.0);
   if (!seeds) return seeds.error();
   if (const auto torso = hand::torso_is_there(); !torso) return torso.error();
-  if (arguments.has("picture")) {
-    if (const auto drawn = hand::draw_force(arguments.text("picture")); !drawn) return drawn.error();
-    return Report{.bench = "hand", .rows = {}, .notes = {"drawn: " + arguments.text("picture")}};
-  }
   const std::string wanted = arguments.has("row") ? arguments.text("row") : "";
+  if (wanted == "picture") return draw_picture(arguments);
   Report report{.bench = "hand", .rows = {}, .notes = {}};
   const std::vector<Study> studies = hand::all_studies();
   for (const Study& study : studies) {
@@ -64,7 +72,8 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   if (report.rows.empty())
     return Error{.what = "no study's name contains '" + wanted + "'",
                  .where = "telepalp-bench hand --row",
-                 .fix = "give parts of these names, with commas between: " + names_of(studies)};
+                 .fix = "give parts of these names, with commas between: " + names_of(studies) +
+                        "; or picture, with --write DIR, for a picture of the force over time"};
   if (arguments.has("write"))
     if (const auto written = hand::write_reached(report, arguments.text("write") + "/reached.tsv"); !written)
       return written.error();

@@ -30,6 +30,8 @@ constexpr double kAbove_m = 0.001;       // closer to the skin, an error of the 
 constexpr double kWayIn_m_per_s = 0.01;  // a slower hand is not on its way in
 constexpr double kFeltTap_N = 0.5;       // the law's least peak in a tap
 constexpr double kFlesh_m = 0.001;       // a fingertip this close to the end-effector touches it
+constexpr double kPressedIn_m = 0.01;    // the fingertip yields less; a lower hand has passed beside the end-effector
+constexpr double kReach_m = device::SimulatedHandSettings{}.reach_m;  // farther aside, the hand misses it
 constexpr double kArm_N_per_m = 300.0, kWrist_N_per_m = 2000.0;
 
 enum class Hand { Firm, Wrist, Arm };
@@ -52,24 +54,29 @@ std::unique_ptr<Person> person(Hand hand, const Eigen::Vector3d& normal, std::fu
   });
 }
 
-/// The largest force against a hand that moves in, more than kAbove_m above the true skin.
+/// The largest force against a hand that moves in with the end-effector, more than kAbove_m above the true skin.
 class WayIn {
  public:
   void add(const Tick& tick) noexcept {
-    const double in_m = -tick.moved_m.dot(tick.normal);
-    const bool pressed = (tick.device_m - tick.hand_m).dot(tick.normal) > -kFlesh_m;
+    const double in_m = std::min(-tick.moved_m.dot(tick.normal), (hand_m_ - tick.hand_m).dot(tick.normal));
+    const Eigen::Vector3d gap_m = tick.device_m - tick.hand_m;
+    const bool at_height = gap_m.y() > -kFlesh_m && gap_m.y() < kPressedIn_m;
+    const bool pressed = at_height && std::hypot(gap_m.x(), gap_m.z()) < kReach_m;
     const bool above = tick.true_known && tick.true_depth_m < -kAbove_m;
     if (pressed && above && in_m > kWayIn_m_per_s * kTick_s) most_N_ = std::max(most_N_, before_N_.dot(tick.normal));
     before_N_ = tick.force_N;
+    hand_m_ = tick.hand_m;
   }
   [[nodiscard]] double most_N() const noexcept { return most_N_; }
 
  private:
   Eigen::Vector3d before_N_ = Eigen::Vector3d::Zero();  ///< the force over the last movement
+  Eigen::Vector3d hand_m_ = Eigen::Vector3d::Zero();    ///< the hand's place at the last tick
   double most_N_ = 0.0;
 };
 
-/// Each tap's largest force divided by the law's largest force in it; NaN where the law gives none.
+/// Each tap's largest force divided by the law's largest force in it. NaN: the law gives none, because the hand has
+/// missed the end-effector. This happens on a flank: the skin throws the free end-effector aside as the hand leaves it.
 struct Taps {
   std::vector<double> ratios;
   double against_N = 0.0;  ///< on the way in
@@ -127,11 +134,24 @@ std::vector<Taps> tap_everywhere(Hand hand, const Feed::Settings& feed_settings,
   return all;
 }
 
+/// The ratios of all taps that met the end-effector. Infinite ones, if no tap did.
 Distribution joined(const std::vector<Taps>& all) {
   Distribution ratios;
   for (const Taps& one : all)
-    for (const double ratio : one.ratios) ratios.add(std::isfinite(ratio) ? ratio : INFINITY);
+    for (const double ratio : one.ratios)
+      if (std::isfinite(ratio)) ratios.add(ratio);
+  if (ratios.count() == 0) ratios.add(INFINITY);
   return ratios;
+}
+
+double missed_percent(const std::vector<Taps>& all) {
+  std::size_t taps = 0, missed = 0;
+  for (const Taps& one : all) {
+    taps += one.ratios.size();
+    missed += static_cast<std::size_t>(
+        std::count_if(one.ratios.begin(), one.ratios.end(), [](double ratio) { return !std::isfinite(ratio); }));
+  }
+  return 100.0 * static_cast<double>(missed) / static_cast<double>(taps);
 }
 
 double most_against_N(const std::vector<Taps>& all) {
@@ -142,6 +162,13 @@ double most_against_N(const std::vector<Taps>& all) {
 
 std::string said(const char* study, const Tapper& tapper) {
   return std::string("percussion/") + study + ", " + tapper.name + ": ";
+}
+
+/// A hand that no force moves is always at the end-effector, so each of its taps shall meet the skin.
+Row missed_row(const char* study, const Tapper& tapper, const std::vector<Taps>& all) {
+  const std::string name = said(study, tapper) + "taps at which the hand misses the end-effector";
+  return tapper.hand == Hand::Firm ? at_most(name, missed_percent(all), "%", 0.0)
+                                   : measured(name, missed_percent(all), "%");
 }
 
 std::vector<Row> measure_still(const Options& options) {
@@ -160,6 +187,7 @@ std::vector<Row> measure_still(const Options& options) {
     rows.push_back(at_most(name + "greatest", ratios.max(), "", 1.03));
     rows.push_back(at_most(said("still", tapper) + "force against the way in, over 1 mm above the skin",
                            most_against_N(all), "N", 0.2));
+    rows.push_back(missed_row("still", tapper, all));
   }
   return rows;
 }
@@ -168,7 +196,8 @@ std::vector<Row> measure_still(const Options& options) {
 double even_odd_percent(const std::vector<Taps>& all) {
   std::array<Distribution, 2> of;
   for (const Taps& one : all)
-    for (std::size_t i = 0; i < one.ratios.size(); ++i) of[i % 2].add(one.ratios[i]);
+    for (std::size_t i = 0; i < one.ratios.size(); ++i)
+      if (std::isfinite(one.ratios[i])) of[i % 2].add(one.ratios[i]);
   return 100.0 * std::abs(of[0].p50() / of[1].p50() - 1.0);
 }
 
@@ -191,6 +220,7 @@ std::vector<Row> measure_irregular(const Options& options) {
     rows.push_back(
         measured(said("irregular breath, 150 ms", tapper) + "force against the way in, over 1 mm above the true skin",
                  most_against_N(all), "N"));
+    rows.push_back(missed_row("irregular breath, 150 ms", tapper, all));
   }
   return rows;
 }
