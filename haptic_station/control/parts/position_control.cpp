@@ -1,5 +1,6 @@
 #include "haptic_station/control/parts/position_control.h"
 
+#include "haptic_station/control/parts/coming_hand.h"
 #include "haptic_station/control/safety/shortened.h"
 
 namespace telepalp::control {
@@ -9,7 +10,6 @@ using Eigen::Vector3d;
 
 constexpr double kHandSmoothing_rad_per_s = 25.0;  // bandwidth of the filter over the tracker's 100 Hz steps
 constexpr double kHeightSmoothing_s = 0.02;        // time constant of the filter over the target's vertical speed
-constexpr double kSlew_N_per_s = 90.0;             // 0.045 N a tick
 
 }  // namespace
 
@@ -48,10 +48,11 @@ Vector3d PositionControl::step(const ControlInput& in, double target_height_m, d
   offset_ = toward_zero(offset_, 1.0 / offset_fade_s_, dt_s);
   target_.m = Vector3d{hand_.m.x(), target_height_m, hand_.m.z()} + offset_.m;
   const Vector3d speed = Vector3d{hand_.per_s.x(), rises_m_per_s_, hand_.per_s.z()} + offset_.per_s;
-  const Vector3d wanted_N = at_most(settings_.stiffness_N_per_m * (target_.m - in.device.m) +
-                                        settings_.damping_N_s_per_m * (speed - in.device_velocity.v),
-                                    settings_.most_N);
-  force_N_ += at_most(wanted_N - force_N_, kSlew_N_per_s * dt_s);
+  Vector3d wanted_N = at_most(settings_.stiffness_N_per_m * (target_.m - in.device.m) +
+                                  settings_.damping_N_s_per_m * (speed - in.device_velocity.v),
+                              settings_.most_N);
+  if (hand_comes(in)) wanted_N = yielding(in, wanted_N, settings_.against_hand_N);
+  force_N_ += at_most(wanted_N - force_N_, settings_.slew_N_per_s * dt_s);
   return force_N_;
 }
 

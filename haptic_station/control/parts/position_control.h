@@ -14,7 +14,9 @@ namespace telepalp::control {
 /// rate limit delays the force of a fast movement. A stiff control would then swing for ever with its whole force: with
 /// 400 N/m, 25 N s/m and 56 N/s, a free device of 0.3 kg swings at 4.5 Hz by 22 mm. With the settings' stiffness and
 /// damping every free device of 0.1 to 1 kg and 0.3 to 3 N s/m comes to rest, also when its force comes 4 ms late.
-/// Owner: haptic thread.
+///
+/// A hand that comes down onto the end-effector (hand_comes()) meets an upward force of at most
+/// PositionControlSettings::against_hand_N, although Out body lasts until its dwell ends. Owner: haptic thread.
 class PositionControl {
  public:
   /// `offset_fade_s`: decay time constant of Delta p in eq. (5). When Out body begins, Delta p is the position of the

@@ -28,10 +28,12 @@ struct PositionControlSettings {
   double stiffness_N_per_m = 100.0;  ///< with this damping, the rate limit causes no swing (position_control.h)
   double damping_N_s_per_m = 12.0;
   double most_N = 3.0;           ///< largest force; a hand can always hold the end-effector against it
+  double slew_N_per_s = 90.0;    ///< greatest change of the force of position control: 0.045 N per tick
   double fastest_m_per_s = 1.0;  ///< greatest speed of the hand that the target follows
   double lift_speed_m_per_s = 0.1;
   double lift_damping_N_s_per_m = 15.0;
   double lift_most_N = 1.0;
+  double against_hand_N = 0.18;  ///< largest upward force on a hand that comes down onto the end-effector
 };
 
 /// Greatest ages of the inputs. When the tracker's sample or the surface is older, the station releases the force

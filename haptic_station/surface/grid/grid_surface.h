@@ -13,8 +13,8 @@ struct alignas(64) GridNode {
   float confidence = 0.0F;        ///< 0: no surface at this node
   std::array<float, 3> normal{};  ///< unit, towards the camera
   float deviation_m = 0.0F;       ///< standard deviation of `at_m` along the normal
-  MotionTerms motion{};           ///< coefficients [m/s, m, m, m, m, m/s] of its predicted motion along the normal
-  std::array<float, 2> spare{};   ///< fills the cache line
+  MotionTerms motion{};           ///< coefficients [m/s, m, m, m, m, m/s, m] of its motion along the normal
+  float spare = 0.0F;             ///< fills the cache line
 };
 static_assert(sizeof(GridNode) == 64);
 

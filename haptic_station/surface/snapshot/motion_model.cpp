@@ -33,6 +33,12 @@ Progress believed(const ForesightShare& share, double age_s) noexcept {
   return {share[late ? 1 : 0] + change * x * x * (3.0 - 2.0 * x), change * 6.0 * x * (1.0 - x) / span_s};
 }
 
+/// The way back to the mean place, from 0 at the capture to 1 at the first age for which a share is learned; C1.
+Progress way_to_mean(double age_s) noexcept {
+  const double x = std::min(age_s / kForesightAges_s[0], 1.0);
+  return {x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / kForesightAges_s[0]};
+}
+
 }  // namespace
 
 MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
@@ -49,10 +55,13 @@ MotionBasis motion_basis(const MotionModel& model, double age_s) noexcept {
   const Progress own = believed(model.own, age.s);
   const Progress linear{model.linear_fade_s * (1.0 - fade), fade};
   const Progress own_speed = product(own, speed);
-  const std::array<Progress, kMotionTerms> terms = {
-      product(own_speed, linear),       product(product(own, acceleration), {c1 - 1.0, -w * s1}),
-      product(own_speed, {s1, w * c1}), product(own, {c2 - 1.0, -2.0 * w * s2}),
-      product(own, {s2, 2.0 * w * c2}), product(believed(model.straight, age.s), linear)};
+  const std::array<Progress, kMotionTerms> terms = {product(own_speed, linear),
+                                                    product(product(own, acceleration), {c1 - 1.0, -w * s1}),
+                                                    product(own_speed, {s1, w * c1}),
+                                                    product(own, {c2 - 1.0, -2.0 * w * s2}),
+                                                    product(own, {s2, 2.0 * w * c2}),
+                                                    product(believed(model.straight, age.s), linear),
+                                                    product(believed(model.to_mean, age.s), way_to_mean(age.s))};
   MotionBasis basis;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     basis.value[i] = static_cast<float>(terms[i].s);

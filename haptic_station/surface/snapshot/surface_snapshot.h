@@ -10,16 +10,18 @@
 
 namespace telepalp::surface {
 
-/// The terms of a point's motion after its capture. Two predictions share them. The station's own prediction, by
+/// The terms of a point's motion after its capture. Three predictions share them. The station's own prediction, by
 /// SharedMotion and BreathingModel, has the first five: a linear term whose velocity decays, and cosine and sine of two
-/// breathing harmonics. The straight prediction, by StraightMotion, has the sixth, which is linear, too. A point's
-/// displacement along its normal is the dot product of its coefficients and the terms.
-inline constexpr int kMotionTerms = 6;
+/// breathing harmonics. The straight prediction, by StraightMotion, has the sixth, which is linear, too. The seventh is
+/// the way back to the mean place of the last 2 s, by RecentMean. A point's displacement along its normal is the dot
+/// product of its coefficients and the terms.
+inline constexpr int kMotionTerms = 7;
 inline constexpr std::size_t kStraightTerm = 5;  ///< index of the straight prediction's term
+inline constexpr std::size_t kMeanTerm = 6;      ///< index of the way back to the mean place
 using MotionTerms = std::array<float, kMotionTerms>;
 
-/// The terms' values [s, 1, 1, 1, 1, s] and time derivatives [1, 1/s, 1/s, 1/s, 1/s, 1] at one age of the snapshot,
-/// equal for all points.
+/// The terms' values [s, 1, 1, 1, 1, s, 1] and time derivatives [1, 1/s, 1/s, 1/s, 1/s, 1, 1/s] at one age of the
+/// snapshot, equal for all points.
 struct MotionBasis {
   MotionTerms value{};
   MotionTerms rate{};
@@ -42,6 +44,7 @@ struct MotionModel {
   ForesightShare acceleration = kFullForesight;  ///< weight of the first harmonic's cosine
   ForesightShare own = kFullForesight;           ///< weight of the station's own prediction; own + straight <= 1
   ForesightShare straight = kNoForesight;        ///< weight of the straight prediction
+  ForesightShare to_mean = kNoForesight;         ///< share of the way back to the mean place
   double linear_fade_s = 0.3;                    ///< time constant with which the velocity of both linear terms decays
   double freeze_from_s = 0.6;   ///< from this age the predicted motion slows down; it stops at twice this age
   double spread_m_per_s = 0.0;  ///< growth of the prediction's standard deviation with age

@@ -32,6 +32,7 @@ MotionField::MotionField(int width_px, int height_px, const SurfaceSettings& set
       shared_(lattice_.size()),
       shared_seen_(lattice_.size()),
       straight_(lattice_),
+      mean_(lattice_.size()),
       counts_(lattice_.size(), 0.0F) {}
 
 /// Predicts the motion from terms_, which include the breathing model. The shared motion is set to this prediction,
@@ -155,6 +156,7 @@ void MotionField::judge_predictions(const std::vector<CellInnovation>& seen, dou
   straight_.measure(observed_, dt_s);
   past_.judge(observed_, counts_, dt_s);
   way_.add(observed_, counts_, dt_s);
+  mean_.add(observed_, dt_s);
 }
 
 void MotionField::update_terms() {
@@ -167,7 +169,10 @@ void MotionField::update_terms() {
     terms[0] = static_cast<float>((1.0 - breath) * velocity_m_per_s_[i]);
     terms[1] -= static_cast<float>(share * shared_.acceleration_m_per_s2() / (w * w));
     terms[2] += static_cast<float>(share * shared_.speed_m_per_s() / w);
-    if (shared_wanted_) terms[kStraightTerm] = static_cast<float>(straight_.velocity_m_per_s(i));
+    if (shared_wanted_) {
+      terms[kStraightTerm] = static_cast<float>(straight_.velocity_m_per_s(i));
+      terms[kMeanTerm] = static_cast<float>(mean_.m(i)) - displacement_[i];
+    }
     terms_[i] = terms;
   }
   if (shared_wanted_) past_.remember(displacement_, terms_, model_of_each());
@@ -210,6 +215,7 @@ MotionModel MotionField::model() const noexcept {
   if (!shared_wanted_) return model;
   model.own = past_.own();
   model.straight = past_.straight();
+  model.to_mean = past_.to_mean();
   return model;
 }
 

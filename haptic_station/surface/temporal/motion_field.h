@@ -10,6 +10,7 @@
 #include "haptic_station/surface/temporal/cell_gains.h"
 #include "haptic_station/surface/temporal/cell_lattice.h"
 #include "haptic_station/surface/temporal/past_predictions.h"
+#include "haptic_station/surface/temporal/recent_mean.h"
 #include "haptic_station/surface/temporal/recent_way.h"
 #include "haptic_station/surface/temporal/shared_motion.h"
 #include "haptic_station/surface/temporal/straight_motion.h"
@@ -79,6 +80,7 @@ class MotionField {
   StraightMotion straight_;
   PastPredictions past_;
   RecentWay way_;
+  RecentMean mean_;
   std::vector<float> counts_;  ///< 1 for a cell that the last frame measured, otherwise 0
   double miss_m_ = 0.0;        ///< running mean of |innovation|, weighted by `weight_`
   double frame_s_ = 0.033;

@@ -7,6 +7,7 @@
 
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/temporal/prediction_weights.h"
+#include "haptic_station/surface/temporal/swing_regression.h"
 
 namespace telepalp::surface {
 
@@ -18,11 +19,12 @@ class PastPredictions {
   /// of each cell's depth since the first frame. `weight`: weight of each cell's error; 0: not measured.
   void judge(std::span<const float> measured_m, std::span<const float> weight, double dt_s);
   /// Remembers this frame's predictions: the change of each cell's depth since the first frame, and the terms of its
-  /// motion. `own` and `straight` in `model` are ignored, because each prediction is judged alone.
+  /// motion. `own`, `straight` and `to_mean` in `model` are ignored, because each prediction is judged alone.
   void remember(std::span<const float> displacement_m, std::span<const MotionTerms> terms, const MotionModel& model);
 
   [[nodiscard]] ForesightShare own() const noexcept { return weights_of(0); }
-  [[nodiscard]] ForesightShare straight() const noexcept { return weights_of(2); }
+  [[nodiscard]] ForesightShare straight() const noexcept;
+  [[nodiscard]] ForesightShare to_mean() const noexcept;
 
  private:
   struct Past {
@@ -31,13 +33,17 @@ class PastPredictions {
     std::vector<MotionTerms> terms;
     MotionModel model;
     std::array<OfThree, kForesightAges_s.size()> mean;  ///< PredictionWeights::short_term()
+    std::array<SwingRegression::Shares, kForesightAges_s.size()> swings;
   };
 
+  void judge_past(const Past& then, std::size_t age, std::span<const float> measured_m, std::span<const float> weight,
+                  double dt_s) noexcept;
   [[nodiscard]] const Past* made_before(double age_s) const noexcept;
   [[nodiscard]] ForesightShare weights_of(std::size_t prediction) const noexcept;
 
   std::deque<Past> past_;
   std::array<PredictionWeights, kForesightAges_s.size()> by_age_;
+  std::array<SwingRegression, kForesightAges_s.size()> swing_;
   double now_s_ = 0.0;
 };
 

@@ -11,17 +11,22 @@ constexpr double kLong_s = 10.0;   // three breaths; a patient who coughs does s
 constexpr double kLatelyPower = 2.0;
 constexpr double kLongPower = 16.0;   // with 8, a cough errs by 1.06 times as much as the better prediction
 constexpr double kNoise_m = 2e-5;     // adds to each error, so that a patient at rest does not choose by noise
-constexpr double kFirst_m2_s = 9e-8;  // prior: holding, and the mean, have erred by 0.3 mm for 1 s
+constexpr double kFirst_m2_s = 9e-8;  // prior: all but the station's own have erred by 0.3 mm for 1 s
+
+template <std::size_t kCount>
+std::array<double, kCount> inverse_powers(const std::array<double, kCount>& mean_square_m2, double power) noexcept {
+  const double least_m2 = *std::min_element(mean_square_m2.begin(), mean_square_m2.end());
+  std::array<double, kCount> weight{};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kCount; ++i) sum += weight[i] = std::pow(least_m2 / mean_square_m2[i], power);
+  for (double& one : weight) one /= sum;
+  return weight;
+}
 
 }  // namespace
 
 OfThree inverse_power_weights(const OfThree& mean_square_m2, double power) noexcept {
-  const double least_m2 = *std::min_element(mean_square_m2.begin(), mean_square_m2.end());
-  OfThree weight{};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < weight.size(); ++i) sum += weight[i] = std::pow(least_m2 / mean_square_m2[i], power);
-  for (double& one : weight) one /= sum;
-  return weight;
+  return inverse_powers(mean_square_m2, power);
 }
 
 void PredictionWeights::pass(double dt_s) noexcept {
@@ -33,11 +38,9 @@ void PredictionWeights::pass(double dt_s) noexcept {
 
 void PredictionWeights::add(const SquareErrors& errors, double dt_s) noexcept {
   const OfThree lately{errors.own, errors.holding, errors.straight};
-  const OfThree over_long{errors.own, errors.holding, errors.mean};
-  for (std::size_t i = 0; i < lately.size(); ++i) {
-    lately_m2_s_[i] += lately[i] * dt_s;
-    long_m2_s_[i] += over_long[i] * dt_s;
-  }
+  const OfFour over_long{errors.own, errors.holding, errors.mean, errors.swing};
+  for (std::size_t i = 0; i < lately.size(); ++i) lately_m2_s_[i] += lately[i] * dt_s;
+  for (std::size_t i = 0; i < over_long.size(); ++i) long_m2_s_[i] += over_long[i] * dt_s;
 }
 
 OfThree PredictionWeights::short_term() const noexcept {
@@ -46,14 +49,13 @@ OfThree PredictionWeights::short_term() const noexcept {
   return inverse_power_weights(sum, kLatelyPower);
 }
 
-OfThree PredictionWeights::weights() const noexcept {
-  OfThree sum = long_m2_s_;
+OfFour PredictionWeights::weights() const noexcept {
+  OfFour sum = long_m2_s_;
   for (double& one : sum) one += kNoise_m * kNoise_m * kLong_s;
-  sum[1] += prior_ * kFirst_m2_s;
-  sum[2] += prior_ * kFirst_m2_s;
-  const OfThree second = inverse_power_weights(sum, kLongPower);
+  for (std::size_t i = 1; i < sum.size(); ++i) sum[i] += prior_ * kFirst_m2_s;
+  const OfFour second = inverse_powers(sum, kLongPower);
   const OfThree first = short_term();
-  return {second[0] + second[2] * first[0], second[1] + second[2] * first[1], second[2] * first[2]};
+  return {second[0] + second[2] * first[0], second[1] + second[2] * first[1], second[2] * first[2], second[3]};
 }
 
 }  // namespace telepalp::surface

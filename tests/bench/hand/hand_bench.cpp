@@ -6,6 +6,7 @@
 
 #include "tests/bench/choice.h"
 #include "tests/bench/hand/patient.h"
+#include "tests/bench/hand/picture.h"
 #include "tests/bench/hand/reached.h"
 #include "tests/bench/hand/studies.h"
 
@@ -26,17 +27,28 @@ std::string names_of(const std::vector<Study>& studies) {
   return names;
 }
 
+/// --row picture: draws force.svg instead of measuring.
+Result<Report> draw_picture(const program::Arguments& arguments) {
+  if (!arguments.has("write"))
+    return Error{.what = "no folder is given for the picture",
+                 .where = "telepalp-bench hand --row picture",
+                 .fix = "add --write DIR; the picture becomes DIR/force.svg"};
+  const std::string file = arguments.text("write") + "/force.svg";
+  if (const auto drawn = hand::draw_force(file); !drawn) return drawn.error();
+  return Report{.bench = "hand", .rows = {}, .notes = {"drawn: " + file}};
+}
+
 }  // namespace
 
 namespace hand {
 
 std::vector<Study> all_studies() {
   std::vector<Study> all;
-  for (const auto& group :
-       {skin_felt_again(), colleague(),    arm_over(),        limits_of_sight(), step_response(), excess_work(),
-        anchor_drift(),    re_entry(),     force_error(),     beside_ideal(),    under_half(),    stiffness(),
-        coughs(),          lies_down(),    inner_objects(),   creases(),         mesh_slides(),   device_faults(),
-        device_loop(),     browser_hand(), hand_prediction(), paper_trials(),    cost()})
+  for (const auto& group : {skin_felt_again(), colleague(),     arm_over(),        limits_of_sight(), step_response(),
+                            excess_work(),     rubbing(),       anchor_drift(),    re_entry(),        percussion(),
+                            force_error(),     beside_ideal(),  under_half(),      stiffness(),       coughs(),
+                            lies_down(),       inner_objects(), creases(),         mesh_slides(),     device_faults(),
+                            device_loop(),     browser_hand(),  hand_prediction(), paper_trials(),    cost()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -48,6 +60,7 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   if (!seeds) return seeds.error();
   if (const auto torso = hand::torso_is_there(); !torso) return torso.error();
   const std::string wanted = arguments.has("row") ? arguments.text("row") : "";
+  if (wanted == "picture") return draw_picture(arguments);
   Report report{.bench = "hand", .rows = {}, .notes = {}};
   std::vector<Study> studies = hand::all_studies();
   if (arguments.has("input"))
@@ -61,7 +74,8 @@ Result<Report> run_hand(const program::Arguments& arguments) {
   if (report.rows.empty())
     return Error{.what = "no study's name contains '" + wanted + "'",
                  .where = "telepalp-bench hand --row",
-                 .fix = "give parts of these names, with commas between: " + names_of(studies)};
+                 .fix = "give parts of these names, with commas between: " + names_of(studies) +
+                        "; or picture, with --write DIR, for a picture of the force over time"};
   if (arguments.has("write"))
     if (const auto written = hand::write_reached(report, arguments.text("write") + "/reached.tsv"); !written)
       return written.error();

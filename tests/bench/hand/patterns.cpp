@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "server/capture/synthetic/motion/patient_motion.h"
@@ -101,6 +102,14 @@ std::span<const Pattern> breaths() noexcept { return kBreaths; }
 const Pattern& sit_up() noexcept { return kSitUp; }
 const Pattern& talk() noexcept { return kTalk; }
 std::span<const Pattern> jolts() noexcept { return kJolts; }
+
+const Pattern& pattern(std::string_view name) {
+  for (const auto& group :
+       {breaths(), jolts(), std::span<const Pattern>(&kSitUp, 1), std::span<const Pattern>(&kTalk, 1)})
+    for (const Pattern& one : group)
+      if (one.name == name) return one;
+  std::abort();
+}
 
 PoseScript script(const Pattern& pattern, std::shared_ptr<const capture::SyntheticPatient> patient, const Spot& spot) {
   const auto placed = haptic_from_camera(*patient, spot);

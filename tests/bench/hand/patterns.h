@@ -23,6 +23,9 @@ struct Pattern {
 /// Coughs as the synthetic patient's, coughs of 8 mm in 0.3 s, and a shift of 10 mm in 50 ms.
 [[nodiscard]] std::span<const Pattern> jolts() noexcept;
 
+/// The pattern of this name; aborts if there is none.
+[[nodiscard]] const Pattern& pattern(std::string_view name);
+
 /// The patient's pose over time. The lift of the belly is chosen so that the skin at `spot` moves as `pattern` says.
 [[nodiscard]] PoseScript script(const Pattern& pattern, std::shared_ptr<const capture::SyntheticPatient> patient,
                                 const Spot& spot);

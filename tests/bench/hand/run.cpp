@@ -61,7 +61,7 @@ Tick BenchStation::step(double time_s, const capture::TrueSurface& truth) {
     touched_ = {arriving_.front().snapshot, haptic_from_camera_};
     due.surface = &touched_;
   }
-  Tick tick{.time_s = time_s, .device_m = person_->device().m};
+  Tick tick{.time_s = time_s, .device_m = person_->device().m, .hand_m = person_->hand().m};
   tick.moved_m = tick.device_m - before_m_;
   before_m_ = tick.device_m;
   HeldRig rig(*this, time_s);

@@ -33,6 +33,7 @@ struct StationSettings {
 struct Tick {
   double time_s = 0.0;
   Eigen::Vector3d device_m = Eigen::Vector3d::Zero();  ///< true position of the device at the tick's beginning
+  Eigen::Vector3d hand_m = Eigen::Vector3d::Zero();    ///< true position of the hand
   Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();   ///< movement since the previous tick
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();   ///< force for the next tick
   Eigen::Vector3d normal = Eigen::Vector3d::UnitY();   ///< normal of the true skin

@@ -24,6 +24,8 @@ struct Study {
 [[nodiscard]] std::vector<Study> excess_work();
 [[nodiscard]] std::vector<Study> anchor_drift();
 [[nodiscard]] std::vector<Study> re_entry();
+[[nodiscard]] std::vector<Study> percussion();
+[[nodiscard]] std::vector<Study> rubbing();
 [[nodiscard]] std::vector<Study> force_error();
 [[nodiscard]] std::vector<Study> beside_ideal();
 [[nodiscard]] std::vector<Study> under_half();

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "haptic_station/surface/temporal/past_predictions.h"
+#include "haptic_station/surface/temporal/recent_mean.h"
 
 namespace telepalp::surface {
 namespace {
@@ -37,16 +40,16 @@ TEST(PredictionWeights, BeforeAnyErrorIsKnownTheStationsOwnPredictionCounts) {
 }
 
 TEST(PredictionWeights, AShiftIsFollowedStraightWithinThreeTenthsOfASecond) {
-  const SquareErrors breath{.own = 1e-8, .holding = 4e-7, .straight = 1e-7, .mean = 8e-9};
-  const SquareErrors shift{.own = 2e-6, .holding = 9e-6, .straight = 1e-7, .mean = 4e-7};
+  const SquareErrors breath{.own = 1e-8, .holding = 4e-7, .straight = 1e-7, .mean = 8e-9, .swing = 4e-7};
+  const SquareErrors shift{.own = 2e-6, .holding = 9e-6, .straight = 1e-7, .mean = 4e-7, .swing = 9e-6};
   const PredictionWeights weights = learned(shift, 0.3, learned(breath, 10.0));
   EXPECT_GT(weights.short_term()[2], 0.9);
   EXPECT_GT(weights.weights()[2], 0.8);
 }
 
 TEST(PredictionWeights, APatientWhoCoughsIsHeldEvenWhileAnotherPredictionIsRight) {
-  const SquareErrors cough{.own = 4e-6, .holding = 2e-6, .straight = 5e-6, .mean = 3e-6};
-  const SquareErrors for_a_moment{.own = 4e-6, .holding = 2e-6, .straight = 1e-8, .mean = 1e-8};
+  const SquareErrors cough{.own = 4e-6, .holding = 2e-6, .straight = 5e-6, .mean = 3e-6, .swing = 3e-6};
+  const SquareErrors for_a_moment{.own = 4e-6, .holding = 2e-6, .straight = 1e-8, .mean = 1e-8, .swing = 3e-6};
   const PredictionWeights weights = learned(for_a_moment, 1.0, learned(cough, 10.0));
   EXPECT_GT(weights.short_term()[2], 0.9) << "the short time scale alone would follow";
   EXPECT_GT(weights.weights()[1], 0.95);
@@ -78,6 +81,46 @@ TEST(PastPredictions, TheStraightPredictionOfABodyThatGoesStraightGetsAllTheWeig
   const PastPredictions past = watched(0.02, 3.0);
   for (const double weight : past.straight()) EXPECT_GT(weight, 0.9);
   for (const double weight : past.own()) EXPECT_LT(weight, 0.05);
+}
+
+/// One cell that swings by 3 mm at 1.7 Hz: 0.12 s later, its place is hardly related to where it is now.
+TEST(PastPredictions, ACellThatSwingsFastIsSentBackToItsMeanPlace) {
+  PastPredictions past;
+  RecentMean mean(1);
+  MotionModel model;
+  model.moves = true;
+  model.breathing_rad_per_s = 3.0;
+  MotionTerms terms{};
+  const std::vector<float> counts{1.0F};
+  for (int n = 0; n < 600; ++n) {
+    const std::vector<float> at_m{static_cast<float>(0.01 + 0.003 * std::sin(2.0 * 3.14159 * 1.7 * n * kFrame_s))};
+    past.judge(at_m, counts, kFrame_s);
+    mean.add(at_m, kFrame_s);
+    terms[kMeanTerm] = static_cast<float>(mean.m(0)) - at_m[0];
+    past.remember(at_m, std::vector<MotionTerms>{terms}, model);
+  }
+  EXPECT_NEAR(mean.m(0), 0.01, 3e-4);
+  const ForesightShare share = past.to_mean();
+  EXPECT_LT(share[0], share[1]) << "the younger the image, the more it says about now";
+  EXPECT_GT(share[1], 0.6);
+  EXPECT_GT(share[2], 1.0) << "beyond the mean after a third of a swing";
+}
+
+TEST(PastPredictions, ACellThatKeepsItsPlaceAfterAShiftIsNotSentBack) {
+  PastPredictions past;
+  RecentMean mean(1);
+  MotionModel model;
+  model.moves = true;
+  MotionTerms terms{};
+  const std::vector<float> counts{1.0F};
+  for (int n = 0; n < 300; ++n) {
+    const std::vector<float> at_m{n / 90 % 2 == 0 ? 0.0F : 0.01F};
+    past.judge(at_m, counts, kFrame_s);
+    mean.add(at_m, kFrame_s);
+    terms[kMeanTerm] = static_cast<float>(mean.m(0)) - at_m[0];
+    past.remember(at_m, std::vector<MotionTerms>{terms}, model);
+  }
+  for (const double share : past.to_mean()) EXPECT_LT(share, 0.05);
 }
 
 TEST(PastPredictions, AFrameAfterAGapDoesNotJudgePredictionsThatWereMadeForAnEarlierInstant) {

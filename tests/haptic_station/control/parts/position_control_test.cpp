@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "haptic_station/control/parts/lift.h"
 #include "haptic_station/device/simulated_pair.h"
@@ -100,12 +101,50 @@ TEST(PositionControl, AFreeDeviceComesToRestUnderAHandThatStops) {
           }
 }
 
+constexpr int kSoon_ticks = 100;
+
+Vector3d lifts_N(const ControlInput& in, Lift lift = Lift({})) {
+  Vector3d force_N = Vector3d::Zero();
+  for (int tick = 0; tick < kSoon_ticks; ++tick) {
+    const Vector3d before_N = std::exchange(force_N, lift.step(in, kPlane_m, kTick_s));
+    EXPECT_LE((force_N - before_N).norm(), 0.045 + 1e-9) << "N a tick";
+  }
+  return force_N;
+}
+
 TEST(Lift, DrivesUpwardsGentlyAndStopsAtThePlane) {
   const PositionControlSettings settings;
-  const Vector3d below_N = Lift(settings).step(hand_at(Vector3d::Zero(), {0.0, 0.0, 0.0}), kPlane_m, kTick_s);
+  const Vector3d below_N = lifts_N(hand_at({0.0, 0.1, 0.0}, {0.0, 0.0, 0.0}));
   EXPECT_GT(below_N.y(), 0.9);
   EXPECT_LE(below_N.norm(), settings.lift_most_N);
-  EXPECT_LT(Lift(settings).step(hand_at(Vector3d::Zero(), {0.0, 0.06, 0.0}), kPlane_m, kTick_s).y(), 0.0);
+  EXPECT_LT(lifts_N(hand_at({0.0, 0.1, 0.0}, {0.0, 0.06, 0.0})).y(), 0.0);
+}
+
+TEST(Lift, HardlyOpposesAHandAtTheEndEffectorOrOnItsWayToIt) {
+  const double most_N = PositionControlSettings{}.against_hand_N + 1e-9;
+  EXPECT_LE(lifts_N(hand_at({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0})).norm(), most_N);
+  ControlInput near = hand_at({0.0, 0.03, 0.0}, {0.0, 0.0, 0.0});
+  EXPECT_GT(lifts_N(near).y(), 0.9) << "a hand that rests 3 cm over the end-effector";
+  near.hand_velocity.v.y() = -0.6;
+  EXPECT_LE(lifts_N(near).norm(), most_N);
+  near.hand.m.x() = 0.1;
+  EXPECT_GT(lifts_N(near).y(), 0.9) << "a hand that comes down beside the end-effector";
+}
+
+TEST(PositionControl, HardlyOpposesAHandThatPushesTheEndEffectorDown) {
+  const PositionControlSettings settings;
+  PositionControl control(settings, 0.15);
+  ControlInput in = hand_at({0.0, kPlane_m, 0.0}, {0.0, kPlane_m, 0.0});
+  control.begin(in, kPlane_m);
+  for (int tick = 0; tick < kSoon_ticks; ++tick) {
+    in.device_velocity.v.y() = in.hand_velocity.v.y() = -0.6;
+    in.device.m.y() = in.hand.m.y() = kPlane_m - 0.6 * kTick_s * tick;
+    EXPECT_LE(control.step(in, kPlane_m, kTick_s).y(), settings.against_hand_N + 1e-9) << "tick " << tick;
+  }
+  in.hand.m.y() = 0.2;  // without a hand, the end-effector is driven back
+  in.device_velocity.v.y() = in.hand_velocity.v.y() = 0.0;
+  for (int tick = 0; tick < kSoon_ticks; ++tick) (void)control.step(in, kPlane_m, kTick_s);
+  EXPECT_GT(control.step(in, kPlane_m, kTick_s).y(), 2.0);
 }
 
 }  // namespace
