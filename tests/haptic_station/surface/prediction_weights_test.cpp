@@ -1,11 +1,11 @@
-#include "haptic_station/surface/temporal/prediction_weights.h"
+#include "haptic_station/surface/foresight/prediction_weights.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "haptic_station/surface/temporal/past_predictions.h"
-#include "haptic_station/surface/temporal/recent_mean.h"
+#include "haptic_station/surface/foresight/past_predictions.h"
+#include "haptic_station/surface/foresight/recent_mean.h"
 
 namespace telepalp::surface {
 namespace {

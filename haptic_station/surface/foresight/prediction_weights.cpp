@@ -1,4 +1,4 @@
-#include "haptic_station/surface/temporal/prediction_weights.h"
+#include "haptic_station/surface/foresight/prediction_weights.h"
 
 #include <algorithm>
 #include <cmath>

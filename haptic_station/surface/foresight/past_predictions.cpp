@@ -1,4 +1,4 @@
-#include "haptic_station/surface/temporal/past_predictions.h"
+#include "haptic_station/surface/foresight/past_predictions.h"
 
 #include <algorithm>
 #include <numeric>
