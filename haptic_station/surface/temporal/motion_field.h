@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "haptic_station/surface/foresight/past_predictions.h"
+#include "haptic_station/surface/foresight/recent_mean.h"
+#include "haptic_station/surface/foresight/recent_way.h"
 #include "haptic_station/surface/snapshot/surface_settings.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/temporal/breathing_model.h"
 #include "haptic_station/surface/temporal/cell_gains.h"
 #include "haptic_station/surface/temporal/cell_lattice.h"
-#include "haptic_station/surface/temporal/past_predictions.h"
-#include "haptic_station/surface/temporal/recent_mean.h"
-#include "haptic_station/surface/temporal/recent_way.h"
 #include "haptic_station/surface/temporal/shared_motion.h"
 #include "haptic_station/surface/temporal/straight_motion.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "haptic_station/surface/foresight/recent_way.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
-#include "haptic_station/surface/temporal/recent_way.h"
 #include "haptic_station/surface/temporal/straight_motion.h"
 
 // The three bounds of a sudden motion's prediction: way, drop and (in shared_motion_test.cpp) regression.

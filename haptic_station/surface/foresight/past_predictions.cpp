@@ -1,4 +1,4 @@
-#include "haptic_station/surface/temporal/past_predictions.h"
+#include "haptic_station/surface/foresight/past_predictions.h"
 
 #include <algorithm>
 #include <numeric>
@@ -13,6 +13,10 @@ struct Predicted {
   double to_mean_m = 0.0;
 };
 
+// Root mean square over the cells. A patient who sits up goes farther from the mean place, and does not swing: the
+// swing then neither learns nor counts as better than the other predictions.
+constexpr double kFarthestSwing_m = 0.005;
+
 Predicted predicted(const MotionTerms& terms, const MotionBasis& basis) noexcept {
   Predicted by;
   for (std::size_t k = 0; k < kStraightTerm; ++k) by.own_m += static_cast<double>(terms[k] * basis.value[k]);
@@ -22,6 +26,16 @@ Predicted predicted(const MotionTerms& terms, const MotionBasis& basis) noexcept
 }
 
 double square(double value) noexcept { return value * value; }
+
+/// Mean square distance of the measured cells from their mean places [m²].
+double distance_m2(std::span<const MotionTerms> terms, std::span<const float> weight) noexcept {
+  double sum = 1e-30, weighted_m2 = 0.0;
+  for (std::size_t at = 0; at < terms.size(); ++at) {
+    sum += static_cast<double>(weight[at]);
+    weighted_m2 += static_cast<double>(weight[at]) * square(static_cast<double>(terms[at][kMeanTerm]));
+  }
+  return weighted_m2 / sum;
+}
 
 }  // namespace
 
@@ -39,6 +53,7 @@ void PastPredictions::judge_past(const Past& then, std::size_t age, std::span<co
   const OfThree& mean = then.mean[age];
   const SwingRegression::Shares& swings = then.swings[age];
   const double sum = std::accumulate(weight.begin(), weight.end(), 1e-30);
+  const bool near = distance_m2(then.terms, weight) <= square(kFarthestSwing_m);
   SquareErrors errors;
   for (std::size_t at = 0; at < measured_m.size(); ++at) {
     const double counts = static_cast<double>(weight[at]) / sum;
@@ -49,8 +64,9 @@ void PastPredictions::judge_past(const Past& then, std::size_t age, std::span<co
     errors.straight += counts * square(went_m - by.straight_m);
     errors.mean += counts * square(went_m - mean[0] * by.own_m - mean[2] * by.straight_m);
     errors.swing += counts * square(went_m - swings.to_mean * by.to_mean_m - swings.straight * by.straight_m);
-    swing_[age].add({went_m, by.to_mean_m, by.straight_m}, counts * dt_s);
+    if (near) swing_[age].add({went_m, by.to_mean_m, by.straight_m}, counts * dt_s);
   }
+  if (!near) errors.swing = std::max(errors.swing, errors.mean);
   by_age_[age].add(errors, dt_s);
 }
 

@@ -1,4 +1,4 @@
-#include "haptic_station/surface/temporal/recent_mean.h"
+#include "haptic_station/surface/foresight/recent_mean.h"
 
 #include <algorithm>
 

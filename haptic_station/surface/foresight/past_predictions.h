@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "haptic_station/surface/foresight/prediction_weights.h"
+#include "haptic_station/surface/foresight/swing_regression.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
-#include "haptic_station/surface/temporal/prediction_weights.h"
-#include "haptic_station/surface/temporal/swing_regression.h"
 
 namespace telepalp::surface {
 

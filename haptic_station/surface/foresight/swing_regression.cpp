@@ -1,4 +1,4 @@
-#include "haptic_station/surface/temporal/swing_regression.h"
+#include "haptic_station/surface/foresight/swing_regression.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "haptic_station/surface/temporal/recent_way.h"
+#include "haptic_station/surface/foresight/recent_way.h"
 
 #include <algorithm>
 #include <cmath>
