@@ -9,7 +9,10 @@ namespace telepalp::tissue {
 /// Dry friction as a bristle that bends, then slips: the elasto-plastic model of Dupont et al. 2002 (docs/sources.md).
 /// Below 0.7 of the greatest force the bristle is a spring, so a needle at rest neither creeps nor drifts. Above, it
 /// slips by a growing share of the motion, and at the greatest force by all of it. Its anchor only ever follows the
-/// tip, so it gives back at most what it stores. At zero velocity the force is the bristle's own, in any direction.
+/// tip, so it gives back at most what it stores. A bristle that slips takes hold of fresh tissue, which has not
+/// relaxed: all its branches shorten by one share. With one anchor behind all branches, those would relax to nothing
+/// while the needle slides, and a needle that stops would not relax, against the measurements. At zero velocity the
+/// force is the bristle's own, in any direction.
 class Bristle {
  public:
   /// Moves the tip by `by_m`. The friction force is at most `most_N`.
@@ -19,13 +22,12 @@ class Bristle {
     const Eigen::Vector3d bent_m = spring_.extension_m(relaxation);
     const double longest_m = most_N / stiffness_N_per_m;
     const double along_m2 = bent_m.dot(by_m);
-    Eigen::Vector3d moved_m = by_m;
+    spring_.move(by_m);
     if (along_m2 > 0.0 && longest_m > 0.0) {
       const double full = std::min(1.0, bent_m.norm() / longest_m);
       const double slipping = full * std::clamp((full - kElastic) / (1.0 - kElastic), 0.0, 1.0);
-      moved_m -= slipping * along_m2 / bent_m.squaredNorm() * bent_m;
+      hold((bent_m + by_m - slipping * along_m2 / bent_m.squaredNorm() * bent_m).norm(), relaxation);
     }
-    spring_.move(moved_m);
     hold(longest_m, relaxation);
   }
   /// Shortens the bristle to at most `longest_m`.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_station/tissue/build/force_bound.h"
+#include "haptic_station/tissue/force_bound.h"
 #include "haptic_station/tissue/mesh/triangle_tree.h"
 #include "haptic_station/tissue/net/stiffness_map.h"
 #include "haptic_station/tissue/tissue_settings.h"

@@ -1,4 +1,4 @@
-#include "haptic_station/tissue/build/force_bound.h"
+#include "haptic_station/tissue/force_bound.h"
 
 #include <algorithm>
 #include <cmath>

@@ -143,17 +143,23 @@ TissueSettings tissue_with(const SurfaceFit& surface, const VectorXd& bulks, con
   return tissue;
 }
 
-/// Mean of the curves' cells, as far as all of them reach.
+/// Mean of the curves' cells, as far as all of them reach. A curve's weight is 1 / its peak^2, because relative_error()
+/// divides by the peak: the mean minimises the sum of the squares of these errors.
 Result<std::vector<double>> mean_cells(std::span<const InsertionCurve> curves, const InsertionFitSettings& settings) {
   if (curves.empty()) return refused("there is no curve");
   std::vector<double> mean;
+  double weights = 0.0;
   for (const InsertionCurve& curve : curves) {
     const Result<std::vector<double>> cells = cells_of(curve, settings);
     if (!cells) return cells.error();
+    const double peak_N = *std::max_element(cells->begin(), cells->end());
+    const double weight = 1.0 / (peak_N * peak_N);
     if (mean.empty()) mean.assign(cells->size(), 0.0);
     mean.resize(std::min(mean.size(), cells->size()));
-    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += (*cells)[i] / static_cast<double>(curves.size());
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += weight * (*cells)[i];
+    weights += weight;
   }
+  for (double& cell : mean) cell /= weights;
   return mean;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 
 #include "tests/bench/needle/section.h"
@@ -49,12 +50,15 @@ struct Gain {
   double hand_J = 0.0;     ///< the most energy that the hand got in excess, by the hand's ledger
 };
 
-/// A needle on a prescribed path wanders for 1e5 ticks, 50 s, through the tissue of `scene`, whose skin acts, too.
-Gain gained(const scenes::Scene& scene, tissue::BulkLaw law) {
+effects::Effect stiff_tissue(const scenes::Scene& scene, tissue::BulkLaw law) {
+  return effects::LayeredTissue({.model = *tissue::make_tissue(ten_times(tissue_of(scene), law))});
+}
+
+/// A needle on a prescribed path wanders for 1e5 ticks, 50 s, through `felt`.
+Gain gained(std::initializer_list<effects::Effect> felt) {
   constexpr int kTicks = 100'000;
   effects::EffectBank bank;
-  (void)bank.add(effects::Skin(*scene.skin()));
-  (void)bank.add(effects::LayeredTissue({.model = *tissue::make_tissue(ten_times(tissue_of(scene), law))}));
+  for (const effects::Effect& effect : felt) (void)bank.add(effect);
   std::vector<Vector3d> places;
   tissue::Wanderer tip({0.0, 0.005, 0.0}, 3);
   for (int i = 0; i < kTicks; ++i) places.push_back(tip.next());
@@ -88,11 +92,23 @@ std::vector<Row> run_needle_energy_section() {
       {"bristle", tissue::BulkLaw::Bristle}, {"window", tissue::BulkLaw::Window}, {"paper", tissue::BulkLaw::Paper}};
   for (const std::string_view name : kNeedleScenes)
     for (const auto& [setting, law] : kLaws) {
-      const Gain gain = gained(library_scene(name), law);
+      const scenes::Scene scene = library_scene(name);
+      const Gain gain = gained({effects::Skin(*scene.skin()), stiff_tissue(scene, law)});
       const std::string row = std::string(name) + ", 10 times as stiff, " + setting + ": energy gained in 1e5 steps, ";
       rows.push_back(at_most(row + "the display's ledger", 1e3 * gain.display_J, "mJ", 0.0));
       rows.push_back(at_most(row + "the hand's ledger", 1e3 * gain.hand_J, "mJ", 0.0));
     }
+  // What of it is not the tissue's: the skin on the same path without a needle, and the tissue without the skin.
+  const scenes::Scene scene = library_scene(kNeedleScenes[0]);
+  const Gain skin = gained({effects::Skin(*scene.skin())});
+  const Gain layers = gained({stiff_tissue(scene, tissue::BulkLaw::Bristle)});
+  rows.push_back(
+      measured("the skin alone: energy gained in 1e5 steps, the display's ledger", 1e3 * skin.display_J, "mJ"));
+  rows.push_back(measured("the skin alone: energy gained in 1e5 steps, the hand's ledger", 1e3 * skin.hand_J, "mJ"));
+  rows.push_back(measured("the tissue alone, 10 times as stiff: energy gained in 1e5 steps, the display's ledger",
+                          1e3 * layers.display_J, "mJ"));
+  rows.push_back(measured("the tissue alone, 10 times as stiff: energy gained in 1e5 steps, the hand's ledger",
+                          1e3 * layers.hand_J, "mJ"));
   return rows;
 }
 
