@@ -11,6 +11,7 @@
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
 #include "proto/wire/camera/color_message.h"
+#include "proto/wire/camera/depth_window_message.h"
 #include "server/hub/server_stats.h"
 
 namespace telepalp::server {
@@ -37,17 +38,18 @@ msg::Clock clock_message(SessionTime now) {
 
 Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Options options) {
   std::unique_ptr<Server> server(new Server(io, std::move(options)));
-  auto listener =
-      hub::PeerListener::listen(io, server->hub_, server->clock_,
-                                {.address = server->options_.bind,
-                                 .port = server->options_.port,
-                                 .name = server->options_.name,
-                                 .access = server->options_.access,
-                                 .no_stations = server->options_.clock_upstream ? std::optional(kAnEdge) : std::nullopt,
-                                 .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
-                                 // The statistics are published before the hub forgets the totals of a leaving
-                                 // peer.
-                                 .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
+  auto listener = hub::PeerListener::listen(
+      io, server->hub_, server->clock_,
+      {.address = server->options_.bind,
+       .port = server->options_.port,
+       .name = server->options_.name,
+       .access = server->options_.access,
+       .no_stations = server->options_.clock_upstream ? std::optional(kAnEdge) : std::nullopt,
+       .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
+       .on_window = [raw = server.get()](const msg::WindowRequest& request) { raw->follow_window(request); },
+       // The statistics are published before the hub forgets the totals of a leaving
+       // peer.
+       .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
   if (!listener) return listener.error();
   server->listener_ = std::move(listener).value();
   return server;
@@ -57,6 +59,7 @@ Server::Server(boost::asio::io_context& io, Options options)
     : io_(io),
       options_(std::move(options)),
       clock_(options_.clock_upstream.value_or(wire::SessionClock::anchored_to_wall_clock())),
+      window_(options_.access->has_keys()),
       second_(io),
       content_timer_(io) {
   if (options_.clock_upstream) hub_.keep_numbers();
@@ -110,14 +113,31 @@ void Server::stop(const std::string& reason) {
 void Server::publish(wire::Message message) {
   if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
-  if (message.topic.name == wire::kCameraDepth.name) {
+  const bool is_depth =
+      message.topic.name == wire::kCameraDepth.name || message.topic.name == wire::kCameraDepthWindow.name;
+  if (is_depth) {
     last_depth_ = std::chrono::steady_clock::now();
-    origin_->want_color(
-        {.pictures = hub_.is_wanted(wire::kCameraColor.name), .video = hub_.is_wanted(wire::kCameraColorVideo.name)});
+    tell_origin_what_is_wanted();
   }
-  if (message.topic.name == wire::kCameraDepth.name || wire::carries_color(message.topic))
-    image_B_ += static_cast<double>(message.payload->size());
+  if (is_depth || wire::carries_color(message.topic)) image_B_ += static_cast<double>(message.payload->size());
   hub_.publish(std::move(message));
+}
+
+void Server::tell_origin_what_is_wanted() {
+  origin_->want_color(
+      {.pictures = hub_.is_wanted(wire::kCameraColor.name), .video = hub_.is_wanted(wire::kCameraColorVideo.name)});
+  origin_->want_depth(
+      {.whole = hub_.is_wanted(wire::kCameraDepth.name), .window = hub_.is_wanted(wire::kCameraDepthWindow.name)});
+  origin_->want_window(window_.at(clock_.now()));
+}
+
+void Server::follow_window(const msg::WindowRequest& request) {
+  const std::optional<DepthWindow> window = wire::window_of(request.window());
+  if (!window || !origin_) return;
+  if (window_.ask(request.sender(), *window, clock_.now())) return origin_->want_window(window);
+  if (!std::exchange(window_noted_, true))
+    log("a second station asks for exact depth around its hand: images follow the station that asked first, until it "
+        "is silent for 1 s");
 }
 
 std::string Server::problem() const {

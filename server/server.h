@@ -15,6 +15,7 @@
 #include "server/hub/hub.h"
 #include "server/hub/peer_listener.h"
 #include "server/origin/origin.h"
+#include "server/pipeline/window_choice.h"
 
 namespace telepalp::server {
 
@@ -65,6 +66,8 @@ class Server {
   Server(boost::asio::io_context& io, Options options);
   void run_origin(std::unique_ptr<origin::Origin> origin);
   void publish(wire::Message message);
+  void tell_origin_what_is_wanted();
+  void follow_window(const msg::WindowRequest& request);
   void publish_every_second();
   void show_newcomers_the_picture();
   void publish_clock_and_stats();
@@ -79,6 +82,8 @@ class Server {
   Options options_;
   wire::SessionClock clock_;
   hub::Hub hub_;
+  pipeline::WindowChoice window_;
+  bool window_noted_ = false;  // the log says that another station's window is followed
   std::unique_ptr<hub::PeerListener> listener_;
   boost::asio::steady_timer second_;
   boost::asio::steady_timer content_timer_;

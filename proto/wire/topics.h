@@ -79,6 +79,13 @@ inline constexpr Topic kCameraDepth{.name = "/camera/depth",
                                     .backlog = Backlog::Newest,
                                     .datagram_channel = 0,
                                     .predicted = true};
+inline constexpr Topic kCameraDepthWindow{.name = "/camera/depth/window",
+                                          .schema = "telepalp.msg.DepthImage",
+                                          .lane = Lane::First,
+                                          .backlog = Backlog::Newest,
+                                          .datagram_channel = 5,
+                                          .predicted = true,
+                                          .only_by_name = true};
 inline constexpr Topic kCameraInfo{.name = "/camera/info",
                                    .schema = "foxglove.CameraCalibration",
                                    .validity = Validity::UntilNext,
@@ -130,6 +137,10 @@ inline constexpr Topic kStationInside{.name = "/station/inside",
                                       .publisher = Publisher::Station,
                                       .validity = Validity::UntilChanged,
                                       .most_from_peer = {.messages_per_s = 1, .KiB_per_s = 512}};
+inline constexpr Topic kStationWindow{.name = "/station/window",
+                                      .schema = "telepalp.msg.WindowRequest",
+                                      .publisher = Publisher::Station,
+                                      .most_from_peer = {.messages_per_s = 100, .KiB_per_s = 32}};
 
 inline constexpr Topic kViewerHand{.name = "/viewer/hand",
                                    .schema = "telepalp.msg.ViewerHand",
@@ -144,11 +155,11 @@ inline constexpr Topic kHandHolder{.name = "/viewer/hand_holder",
 inline constexpr Topic kSessionNotes{
     .name = "/session/notes", .schema = "telepalp.msg.LiveNote", .publisher = Publisher::Gateway};
 
-inline constexpr std::array kTopics{kCameraColor,    kCameraDepth,      kCameraInfo,      kCameraStatus,
-                                    kClock,          kServerStats,      kStationState,    kStationTicks,
-                                    kStationSurface, kStationEvents,    kStationStats,    kStationCompensation,
-                                    kViewerHand,     kHandHolder,       kCameraColorInfo, kStationUltrasound,
-                                    kStationInside,  kCameraColorVideo, kSessionNotes};
+inline constexpr std::array kTopics{
+    kCameraColor,       kCameraDepth,   kCameraInfo,      kCameraStatus,      kClock,         kServerStats,
+    kStationState,      kStationTicks,  kStationSurface,  kStationEvents,     kStationStats,  kStationCompensation,
+    kViewerHand,        kHandHolder,    kCameraColorInfo, kStationUltrasound, kStationInside, kCameraColorVideo,
+    kCameraDepthWindow, kStationWindow, kSessionNotes};
 
 /// The topic of this name; nullopt if telepalp has no such topic.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

@@ -45,8 +45,9 @@ Peer::~Peer() {
 }
 
 double Peer::dropped() noexcept {
-  const Hub::TopicCount depth = site_.hub.topic_count(subscriber_, wire::kCameraDepth.name);
-  return drops_.step(depth.published, depth.dropped);
+  const Hub::TopicCount whole = site_.hub.topic_count(subscriber_, wire::kCameraDepth.name);
+  const Hub::TopicCount window = site_.hub.topic_count(subscriber_, wire::kCameraDepthWindow.name);
+  return drops_.step(whole.published + window.published, whole.dropped + window.dropped);
 }
 
 void Peer::check_key() {
@@ -200,8 +201,16 @@ void Peer::on_message(wire::Message message) {
   useful_ = Clock::now();
   if (!touch_.renew()) return refuse(touch_.is_held(*who_));
   if (!rates_.passes(message, useful_)) return on_over_rate(message.topic);
-  if (is_valid_upstream(message)) return site_.hub.publish(with_sender(std::move(message), sender_));
-  site_.on_invalid();
+  if (!is_valid_upstream(message)) return site_.on_invalid();
+  message = with_sender(std::move(message), sender_);
+  if (message.topic.name == wire::kStationWindow.name) note_window(message);
+  site_.hub.publish(std::move(message));
+}
+
+/// `message` is valid, and its sender is this peer.
+void Peer::note_window(const wire::Message& message) {
+  msg::WindowRequest request;
+  if (request.ParseFromString(*message.payload)) site_.on_window(request);
 }
 
 void Peer::on_over_rate(const wire::Topic& topic) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "messages/station.pb.h"
 #include "proto/link/datagram_link.h"
 #include "proto/wire/connection/connection.h"
 #include "server/access/access.h"
@@ -38,10 +39,11 @@ struct PeerSite {
   std::function<void(const std::string&)> note_refusal;  ///< a log line about a refused peer
   /// The connection of a peer that never joined has ended, for `reason`. Many such peers share one line of the log.
   std::function<void(const std::string& happened, const std::string& reason)> note_stranger_gone;
-  std::function<void()> on_invalid;                ///< a message was dropped because it is invalid
-  std::function<void()> on_over_rate;              ///< a message was dropped because of its topic's rate
-  std::function<void()> on_leaving;                ///< before a peer and its counts leave the hub
-  std::function<void(std::uint64_t peer)> forget;  ///< the peer's connection has ended
+  std::function<void(const msg::WindowRequest&)> on_window;  ///< a station asks for a window of exact depth
+  std::function<void()> on_invalid;                          ///< a message was dropped because it is invalid
+  std::function<void()> on_over_rate;                        ///< a message was dropped because of its topic's rate
+  std::function<void()> on_leaving;                          ///< before a peer and its counts leave the hub
+  std::function<void(std::uint64_t peer)> forget;            ///< the peer's connection has ended
 };
 
 /// One peer: connects its network connection with its subscription in the hub.
@@ -106,6 +108,7 @@ class Peer : private wire::ConnectionOwner {
   void wake();
   [[nodiscard]] bool takes_touch(bool accepts);
   void on_over_rate(const wire::Topic& topic);
+  void note_window(const wire::Message& message);
   void end_datagrams();
   void leave_hub();
 

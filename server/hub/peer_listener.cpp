@@ -92,6 +92,10 @@ PeerSite PeerListener::site_for_peers() {
           .note_refusal = [this](const std::string& text) { note_refusal(text); },
           .note_stranger_gone = [this](const std::string& happened,
                                        const std::string& reason) { note_stranger_gone(happened, reason); },
+          .on_window =
+              [this](const msg::WindowRequest& request) {
+                if (options_.on_window) options_.on_window(request);
+              },
           .on_invalid = [this] { ++counts_.invalid_messages; },
           .on_over_rate = [this] { ++counts_.over_rate; },
           .on_leaving =

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "messages/station.pb.h"
 #include "proto/wire/connection/connection.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/repeated_errors.h"
@@ -42,8 +43,9 @@ class PeerListener {
     std::optional<Error> no_stations{};  ///< why this server takes no stations; nullopt: it takes them
     PlaceLimits places{};
     IdleLimits idle{};
-    std::function<void(const std::string&)> on_note{};  ///< log lines: connected, disconnected and why
-    std::function<void()> on_leaving{};                 ///< called before a peer and its counts leave the hub
+    std::function<void(const std::string&)> on_note{};           ///< log lines: connected, disconnected and why
+    std::function<void(const msg::WindowRequest&)> on_window{};  ///< a station asks for a window; the request is valid
+    std::function<void()> on_leaving{};                          ///< called before a peer and its counts leave the hub
   };
   struct Counts {
     std::uint64_t accepted = 0;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "messages/station.pb.h"
+#include "proto/wire/camera/depth_window_message.h"
 #include "proto/wire/inside/inside_message.h"
 #include "proto/words/demand.h"
 
@@ -36,6 +37,7 @@ constexpr std::array kChecks{Check{wire::kStationState.name, parses<msg::Station
                              Check{wire::kStationEvents.name, parses<msg::StationEvent>},
                              Check{wire::kStationStats.name, parses<msg::StationStats>},
                              Check{wire::kStationUltrasound.name, parses_and_is_valid<msg::UltrasoundImage>},
+                             Check{wire::kStationWindow.name, parses_and_is_valid<msg::WindowRequest>},
                              Check{wire::kStationInside.name, parses_and_is_valid<msg::InnerStructures>}};
 static_assert(std::ranges::all_of(wire::kTopics, [](const wire::Topic& topic) {
   return (std::ranges::count(kChecks, topic.name, &Check::topic) == 1) == may_publish_upstream(topic);

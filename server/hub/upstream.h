@@ -23,7 +23,8 @@ inline constexpr std::size_t kMaxReadBytesPerSecond = std::size_t{2} << 20;
 }
 
 /// True if a peer may publish the topic of `message`, its payload is at most kMaxUpstreamBytes and parses as the
-/// topic's type, and the values of an ultrasound image or of structures inside the body are valid (wire::is_valid()).
+/// topic's type, and the values of an ultrasound image, of structures inside the body, or of a window are valid
+/// (wire::is_valid()).
 /// If the server passed on other messages, every subscriber and every recording would get an unreadable message.
 [[nodiscard]] bool is_valid_upstream(const wire::Message& message);
 

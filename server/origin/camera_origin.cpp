@@ -91,9 +91,18 @@ class CameraOrigin final : public Origin {
   }
   void show_again(std::string_view topic) override {
     if (!thread_) return;
-    const bool is_video = topic == wire::kCameraColorVideo.name;
-    if (is_video) return thread_->request_video_key_frame();
-    thread_->request_key_frame();
+    if (topic == wire::kCameraColorVideo.name)
+      thread_->request_video_key_frame();
+    else if (topic == wire::kCameraDepthWindow.name)
+      thread_->request_window_key_frame();
+    else
+      thread_->request_key_frame();
+  }
+  void want_depth(pipeline::DepthWanted wanted) override {
+    if (thread_) thread_->want_depth(wanted);
+  }
+  void want_window(const std::optional<DepthWindow>& window) override {
+    if (thread_) thread_->want_window(window);
   }
   void want_color(pipeline::ColorWanted wanted) override {
     if (thread_) thread_->want_color(wanted);

@@ -8,6 +8,7 @@
 #include "codec/color.h"
 #include "codec/video.h"
 #include "proto/wire/camera/camera_stamp.h"
+#include "proto/wire/camera/depth_window_message.h"
 
 namespace telepalp::pipeline {
 namespace {
@@ -55,6 +56,7 @@ msg::DepthImage depth_message(const RgbdFrame& frame, codec::EncodedDepth encode
     image.mutable_bound()->set_least_m(loss->least_m);
     image.mutable_bound()->set_per_m(loss->per_m);
   }
+  if (encoded.window) *image.mutable_window() = wire::to_message(*encoded.window);
   image.set_data(std::move(encoded.bytes));
   return image;
 }

@@ -44,6 +44,7 @@ CameraPipeline::CameraPipeline(capture::CaptureSource& source, std::string sourc
       handlers_(std::move(handlers)),
       encoder_(options.depth),
       video_(options.video_kbit_per_s),
+      window_(options.depth),
       rate_since_(clock_.now()) {}
 
 bool CameraPipeline::step() {
@@ -96,18 +97,40 @@ void CameraPipeline::shrink_when_asked() {
   video_.set_rate(options_.video_kbit_per_s);
 }
 
+/// As for colour, each coding is made once, and only while a subscriber takes it.
 void CameraPipeline::publish_depth(const RgbdFrame& frame) {
-  if (handlers_.take_key_frame_request()) key_frame_pacing_.requested = true;
+  const DepthWanted wanted = handlers_.depth_wanted ? handlers_.depth_wanted() : DepthWanted{};
   const bool must_not_predict = handlers_.may_predict && !handlers_.may_predict();
+  if (!wanted.window) window_.end();
+  if (wanted.window) publish_window(frame, must_not_predict);  // first: the hand waits for it
+  if (wanted.makes_whole())
+    publish_whole(frame, must_not_predict);
+  else
+    encoder_.request_key_frame();  // subscribers do not have this frame
+}
+
+void CameraPipeline::publish_whole(const RgbdFrame& frame, bool must_not_predict) {
+  if (handlers_.take_key_frame_request()) key_frame_pacing_.requested = true;
   if (must_not_predict || key_frame_is_due(key_frame_pacing_)) encoder_.request_key_frame();
   codec::EncodedDepth coded = encoder_.encode(frame.depth);
+  key_frame_pacing_ = after_encoding(key_frame_pacing_, coded.key_frame);
+  if (!publish_depth_as(wire::kCameraDepth, frame, std::move(coded))) encoder_.request_key_frame();
+}
+
+void CameraPipeline::publish_window(const RgbdFrame& frame, bool must_not_predict) {
+  if (handlers_.take_window_key_frame_request && handlers_.take_window_key_frame_request()) window_.request_key_frame();
+  if (must_not_predict) window_.lost_frame();
+  codec::EncodedDepth coded = window_.encode(frame, handlers_.window ? handlers_.window() : std::nullopt);
+  if (!publish_depth_as(wire::kCameraDepthWindow, frame, std::move(coded))) window_.lost_frame();
+}
+
+/// False: the message was dropped. A dropped frame cannot be a reference: the next one must be a key frame.
+bool CameraPipeline::publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded) {
   const bool is_key = coded.key_frame;
-  key_frame_pacing_ = after_encoding(key_frame_pacing_, is_key);
   msg::DepthImage depth = depth_message(frame, std::move(coded));
   const SessionTime encoded = clock_.now();
   depth.set_encoded_ns(static_cast<std::uint64_t>(to_nanoseconds(encoded)));
-  // A dropped frame cannot be a reference: the next one must be a key frame.
-  if (!publish(wire::make_message(wire::kCameraDepth, encoded, depth, is_key))) encoder_.request_key_frame();
+  return publish(wire::make_message(topic, encoded, depth, is_key));
 }
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {

@@ -12,7 +12,9 @@
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
 #include "server/pipeline/color_wanted.h"
+#include "server/pipeline/depth_wanted.h"
 #include "server/pipeline/video_stage.h"
+#include "server/pipeline/window_stage.h"
 
 namespace telepalp::pipeline {
 
@@ -41,6 +43,10 @@ class CameraPipeline {
     /// As take_key_frame_request, of colour as video.
     std::function<bool()> take_video_key_frame_request{};
     std::function<ColorWanted()> color_wanted{};  ///< empty: pictures alone
+    std::function<DepthWanted()> depth_wanted{};  ///< empty: whole images alone
+    /// As take_key_frame_request, of depth with a window.
+    std::function<bool()> take_window_key_frame_request{};
+    std::function<std::optional<DepthWindow>()> window{};  ///< where depth must be exact; empty: always nullopt
   };
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                  wire::SessionClock clock, Handlers handlers);
@@ -57,6 +63,9 @@ class CameraPipeline {
   void publish_status_when_due();
   void measure_rate(SessionTime now);
   void publish_depth(const RgbdFrame& frame);
+  void publish_whole(const RgbdFrame& frame, bool must_not_predict);
+  void publish_window(const RgbdFrame& frame, bool must_not_predict);
+  bool publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded);
   void publish_color(const RgbdFrame& frame);
   void publish_video(const RgbdFrame& frame);
   void shrink_when_asked();
@@ -72,6 +81,7 @@ class CameraPipeline {
   codec::DepthEncoder encoder_;
   wire::KeyFramePacing key_frame_pacing_;
   VideoStage video_;
+  WindowStage window_;
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was sent

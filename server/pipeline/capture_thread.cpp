@@ -35,7 +35,14 @@ void CaptureThread::run(const std::string& source_name, EncodeOptions options, w
        .may_predict = [this] { return may_predict_.load(); },
        .content_level = [this] { return content_level_.load(); },
        .take_video_key_frame_request = [this] { return video_key_frame_requested_.exchange(false); },
-       .color_wanted = [this] { return color_wanted_.load(); }});
+       .color_wanted = [this] { return color_wanted_.load(); },
+       .depth_wanted = [this] { return depth_wanted_.load(); },
+       .take_window_key_frame_request = [this] { return window_key_frame_requested_.exchange(false); },
+       .window =
+           [this] {
+             wanted_window_.take();
+             return wanted_window_.current();
+           }});
   while (!stopping_) {
     set_wanted_exposure();
     const bool more = pipeline.step();

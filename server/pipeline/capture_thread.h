@@ -41,6 +41,13 @@ class CaptureThread {
   /// Requests a key frame of depth; at most one of four frames becomes a requested key frame. Any thread.
   void request_key_frame() noexcept { key_frame_requested_ = true; }
   void request_video_key_frame() noexcept { video_key_frame_requested_ = true; }  ///< the same, of colour as video
+  void request_window_key_frame() noexcept {
+    window_key_frame_requested_ = true;
+  }  ///< the same, of depth with a window
+  /// From the next image on, depth is encoded as `wanted` says. Any thread.
+  void want_depth(DepthWanted wanted) noexcept { depth_wanted_ = wanted; }
+  /// From the next image on, depth with a window is exact there; nullopt: everywhere. Network thread.
+  void want_window(const std::optional<DepthWindow>& window) { wanted_window_.put(window); }
   /// From the next image on, colour is encoded as `wanted` says. Any thread.
   void want_color(ColorWanted wanted) noexcept { color_wanted_ = wanted; }
   /// False: from the next image on, each depth image is a key frame. Any thread.
@@ -61,11 +68,14 @@ class CaptureThread {
   boost::asio::io_context& network_;
   std::unique_ptr<capture::CaptureSource> source_;
   Handlers handlers_;
-  LatestValue<capture::Exposure> wanted_exposure_;  // from the network thread to the capture thread
+  LatestValue<capture::Exposure> wanted_exposure_;         // from the network thread to the capture thread
+  LatestValue<std::optional<DepthWindow>> wanted_window_;  // the same
   std::atomic<bool> stopping_{false};
   std::atomic<bool> key_frame_requested_{false};
   std::atomic<bool> video_key_frame_requested_{false};
+  std::atomic<bool> window_key_frame_requested_{false};
   std::atomic<ColorWanted> color_wanted_{};
+  std::atomic<DepthWanted> depth_wanted_{};
   std::atomic<bool> may_predict_{true};
   std::atomic<std::size_t> content_level_{0};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled

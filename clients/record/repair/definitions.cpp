@@ -14,11 +14,14 @@ bool is_own(const wire::mcap::StoredChannel& channel) {
          channel.schema->data == wire::file_descriptor_set(*wire::descriptor_of(*channel.topic));
 }
 
-/// The topic of a damaged definition, by its name or else by its type, if only one topic has this type.
+/// The topic of a damaged definition, by its name or else by its type, if only one topic has this type. A second coding
+/// of a topic's content does not count: recordings hold the first one.
 std::optional<wire::Topic> recognised(const wire::mcap::StoredChannel& channel) {
   if (const std::optional<wire::Topic> topic = wire::find_topic(channel.channel.topic)) return topic;
   if (channel.schema == nullptr) return std::nullopt;
   const auto has_type = [&](const wire::Topic& topic) { return topic.schema == channel.schema->name; };
+  const auto is_first = [&](const wire::Topic& topic) { return has_type(topic) && !topic.only_by_name; };
+  if (std::ranges::count_if(wire::kTopics, is_first) == 1) return *std::ranges::find_if(wire::kTopics, is_first);
   if (std::ranges::count_if(wire::kTopics, has_type) != 1) return std::nullopt;
   return *std::ranges::find_if(wire::kTopics, has_type);
 }

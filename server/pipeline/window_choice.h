@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "proto/words/depth/depth_window.h"
+#include "proto/words/time.h"
+
+namespace telepalp::pipeline {
+
+/// Decides which station's window of exact depth the server follows. With keys only the station that holds the touch
+/// can ask, so the newest request counts. Without keys, the server follows the station that asked first, until that
+/// station is silent for kValid. Pure; owner: the server's network thread.
+class WindowChoice {
+ public:
+  /// A request is followed for so long: a station asks several times a second.
+  static constexpr std::chrono::seconds kValid{1};
+
+  /// `one_asks`: the caller lets only one station ask at a time.
+  explicit WindowChoice(bool one_asks) noexcept : one_asks_(one_asks) {}
+
+  /// Station number `sender` asks for `window`. False: another station's window is followed.
+  bool ask(std::uint32_t sender, const DepthWindow& window, SessionTime now) noexcept;
+
+  /// The window that images have now; nullopt: nobody asks, so that images are exact everywhere.
+  [[nodiscard]] std::optional<DepthWindow> at(SessionTime now) const noexcept;
+
+ private:
+  struct Asked {
+    std::uint32_t sender = 0;
+    DepthWindow window;
+    SessionTime at{};
+  };
+  bool one_asks_;
+  std::optional<Asked> asked_;
+};
+
+}  // namespace telepalp::pipeline
