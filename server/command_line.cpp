@@ -23,6 +23,7 @@ program::Usage usage() {
                        "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, "
                        "synthetic[:MODEL], or another server's nats://HOST/SITE",
                        "synthetic"},
+                      {"check", "", "look at keys, ports, files and disks; start nothing"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
                       {"seconds", "S", "stop after S seconds; 0: never", "0"},
                       {"bind", "ADDRESS", "listen here; a network address needs --key", "127.0.0.1"},
@@ -46,8 +47,7 @@ program::Usage usage() {
                       {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
                       {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
-                      {"depth-mode", "MODE",
-                       "lossless: fast, intra, temporal; near-lossless, for viewing, not touch: bounded", "fast"},
+                      {"depth-mode", "MODE", "fast, intra, temporal; to view alone: bounded", "fast"},
                       {"depth-bound", "LEAST,PER_M2", "error at z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
                       {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},

@@ -9,6 +9,7 @@
 
 #include "server/command_line.h"
 #include "server/parts.h"
+#include "server/self_check.h"
 #include "support/program/address.h"
 #include "support/program/ending.h"
 #include "support/program/files/ready_file.h"
@@ -97,7 +98,10 @@ int run(Asked asked) {
 int run_asked(const program::Arguments& arguments) {
   const Result<Asked> asked = server::read_asked(arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
-  return run(*asked);
+  if (!arguments.has("check")) return run(*asked);
+  const server::Findings found = server::self_check(*asked, std::chrono::system_clock::now());
+  const int printed = program::print(server::in_lines(found));
+  return server::has_problem(found) ? program::kFailed : printed;
 }
 
 }  // namespace
