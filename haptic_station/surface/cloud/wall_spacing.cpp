@@ -59,13 +59,15 @@ void WallSpacing::grade() {
     }
 }
 
+/// Each sample's spacing holds as far as the next sample: between two samples of a thin wall the wall is thin, too.
 double WallSpacing::at_m(const Eigen::Vector3f& place) const {
   std::array<Neighbor, 6> found;
   const std::size_t count = index_->within(place, static_cast<float>(3.0 * most_m_), found);
   double spacing_m = most_m_;
-  for (std::size_t k = 0; k < count; ++k)
-    spacing_m =
-        std::min(spacing_m, spacing_m_[found[k].index] + kGrade * std::sqrt(static_cast<double>(found[k].squared_m2)));
+  for (std::size_t k = 0; k < count; ++k) {
+    const double beyond_m = std::max(0.0, std::sqrt(static_cast<double>(found[k].squared_m2)) - most_m_);
+    spacing_m = std::min(spacing_m, spacing_m_[found[k].index] + kGrade * beyond_m);
+  }
   return spacing_m;
 }
 
