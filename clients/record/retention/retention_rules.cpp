@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "proto/words/counted.h"
 #include "proto/words/numbers/utc_text.h"
 
 namespace telepalp::record {
@@ -83,7 +84,8 @@ Result<Judgement> judge(const RecordedSession& session, const RetentionRules& ru
   std::string reason = end ? "until " + utc_text(*end - days(1), kDate) + " by its consent" : "no rule ends it";
   if (rules.keep && (!end || session.began + *rules.keep < *end)) {
     end = session.began + *rules.keep;
-    reason = "until " + utc_text(*end, kDate) + ", " + std::to_string(rules.keep->count()) + " days from its beginning";
+    reason = "until " + utc_text(*end, kDate) + ", " +
+             counted(static_cast<std::uint64_t>(rules.keep->count()), "day", "days") + " from its beginning";
   }
   return Judgement{end && now >= *end, reason};
 }
