@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptic_station/core/window/hand_window.h"
+#include "proto/wire/camera/depth_window_message.h"
+
 namespace telepalp::core {
 namespace {
 
@@ -155,12 +158,30 @@ Result<void> SurfaceStage::decode(const ArrivedDepth& newest, Decoded& depth) {
     telepalp::Result<codec::DecodedDepth> decoded = reader_.read(std::as_bytes(std::span(depth.message.data())));
     if (!decoded) return decoded.error();
     depth.mode = decoded->mode;
+    depth.window = decoded->window;
     depth.image = std::make_shared<const DepthImage>(std::move(decoded->image));
   }
   if (depth.image->width != static_cast<int>(depth.message.width()) ||
       depth.image->height != static_cast<int>(depth.message.height()))
     return other_size(depth.message);
+  keep_exact(depth);
   return {};
+}
+
+/// The packet's window counts, not the message's: the packet's checksum covers it.
+void SurfaceStage::keep_exact(Decoded& depth) const {
+  if (!depth.window) return;
+  DepthImage exact = *depth.image;
+  keep_only(exact, depth.window->exact);
+  depth.image = std::make_shared<const DepthImage>(std::move(exact));
+}
+
+void SurfaceStage::tell_window(const Decoded& depth, const Job& job, const Intrinsics& camera,
+                               msg::SurfaceReport& report) const {
+  if (!depth.window) return;
+  *report.mutable_window() = wire::to_message(*depth.window);
+  report.set_hand_outside_window(job.device &&
+                                 !covers(depth.window->exact, haptic_from_camera_->inverse() * *job.device, camera));
 }
 
 /// Reports the error and requests a key frame, unless both were done a moment ago.
@@ -195,6 +216,7 @@ Result<void> SurfaceStage::build(const ArrivedDepth& newest, const Decoded& dept
   result.done = time(StageStep::Done);
   result.surface = loop::TouchableSurface{snapshot, *haptic_from_camera_, ++surfaces_};
   result.report = report_of(depth.message, depth.mode, newest.received, decoded, result.done, *snapshot);
+  tell_window(depth, job, newest.camera, result.report);
   judge(result.report, captured, to_seconds(result.done - begun));
   built_.fetch_add(1, std::memory_order_relaxed);
   return {};

@@ -41,6 +41,7 @@ program::Usage usage() {
                       {"accept-touch", "", "take the permission to palpate when you are offered it"},
                       {"scene", "FILE|NAME", "scene file, or one of telepalp's own scenes", "palpation"},
                       {"surface", "NAME|model:FILE", "surface setting or patient model; default: the scene's"},
+                      {"depth", "WHAT", "whole, or window: exact around the hand alone", "whole"},
                       {"anyway", "", "accept a model that is too coarse or too noisy"},
                       {"calibration", "FILE", "calibration file (telepalp-station calibrate)"},
                       program::patience_option("seconds to wait for the first image; 0: for ever"),
@@ -49,8 +50,7 @@ program::Usage usage() {
                        "the hand tracker; held: the hand grips the device; browser: a hand in the viewer", "simulated"},
                       {"check", "", "check the scene, list its effects, and exit"},
                       {"control", "PATH", "socket for rearm and hand-over; none: no socket"},
-                      {"state-dir", "DIR",
-                       "folder for a recording of the last 10 s before a fault; default: the user's state folder"},
+                      {"state-dir", "DIR", "folder for the 10 s before a fault; default: the user's"},
                       {"journal", "FILE", "keep each input and force exactly (docs/replay.md)"},
                       {"seconds", "S", "run time; 0: until Ctrl-C", "0"},
                       {"realtime", "require|prefer", "require: fail without real-time priority", "prefer"}},
@@ -86,6 +86,9 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
   if (!patience) return patience.error();
   const Result<station::Realtime> realtime = realtime_of(arguments.text("realtime"));
   if (!realtime) return realtime.error();
+  const std::string depth = arguments.text("depth");
+  if (depth != "whole" && depth != "window")
+    return Error{.what = "'" + depth + "' is neither whole nor window", .where = "--depth", .fix = "give one of them"};
   return station::StationOptions{.host = server->host,
                                  .port = server->port,
                                  .site = server->site,
@@ -97,7 +100,8 @@ Result<station::StationOptions> options_of(const program::Arguments& arguments) 
                                  .control_is_asked_for = arguments.has("control"),
                                  .state_folder = arguments.has("state-dir")
                                                      ? std::filesystem::path(arguments.text("state-dir"))
-                                                     : station::default_state_folder()};
+                                                     : station::default_state_folder(),
+                                 .asks_window = depth == "window"};
 }
 
 /// Checks the words of --surface, before any file is read.

@@ -29,20 +29,25 @@ constexpr auto kBetweenRefusals = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
 
+const wire::Topic& depth_topic(const StationOptions& options) noexcept {
+  return options.asks_window ? wire::kCameraDepthWindow : wire::kCameraDepth;
+}
+
 wire::ClientLink::Options link_options(const StationOptions& options, bool takes_viewer_hand) {
-  wire::ClientLink::Options link{
-      .host = options.host,
-      .port = options.port,
-      .site = options.site,
-      .name = kName,
-      .role = "doctor",
-      .key = options.key,
-      .subscribes = options.model ? std::vector<std::string>{}
-                                  : std::vector<std::string>{std::string(wire::kCameraDepth.name),
-                                                             std::string(wire::kCameraInfo.name)},
-      .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationCompensation,
-                    wire::kStationEvents, wire::kStationStats, wire::kStationUltrasound, wire::kStationInside},
-      .accepts_touch = options.accepts_touch};
+  wire::ClientLink::Options link{.host = options.host,
+                                 .port = options.port,
+                                 .site = options.site,
+                                 .name = kName,
+                                 .role = "doctor",
+                                 .key = options.key,
+                                 .subscribes = options.model
+                                                   ? std::vector<std::string>{}
+                                                   : std::vector<std::string>{std::string(depth_topic(options).name),
+                                                                              std::string(wire::kCameraInfo.name)},
+                                 .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface,
+                                               wire::kStationCompensation, wire::kStationEvents, wire::kStationStats,
+                                               wire::kStationUltrasound, wire::kStationInside, wire::kStationWindow},
+                                 .accepts_touch = options.accepts_touch};
   if (takes_viewer_hand) link.subscribes.emplace_back(wire::kViewerHand.name);
   return link;
 }
@@ -204,7 +209,7 @@ void Station::on_datagrams(const std::string& detail) {
 }
 
 void Station::on_message(const wire::Message& message) {
-  if (message.topic.name == wire::kCameraDepth.name) on_depth(message);
+  if (message.topic.name == depth_topic(options_).name) on_depth(message);
   if (message.topic.name == wire::kCameraInfo.name) on_camera_info(message);
   if (message.topic.name == wire::kViewerHand.name) on_viewer_hand(message);
 }
@@ -251,7 +256,17 @@ void Station::on_surface(const msg::SurfaceReport& report) {
     say(fidelity->text);
     if (fidelity->is_warning) telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, fidelity->text);
   }
+  if (const auto left = window_requests_.look(report, now())) {
+    say(*left);
+    telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, *left);
+  }
   if (core_.haptic() == nullptr) start_haptic_thread();
+}
+
+void Station::ask_window(const loop::TickSample& tick) {
+  if (!options_.asks_window || !seen_.camera || !seen_.haptic_from_camera) return;
+  const auto request = window_requests_.due(tick, *seen_.haptic_from_camera, *seen_.camera);
+  if (request) telemetry_.publish(wire::make_message(wire::kStationWindow, now(), *request));
 }
 
 void Station::touch_model() {
@@ -320,6 +335,7 @@ void Station::every_10_ms() {
 void Station::serve_haptic_thread(HapticThread& haptic) {
   if (const auto& tick = telemetry_.outbox().last(); tick && seen_.haptic_from_camera)
     inside_.look(now(), *tick, *seen_.haptic_from_camera);
+  if (const auto& tick = telemetry_.outbox().last()) ask_window(*tick);
   if (haptic.compensation().take()) {
     const loop::Compensation& compensation = haptic.compensation().current();
     inside_.set_objects(compensation.objects);

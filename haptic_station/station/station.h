@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "haptic_station/core/window/window_requests.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/faults/fault_monitor.h"
 #include "haptic_station/station/parts/core_threads.h"
@@ -36,9 +37,10 @@ struct StationOptions {
   double seconds = 0.0;                        ///< run time of the haptic loop; 0: until a signal
   program::Patience patience;                  ///< time limit for the server's first image
   Realtime realtime = Realtime::Prefer;
-  std::filesystem::path control;                      ///< path of the socket for operators' commands; empty: no socket
-  bool control_is_asked_for = false;                  ///< the user named the socket: without it, run() fails
-  std::filesystem::path state_folder;                 ///< folder for the files of the flight recorder
+  std::filesystem::path control;       ///< path of the socket for operators' commands; empty: no socket
+  bool control_is_asked_for = false;   ///< the user named the socket: without it, run() fails
+  std::filesystem::path state_folder;  ///< folder for the files of the flight recorder
+  bool asks_window = false;            ///< takes depth that is exact only around the hand (/camera/depth/window)
   std::optional<StaticPatient> model = std::nullopt;  ///< the hand touches this model instead of a server's surface
   JournalThread* journal = nullptr;  ///< keeps all that the core is given; outlives the station; nullptr: none
 };
@@ -95,6 +97,7 @@ class Station {
   void on_datagrams(const std::string& detail);
   void on_surface(const msg::SurfaceReport& report);
   void publish_inside();
+  void ask_window(const loop::TickSample& tick);
   void touch_model();
   void start_surface_thread(const surface::SurfaceSettings& surface);
   void start_haptic_thread();
@@ -125,6 +128,7 @@ class Station {
   ViewerHandInput viewer_hand_;
   DeviceRefusals refusals_;
   StiffnessNotice stiffness_notice_;
+  core::WindowRequests window_requests_;
   ImageLog images_;
   Seen seen_;
   Progress progress_;

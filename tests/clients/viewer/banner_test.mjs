@@ -62,6 +62,11 @@ test('an object over the touched place is said before that nothing is felt there
   assert.equal(banner({objectOverPlace: true, station_ms: 2000}).title, 'Station silent', 'an old word is no warning');
 });
 
+test('a hand that outran the exact part of the image is said before that nothing is felt there', () => {
+  assert.equal(banner({handOutsideWindow: true, surfaceStale: true}).title, 'No exact depth at the hand');
+  assert.equal(banner({handOutsideWindow: true, station_ms: 2000}).title, 'Station silent', 'an old word is no warning');
+});
+
 test('warm motors are announced seconds before they lower the force', () => {
   assert.match(banner({yields_s: 2.34}).text, /^In 2\.3 s /);
   assert.equal(banner({yields_s: 2.34}).title, 'The device is warm');

@@ -61,6 +61,12 @@ export function bannerFor(health: Health): Banner | undefined {
       title: 'Something lies over the place',
       ...underObject(health),
     };
+  if (health.handOutsideWindow && isRecent(health.station_ms))
+    return {
+      level: 'warn',
+      title: 'No exact depth at the hand',
+      text: 'The hand is faster than the images that are exact around it, so it feels no force there until they come. Move more slowly.',
+    };
   if (health.surfaceStale)
     return {
       level: 'warn',

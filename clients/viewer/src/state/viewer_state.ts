@@ -169,6 +169,7 @@ export class ViewerState {
       imageGap_ms: news?.imageGap_ms,
       untaken: news?.untaken_ms !== undefined && now_ms - news.untaken_ms < UNTAKEN_MS,
       surfaceStale: station !== undefined && (news?.surfaceStale ?? false),
+      handOutsideWindow: station !== undefined && (news?.surfaceReport?.handOutsideWindow ?? false),
       objectOverPlace: station !== undefined && (news?.surfaceReport?.objectOverPlace ?? false),
       station_ms,
       picture_ms,
