@@ -135,7 +135,7 @@ Result<Deidentified> write_deidentified(const std::filesystem::path& file, const
   const Result<wire::SessionInfo> session = reader->session();
   if (!session) return session.error();
   Deidentified report;
-  const Result<msg::SessionNotes> notes = wire::read_notes(file);
+  const Result<msg::SessionNotes> notes = wire::read_notes(file, {});
   report.notes = notes ? static_cast<std::uint64_t>(notes->notes_size()) : 0;
   MessageCleaner cleaner;
   const wire::SessionInfo clean = cleaned(*session, cleaner);
