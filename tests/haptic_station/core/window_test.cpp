@@ -57,8 +57,9 @@ TEST(HandWindow, StaysInTheImageWhateverTheHandDoes) {
       for (const double speed : {0.0, 2.0, 1e6}) {
         const auto exact =
             hand_window({.device = at(x, y, 0.8), .velocity_m_per_s = {-speed * x, -speed * y, 0.0}}, 100ms, kVga);
-        if (exact) EXPECT_EQ(clipped(*exact, 640, 480), *exact) << x << ", " << y << ", " << speed;
         EXPECT_TRUE(exact || speed > 2.0);
+        if (!exact) continue;
+        EXPECT_EQ(clipped(*exact, 640, 480), *exact) << x << ", " << y << ", " << speed;
       }
   const Intrinsics low{.width = 640, .height = 2, .fx = 575, .fy = 575, .cx = 319.5, .cy = 0.5};
   EXPECT_EQ(hand_window({.device = at(0.0, 0.0, 0.8)}, 100ms, low)->height, 2);
