@@ -147,7 +147,7 @@ TEST(SurfaceStage, MakesTheSameSurfaceInTheWindowAsWithoutOne) {
     const auto f_m = [&](const SurfaceStage::Result& made) {
       return made.surface->snapshot->evaluate({x, 0.5 * x, 0.89}, {0.0, 0.0, -1.0}, {}).f_m;
     };
-    EXPECT_EQ(f_m(result), f_m(whole)) << "force error 0 at " << x;
+    EXPECT_NEAR(f_m(result), f_m(whole), 1e-9) << "at " << x << ": but for rounding, as sums begin at another pixel";
   }
 }
 
