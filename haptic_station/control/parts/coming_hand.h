@@ -17,8 +17,8 @@ inline constexpr double kComesDown_m_per_s = 0.05;
 [[nodiscard]] inline bool hand_comes(const ControlInput& in) noexcept {
   constexpr double kSideways_m = 0.05;
   constexpr double kHeight_m = 0.04;
-  constexpr double kAtHand_m = 0.01;  // the tracker's error
-  if (!in.hand_valid) return false;
+  constexpr double kAtHand_m = 0.01;                 // the tracker's error
+  if (!in.hand_valid || in.wait_at_m) return false;  // a pointer that hovers in a browser is not at the end-effector
   const Eigen::Vector3d over_m = in.hand.m - in.device.m;
   if (std::hypot(over_m.x(), over_m.z()) > kSideways_m || std::abs(over_m.y()) > kHeight_m) return false;
   return in.hand_velocity.v.y() < -kComesDown_m_per_s || over_m.y() < kAtHand_m;
