@@ -91,12 +91,11 @@ class CameraOrigin final : public Origin {
   }
   void show_again(std::string_view topic) override {
     if (!thread_) return;
-    if (topic == wire::kCameraColorVideo.name)
-      thread_->request_video_key_frame();
-    else if (topic == wire::kCameraDepthWindow.name)
-      thread_->request_window_key_frame();
-    else
-      thread_->request_key_frame();
+    const bool is_video = topic == wire::kCameraColorVideo.name;
+    const bool is_window = topic == wire::kCameraDepthWindow.name;
+    if (is_video) return thread_->request_video_key_frame();
+    if (is_window) return thread_->request_window_key_frame();
+    thread_->request_key_frame();
   }
   void want_depth(pipeline::DepthWanted wanted) override {
     if (thread_) thread_->want_depth(wanted);
