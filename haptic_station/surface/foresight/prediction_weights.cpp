@@ -13,7 +13,8 @@ constexpr double kLongPower = 16.0;  // with 8, a cough errs by 1.06 times as mu
 constexpr double kNoise_m = 2e-5;    // adds to each error, so that a patient at rest does not choose by noise
 // The swing counts only where its mean square error is far below the others'. Without this factor, a patient who coughs
 // is shown with 1.4 instead of 1.15 times the error of an ideal display, at a delay of 50 ms.
-constexpr double kSwingHandicap = 2.0;
+// With 2, it sufficed for coughs, but the skin after a gap or a shift was drawn back to where it had been.
+constexpr double kSwingHandicap = 5.0;
 constexpr double kFirst_m2_s = 9e-8;  // prior: all but the station's own have erred by 0.3 mm for 1 s
 
 template <std::size_t kCount>
