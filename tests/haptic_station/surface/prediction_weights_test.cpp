@@ -78,9 +78,9 @@ PastPredictions watched(double velocity_m_per_s, double until_s, double gap_from
 }
 
 TEST(PredictionWeights, TheSwingCountsOnlyIfItErrsFarLess) {
-  const SquareErrors talk{.own = 4e-6, .holding = 4e-6, .straight = 4e-6, .mean = 4e-6, .swing = 1e-6};
+  const SquareErrors talk{.own = 4e-6, .holding = 4e-6, .straight = 4e-6, .mean = 4e-6, .swing = 5e-7};
   EXPECT_GT(learned(talk, 10.0).weights()[3], 0.95);
-  const SquareErrors cough{.own = 4e-6, .holding = 4e-6, .straight = 4e-6, .mean = 4e-6, .swing = 3e-6};
+  const SquareErrors cough{.own = 4e-6, .holding = 4e-6, .straight = 4e-6, .mean = 4e-6, .swing = 1e-6};
   EXPECT_LT(learned(cough, 10.0).weights()[3], 0.05);
 }
 
