@@ -11,7 +11,7 @@ mkdir "$work/zstd"
 cp /usr/include/zstd.h "$work/zstd"  # alone: the host's other headers are not for this target
 clang++-14 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi/c++/v1 \
   -isystem /usr/include/wasm32-wasi -Icodec/wasm/include -I"$work/zstd" -I. \
-  -std=c++20 -O3 -msimd128 -mbulk-memory -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections \
+  -std=c++20 -Os -msimd128 -mbulk-memory -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections \
   -Wno-ignored-attributes -ffile-prefix-map="$PWD"=. -nostdlib \
   codec/wasm/depth_decoder_wasm.cpp codec/wasm/decoding_kernel.cpp codec/bounded/reconstruction.cpp \
   codec/bytes/crc32c.cpp codec/bytes/zstd_stream.cpp codec/context/context_coding.cpp \
