@@ -43,7 +43,7 @@ program::Usage usage() {
           {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file", record::repair_command},
           {"cut", "FILE", "copy a part of a session", record::cut_command},
           {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command},
-          {"expire", "DIR", "delete what is over its time or whose consent is withdrawn", record::expire_command}}};
+          {"expire", "DIR", "delete sessions whose retention or consent has ended", record::expire_command}}};
 }
 
 /// A shorter time would begin a new file at nearly each message, or delete nearly the whole recording.

@@ -1,13 +1,9 @@
 #include "clients/record/unfinished.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 
+#include "clients/record/recorder_lock.h"
 #include "proto/wire/mcap/writing/output_file.h"
 #include "proto/words/counted.h"
 
@@ -17,51 +13,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPartial = ".partial";
+constexpr const char* kCannotBeFinished = "the recording cannot be completed";
 
 fs::path finished_name(const fs::path& partial) {
   const std::string name = partial.string();
   return name.substr(0, name.size() - kPartial.size());
 }
-
-Error cannot_be_finished(const fs::path& file, const std::string& why) {
-  return {.what = "the recording cannot be completed: " + why,
-          .where = file.string(),
-          .fix = "check the folder and your permissions"};
-}
-
-/// Holds the lock that a recorder holds on its file while it writes.
-class Lock {
- public:
-  [[nodiscard]] static Result<Lock> take(const fs::path& partial) {
-    Lock lock(::open(partial.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
-    if (lock.descriptor_ < 0) return cannot_be_finished(partial, std::strerror(errno));
-    if (::flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0) return lock;
-    if (errno != EWOULDBLOCK) return cannot_be_finished(partial, std::strerror(errno));
-    return Error{
-        .what = "is still being recorded",
-        .where = partial.string(),
-        .fix =
-            "end the recording first: press Ctrl-C at telepalp-record, or End recording in the technician's view of "
-            "the web page"};
-  }
-  Lock(Lock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  Lock& operator=(Lock&&) = delete;
-  ~Lock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
-  /// False when the recorder has meanwhile given the file its final name.
-  [[nodiscard]] bool is_of(const fs::path& partial) const {
-    struct stat locked {};
-    struct stat named {};
-    return ::fstat(descriptor_, &locked) == 0 && ::lstat(partial.c_str(), &named) == 0 &&
-           locked.st_ino == named.st_ino && locked.st_dev == named.st_dev;
-  }
-
- private:
-  explicit Lock(int descriptor) noexcept : descriptor_(descriptor) {}
-  int descriptor_;
-};
 
 /// True if the partial file holds nothing that the finished one lacks.
 bool holds_nothing_more(const RepairReport& report) {
@@ -83,17 +40,13 @@ Result<RepairReport> finish(const fs::path& partial) {
   std::error_code ignored;
   if (fs::exists(name, ignored))
     return Error{
-        .what = "the recording cannot be completed: " + name.filename().string() + " exists already",
+        .what = std::string(kCannotBeFinished) + ": " + name.filename().string() + " exists already",
         .where = partial.string(),
         .fix =
             "move one of the two files away, or copy the readable messages to another file: telepalp-record repair " +
             partial.string() + " --out OTHER.mcap"};
-  const Result<Lock> lock = Lock::take(partial);
+  const Result<RecorderLock> lock = RecorderLock::take(partial, kCannotBeFinished);
   if (!lock) return lock.error();
-  if (!lock->is_of(partial))
-    return Error{.what = "no longer exists: the recorder has just completed the file and given it its final name",
-                 .where = partial.string(),
-                 .fix = "use " + name.string()};
   const fs::path made =
       name.string() + ".finishing";  // under the lock, so a file with this name is the rest of a crash
   fs::remove(made, ignored);
@@ -101,7 +54,9 @@ Result<RepairReport> finish(const fs::path& partial) {
   Result<RepairReport> report = repair(partial, made);
   if (!report) return report;
   if (wire::mcap::rename_without_replacing(report->file, name) != 0)
-    return cannot_be_finished(name, std::strerror(errno));
+    return Error{.what = std::string(kCannotBeFinished) + ": " + std::strerror(errno),
+                 .where = name.string(),
+                 .fix = "check the folder and your permissions"};
   report->file = name;
   if (holds_nothing_more(*report)) fs::remove(partial, ignored);
   return report;

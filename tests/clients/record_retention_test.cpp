@@ -1,4 +1,4 @@
-// telepalp-record expire: which recordings are over their time, and that the ones that are, and no others, are deleted
+// telepalp-record expire: which recordings have expired, and that these, and no others, are deleted
 // with a line in the log of deletions.
 
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 #include "clients/record/retention/expire.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 
+#include "clients/record/recorder_lock.h"
 #include "proto/keys/audit_text.h"
 #include "proto/wire/mcap/notes_file.h"
 #include "proto/wire/mcap/reader.h"
@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSession = ".mcap";
 constexpr std::string_view kUnfinished = ".mcap.partial";
+constexpr const char* kCannotBeDeleted = "cannot be deleted";
 
 WallTime wall_time(std::uint64_t ns) {
   return WallTime(std::chrono::duration_cast<WallTime::duration>(
@@ -55,7 +56,7 @@ FoundSession look_at(const fs::path& file, const RetentionRules& rules, WallTime
   FoundSession found{.file = file, .bytes = fs::file_size(file, unknown), .facts = {}, .judgement = {}, .problem = {}};
   const bool is_finished = file.string().ends_with(kSession);
   Result<RecordedSession> facts = is_finished ? facts_of_finished(file) : facts_of_unfinished(file);
-  // A damaged file has no date and no consent that can be trusted, but its name may stand in the list.
+  // The date and the consent of a damaged file cannot be trusted, but the list of withdrawn consents may name the file.
   found.facts = facts ? *facts : RecordedSession{file.filename().string(), {}, {}};
   const Result<Judgement> judged = judge(found.facts, rules, now);
   if (judged && (facts || judged->expired))
@@ -65,15 +66,12 @@ FoundSession look_at(const fs::path& file, const RetentionRules& rules, WallTime
   return found;
 }
 
-Error cannot_delete(const fs::path& file, const std::string& why) {
-  return {.what = "cannot be deleted: " + why,
-          .where = file.string(),
-          .fix = "check the folder and your permissions, then run the command again"};
-}
-
-/// Deletes a name that may be missing already, and makes the deletion last.
+/// Deletes `file` if it exists, and writes the folder to the disk, so that the file does not come back after a crash.
 Result<void> unlink_file(const fs::path& file) {
-  if (::unlink(file.c_str()) != 0 && errno != ENOENT) return cannot_delete(file, std::strerror(errno));
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT)
+    return Error{.what = std::string(kCannotBeDeleted) + ": " + std::strerror(errno),
+                 .where = file.string(),
+                 .fix = "check the folder and your permissions, then run the command again"};
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0) {
@@ -82,27 +80,6 @@ Result<void> unlink_file(const fs::path& file) {
   }
   return {};
 }
-
-/// Holds the lock that a recorder holds while it writes.
-class Held {
- public:
-  explicit Held(const fs::path& file) : descriptor_(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC)) {}
-  Held(const Held&) = delete;
-  Held& operator=(const Held&) = delete;
-  ~Held() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  [[nodiscard]] Result<void> lock(const fs::path& file) const {
-    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return {};
-    if (descriptor_ < 0 || errno != EWOULDBLOCK) return cannot_delete(file, std::strerror(errno));
-    return Error{.what = "is still being recorded, so it is kept",
-                 .where = file.string(),
-                 .fix = "end the recording, then run the command again"};
-  }
-
- private:
-  int descriptor_;
-};
 
 std::string described(const FoundSession& session) {
   return "file=" + keys::audit_text(session.facts.file) + " bytes=" + std::to_string(session.bytes) +
@@ -136,11 +113,12 @@ Result<Survey> survey(const fs::path& folder, const RetentionRules& rules, WallT
 }
 
 Result<void> remove(const FoundSession& session, RetentionLog& log, const std::string& by) {
-  const Held held(session.file);
-  if (const Result<void> locked = held.lock(session.file); !locked) return locked;
+  const Result<RecorderLock> lock = RecorderLock::take(session.file, kCannotBeDeleted);
+  if (!lock) return lock.error();
   const std::string what = described(session);
   if (const Result<void> noted = log.note("delete by=" + keys::audit_text(by) + " " + what); !noted) return noted;
-  // The notes first: if the computer stops in between, the session is found again, and notes without one are not.
+  // The notes first: if the computer stops in between, the next run finds the session again; it would not find notes
+  // whose session is gone.
   Result<void> gone = unlink_file(wire::notes_file(session.file));
   if (gone) gone = unlink_file(session.file);
   const std::string outcome =

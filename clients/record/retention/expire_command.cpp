@@ -19,10 +19,10 @@ constexpr std::uintmax_t kMostListBytes = 1 << 20;
 
 program::Usage usage() {
   return {.program = "telepalp-record expire",
-          .purpose = "says which sessions of a folder are over their time, and with --delete deletes them",
+          .purpose = "lists the sessions of a folder whose retention has ended; --delete deletes them",
           .positional = "DIR",
-          .options = {{"keep-days", "N", "delete sessions older than this; default: keep them"},
-                      {"withdrawn", "FILE", "list of withdrawn consents or session files, one a line"},
+          .options = {{"keep-days", "N", "retention of each session; default: no limit"},
+                      {"withdrawn", "FILE", "list of withdrawn consents or session files, one per line"},
                       {"delete", "", "delete, with the notes beside them; without it nothing changes"},
                       {"audit", "FILE", "log of deletions; default: deletions.log in DIR"}},
           .example = "telepalp-record expire recordings --keep-days 365"};
@@ -59,12 +59,12 @@ void print_line(const std::string& what, const FoundSession& session, const std:
 }
 
 struct Counts {
-  std::uint64_t over = 0;  ///< deleted, or to be deleted
+  std::uint64_t expired = 0;  ///< deleted, or to be deleted
   std::uint64_t kept = 0;
   std::uint64_t failed = 0;  ///< not judged, or not deleted
 };
 
-/// Prints what becomes of each session, and deletes those that are over their time if there is a `log`.
+/// Prints a line for each session. Deletes those that have expired if `log` is not null.
 Counts go_through(const Survey& found, RetentionLog* log) {
   Counts counts;
   for (const FoundSession& session : found.sessions) {
@@ -76,10 +76,10 @@ Counts go_through(const Survey& found, RetentionLog* log) {
       ++counts.kept;
     } else if (log == nullptr) {
       print_line("would delete", session, session.judgement.reason);
-      ++counts.over;
+      ++counts.expired;
     } else if (const Result<void> gone = remove(session, *log, program::account()); gone) {
       print_line("deleted", session, session.judgement.reason);
-      ++counts.over;
+      ++counts.expired;
     } else {
       print_line("not deleted", session, to_string(gone.error()));
       ++counts.failed;
@@ -91,10 +91,10 @@ Counts go_through(const Survey& found, RetentionLog* log) {
 }
 
 void say_sum(const Counts& counts, const RetentionLog* log) {
-  std::string text = counted(counts.over, "session", "sessions") + (log == nullptr ? " to delete, " : " deleted, ") +
+  std::string text = counted(counts.expired, "session", "sessions") + (log == nullptr ? " to delete, " : " deleted, ") +
                      std::to_string(counts.kept) + " kept";
   if (counts.failed > 0) text += ", " + std::to_string(counts.failed) + " with a problem";
-  if (log == nullptr && counts.over > 0) text += ". Nothing was deleted: add --delete";
+  if (log == nullptr && counts.expired > 0) text += ". Nothing was deleted: add --delete";
   if (log != nullptr)
     text += ". The log of deletions ends with line " + std::to_string(log->position().lines) + ", hash " +
             log->position().hash + ": keep this elsewhere";
@@ -122,8 +122,7 @@ int run(const program::Arguments& asked) {
   }
   const Counts counts = go_through(*found, log ? &*log : nullptr);
   say_sum(counts, log ? &*log : nullptr);
-  const int printed = program::print("");
-  return counts.failed == 0 ? printed : program::kFailed;
+  return counts.failed == 0 ? program::kDone : program::kFailed;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ Error cannot_write(const std::filesystem::path& file, const std::string& why) {
   return {.what = "the log of deletions cannot be written: " + why,
           .where = file.string(),
           .fix =
-              "check the folder and your permissions, or give another file by --audit; without its log nothing is "
-              "deleted"};
+              "check the folder and your permissions, or give another file by --audit; nothing is deleted without a "
+              "line in this log"};
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Result<RetentionLog> RetentionLog::open(const std::filesystem::path& file) {
   RetentionLog log(file, ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600));
   if (log.descriptor_ < 0) return cannot_write(file, std::strerror(errno));
   if (::flock(log.descriptor_, LOCK_EX | LOCK_NB) != 0)
-    return errno == EWOULDBLOCK ? cannot_write(file, "another telepalp-record expire writes it")
+    return errno == EWOULDBLOCK ? cannot_write(file, "another telepalp-record expire has it open")
                                 : cannot_write(file, std::strerror(errno));
   keys::AuditVerifier verifier;
   if (const Result<void> whole = verifier.add_file(file); !whole)
@@ -56,7 +56,7 @@ Result<void> RetentionLog::note(const std::string& event) {
   const ssize_t written = ::write(descriptor_, line.data(), line.size());
   if (written != static_cast<ssize_t>(line.size()) || ::fdatasync(descriptor_) != 0) {
     const std::string why = written < 0 ? std::strerror(errno) : "no space left on the disk";
-    (void)::ftruncate(descriptor_, before);  // so that the next line follows the last whole one
+    (void)::ftruncate(descriptor_, before);  // a part of a line would break the chain
     return cannot_write(file_, why);
   }
   position_ = next;

@@ -28,7 +28,7 @@ int number_in(const std::string& digits) {
   return number;
 }
 
-/// Error: the session's date comes of a clock that was wrong.
+/// Error: the session's date cannot be right, so the clock of its server was wrong.
 Result<void> check_date(const RecordedSession& session, WallTime now) {
   if (session.began >= kEarliest && session.began <= now + days(1)) return {};
   return Error{.what = "its date, " + utc_text(session.began, kDate) + ", cannot be right, so its age is not known",

@@ -18,33 +18,34 @@ struct RetentionRules {
   std::vector<std::string> withdrawn;     ///< consents, or names of session files, that were withdrawn
 };
 
-/// What the rules look at in a session.
+/// The facts of a session on which its retention depends.
 struct RecordedSession {
   std::string file;  ///< name of the file, without its folder
   WallTime began;
   std::string consent;  ///< as stated to the recorder; empty: not stated
 };
 
-/// The end of a session's time, and why.
+/// Whether a session is to be deleted, and the rule that says so.
 struct Judgement {
   bool expired = false;
-  std::string reason;  ///< "its consent was withdrawn: form 4711", "until 2027-03-01 by its consent"
+  std::string reason;  ///< such as "its consent was withdrawn: form 4711", or "until 2027-03-01 by its consent"
 };
 
-/// The lines of a list of withdrawn consents, without comments (from '#' on) and empty lines.
+/// The entries of a list of withdrawn consents: its lines without comments (from '#' on), blanks around them and empty
+/// lines.
 [[nodiscard]] std::vector<std::string> withdrawn_in(std::string_view text);
 
-/// True if `line` is the session's file name, or stands in its consent as whole words: "form 471" is not in "form
-/// 4711".
+/// True if the list's entry `line` withdraws this session: it is the session's file name, or stands in its consent as
+/// whole words ("form 471" does not withdraw "form 4711").
 [[nodiscard]] bool names(std::string_view line, const RecordedSession& session);
 
-/// The first instant after the date in "… until 2027-03-01 …", in UTC; nullopt: the consent names no such date. Error:
-/// the date does not exist.
+/// When a consent such as "form 4711, until 2027-03-01" ends: the first instant after that day, in UTC. nullopt: the
+/// consent states no date. Error: there is no such day in the calendar.
 [[nodiscard]] Result<std::optional<WallTime>> end_of_consent(std::string_view consent);
 
-/// Judges a session at `now`. The earliest of three ends counts: the consent is withdrawn, the date of the consent is
-/// over, the session is older than `rules.keep`. Error: it cannot be judged, because the consent's date does not exist
-/// or the session's date is before 2015 or more than a day after `now`.
+/// Judges a session at `now`. It has expired if its consent is withdrawn, the date in its consent is over, or it is
+/// older than `rules.keep`. Error: it cannot be judged, because the consent's date does not exist, or the session's
+/// date is before 2015 or more than a day after `now`.
 [[nodiscard]] Result<Judgement> judge(const RecordedSession& session, const RetentionRules& rules, WallTime now);
 
 }  // namespace telepalp::record
