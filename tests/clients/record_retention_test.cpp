@@ -1,5 +1,5 @@
-// telepalp-record expire: which recordings have expired, and that these, and no others, are deleted
-// with a line in the log of deletions.
+// telepalp-record expire: which recordings have expired, and that these, and no others, are deleted with a line in the
+// log of deletions.
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 
 namespace telepalp::study {
 
-/// Logs how many parts were finished before, and makes Ctrl-C print which parts are kept. The returned function, called
-/// with the number of parts that are done, shows it: on a terminal in one line, which goes away at the end; otherwise
-/// as about eight log lines.
+/// Logs how many parts were finished by an earlier run, and makes Ctrl-C print which parts are kept. Returns a function
+/// that shows the number of parts that are done: in one line of the terminal, which is erased at the end, or in about
+/// eight log lines if there is no terminal.
 [[nodiscard]] std::function<void(int)> tell_progress(const Parts& parts);
 
 }  // namespace telepalp::study

@@ -33,8 +33,8 @@ struct TTest {
 /// order. The effect is in units of the deviation of the differences.
 [[nodiscard]] TTest paired_test(std::span<const double> first, std::span<const double> second);
 
-/// The least number of people with which a test of this effect has a power of 0.8: in each group (Welch), or in all
-/// (paired). From 3 to 10 000; up to 2 % too high above 50.
+/// The smallest sample with which a test finds an `effect` (Cohen's d) with a power of 0.8: the number of people in
+/// each of the two groups, or in the whole study if `paired`. Between 3 and 10 000; above 50 up to 2 % too high.
 [[nodiscard]] int people_for_power(double effect, bool paired) noexcept;
 
 }  // namespace telepalp::study

@@ -19,7 +19,8 @@ struct ExperimentSettings {
 /// which must outlive them.
 [[nodiscard]] Parts parts_of(const Experiment& experiment, const ExperimentSettings& settings);
 
-/// The rows of all observers, in their order. Error: a file cannot be written. `finished`: as run_parts().
+/// Returns the rows of all observers, in the order of the observers. Error: a file cannot be written. `finished`: as of
+/// run_parts().
 [[nodiscard]] Result<std::vector<Row>> run_experiment(const Experiment& experiment, const ExperimentSettings& settings,
                                                       const std::function<void(int)>& finished);
 

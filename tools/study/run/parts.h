@@ -13,7 +13,7 @@ namespace telepalp::study {
 /// A study in parts that do not depend on each other. Each part is a list of rows of text, kept in one file.
 struct Parts {
   std::filesystem::path folder;
-  std::string identity;      ///< one line of all on which the rows depend; a file with another line is not used
+  std::string identity;      ///< one line that states all on which the rows depend; other files are not used
   std::string_view columns;  ///< names of the rows' columns, separated by commas
   int count = 0;
   std::function<std::string(int)> file;                           ///< name of a part's file
@@ -24,9 +24,9 @@ struct Parts {
 /// Number of parts that already have a file of this identity.
 [[nodiscard]] int kept_parts(const Parts& parts);
 
-/// The rows of all parts, in their order. A part with a usable file is not made again; each other part is made and
-/// written to its file. `finished` is called after each part, from one thread at a time, with the number of parts that
-/// are done. Error: a file cannot be written.
+/// Returns the rows of each part, in the order of the parts. Parts whose file can be used are read from it; the others
+/// are computed, and each is then written to its file. `finished` is called after each part, from one thread at a time,
+/// with the number of parts that are done. Error: a file cannot be written.
 [[nodiscard]] Result<std::vector<std::vector<std::string>>> run_parts(const Parts& parts, int threads,
                                                                       const std::function<void(int)>& finished);
 

@@ -36,10 +36,9 @@ struct Person {
 };
 [[nodiscard]] Person person_of(const StudySettings& settings, std::size_t number) noexcept;
 
-/// Error: a mechanism cannot be used on an operator's plant, or a file cannot be written. `finished` is called after
-/// each block of one operator in one condition, from one thread at a time, with the number of blocks that are done.
-/// Finished blocks are files in out/runs; blocks that already have a file of this study are not run again. Trials come
-/// in the order of operators and conditions.
+/// Runs the study in parts (parts_of()), whose files are in out/runs. Returns its trials in the order of operators and
+/// conditions. `finished`: as of run_parts(). Error: a mechanism cannot be used on an operator's plant, or a file
+/// cannot be written.
 [[nodiscard]] Result<std::vector<Trial>> run_study(const StudySettings& settings,
                                                    const std::function<void(int)>& finished);
 /// The study as parts of one operator in one condition each, to count the finished ones. Only run_study() may call
