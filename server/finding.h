@@ -7,16 +7,16 @@
 
 namespace telepalp::server {
 
-/// One thing that `telepalp-server --check` has looked at.
+/// The result of one check of `telepalp-server --check`.
 struct Finding {
   enum class Kind {
     Good,
-    Note,     ///< the server starts, but a person should know it
+    Note,     ///< the server starts, but a person has to do something soon, or should know it
     Problem,  ///< the server does not start, or a part of it does not work
   };
   Kind kind = Kind::Good;
-  std::string what;  ///< "key", "port 7400"
-  std::string text;
+  std::string what;  ///< what was checked: "key", "port of the web page"
+  std::string text;  ///< what was found
 };
 using Findings = std::vector<Finding>;
 
@@ -32,7 +32,7 @@ using Findings = std::vector<Finding>;
 
 [[nodiscard]] bool has_problem(const Findings& findings);
 
-/// A line for each finding, with its kind first, and last a line that sums them up.
+/// One line per finding, which begins with its kind, and a last line with the number of problems.
 [[nodiscard]] std::string in_lines(const Findings& findings);
 
 }  // namespace telepalp::server

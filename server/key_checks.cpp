@@ -9,7 +9,6 @@
 #include "proto/keys/secret/passphrase.h"
 #include "proto/keys/web_certificate.h"
 #include "proto/words/counted.h"
-#include "server/access/revoked_file.h"
 
 namespace telepalp::server {
 namespace {
@@ -18,38 +17,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEncrypted = "; its passphrase, which the server asks for when it starts, was not tried";
 
-bool has_passphrase() {
-  return std::getenv("TELEPALP_PASSPHRASE") != nullptr || std::getenv("TELEPALP_PASSPHRASE_FILE") != nullptr;
-}
-
-/// The server's key without its secret if that would need a passphrase which the environment does not give.
-Result<keys::KeyFile> read_server_key(const fs::path& file, keys::WallTime now) {
-  const Result<std::string> text = keys::read_key_text(file);
-  if (!text) return text.error();
-  Result<keys::KeyFile> key = keys::read_public_part(*text, file.string());
-  if (!key) return key.error();
-  if (key->secret == keys::Secret::Plain || has_passphrase())
-    return keys::load_key(file, now, keys::passphrase_of_environment);
-  if (const Result<void> hidden = keys::check_private(file); !hidden) return hidden.error();
-  if (const Result<void> valid = keys::check_not_expired(*key, now, file.string()); !valid) return valid.error();
-  return key;
-}
-
 std::string whose(const keys::KeyFile& key) {
   std::string text = "of " + key.identity.name + " for ";
   for (const std::string& host : key.hosts) text += (host == key.hosts.front() ? "" : ", ") + host;
   return text;
 }
 
-Finding check_revoked(const fs::path& file, const keys::KeyFile& key) {
-  access::RevokedFile revoked(file, key.authority);
-  if (const Result<void> read = revoked.read(); !read) return problem("revoked keys", read.error());
-  if (revoked.list().contains(key.identity.serial))
+Finding check_revoked(const access::Access::Options& options, const keys::KeyFile& key) {
+  const Result<access::RevokedFile> revoked = access::Access::read_revoked(options, key);
+  if (!revoked) return problem("revoked keys", revoked.error());
+  if (revoked->list().contains(key.identity.serial))
     return problem("revoked keys", {.what = "this server's own key is revoked",
-                                    .where = file.string(),
+                                    .where = revoked->file().string(),
                                     .fix = "make a new key: telepalp-keys server"});
-  return good("revoked keys",
-              file.string() + ": " + counted(revoked.list().all().size(), "key or token", "keys and tokens"));
+  return good("revoked keys", revoked->file().string() + ": " +
+                                  counted(revoked->list().all().size(), "key or token", "keys and tokens"));
 }
 
 /// Error: this program may not write to `file`, or to its folder if there is no such file yet.
@@ -99,17 +81,13 @@ Finding validity(std::string what, const std::string& whose, keys::WallTime expi
 Findings check_keys(const Asked& asked, keys::WallTime now) {
   if (!asked.keys) return {note("key", "none: only programs on this computer are served, without encryption")};
   const access::Access::Options& options = *asked.keys;
-  const Result<keys::KeyFile> key = read_server_key(options.key, now);
+  const Result<keys::KeyFile> key = keys::load_key_unasked(options.key, now);
   if (!key) return {problem("key", key.error())};
-  if (key->kind != keys::KeyFile::Kind::Server)
-    return {problem("key", {.what = "this is the key of a person, not of a server",
-                            .where = options.key.string(),
-                            .fix = "make a server's key: telepalp-keys server"})};
+  if (const Result<void> ours = access::Access::check_is_servers(*key); !ours) return {problem("key", ours.error())};
   Findings found{validity("key", whose(*key), key->identity.expires, now)};
   if (key->private_key == nullptr) found.back().text += kEncrypted;
-  const fs::path folder = options.key.parent_path();
-  found.push_back(check_revoked(options.revoked.empty() ? folder / "revoked.crl" : options.revoked, *key));
-  found.push_back(check_audit(options.audit.empty() ? folder / "audit.log" : options.audit));
+  found.push_back(check_revoked(options, *key));
+  found.push_back(check_audit(options.audit_log(*key)));
   if (!options.web_certificate.empty()) found.push_back(check_web_certificate(options, now));
   return found;
 }

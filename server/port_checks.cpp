@@ -22,15 +22,15 @@ constexpr std::chrono::seconds kPatience{3};
 
 Error cannot_listen(const char* protocol, const program::Address& at, const error_code& code) {
   const bool is_taken = code == asio::error::address_in_use;
-  const std::string option = is_taken ? "end the program that listens there (ss -lptun), or give another port"
-                                      : "give an address of this computer, and a port above 1023";
+  const std::string fix = is_taken ? "end the program that listens there (ss -lptun), or give another port"
+                                   : "give an address of this computer, and a port above 1023";
   return {.what = std::string("cannot listen over ") + protocol + ": " +
                   (is_taken ? "another program, or another option, has this port" : code.message()),
           .where = program::to_text(at),
-          .fix = option};
+          .fix = fix};
 }
 
-/// Holds the ports that it found free until the check ends.
+/// Keeps each port that it found free, until the check ends.
 class Ports {
  public:
   explicit Ports(asio::io_context& io) : io_(io) {}
@@ -71,7 +71,7 @@ class Ports {
 
 /// Error: no address of the host takes a connection in time.
 Result<void> reach(const program::Address& at) {
-  asio::io_context io;  // of its own: with it end the handlers that refer to the variables here
+  asio::io_context io;  // its handlers refer to variables of this function, so they must not outlive it
   tcp::resolver resolver(io);
   tcp::socket socket(io);
   error_code result = asio::error::timed_out;

@@ -7,10 +7,10 @@
 
 namespace telepalp::server {
 
-/// Listens on each port of `asked` for a moment: all at once, so that a port that two options name is found.
+/// Listens on all ports of `asked` at the same time, for a moment. So a port is also reported if two options name it.
 [[nodiscard]] Findings check_ports(boost::asio::io_context& io, const Asked& asked);
 
-/// Connects to the meeting point and to the cluster of NATS servers that `asked` names, within a few seconds each.
+/// Connects to the meeting point and to the clusters of NATS servers that `asked` names. Waits some seconds for each.
 [[nodiscard]] Findings check_others(boost::asio::io_context& io, const Asked& asked);
 
 }  // namespace telepalp::server

@@ -31,9 +31,9 @@ Finding check_camera() {
   return good("source", text);
 }
 
-/// A camera is looked for and not opened, because the running server may have it.
+/// A recording is opened. A camera is only looked for, because a running server may have it open.
 Findings check_source(const Asked& asked) {
-  if (asked.relay.shows) return {};  // check_others() looks at it
+  if (asked.relay.shows) return {};  // check_others() checks the site of another server
   if (asked.source.starts_with(kCamera)) return {check_camera()};
   const auto opened = capture::open_source(asked.source, {.loop = asked.loop, .paced = true});
   return {opened ? good("source", asked.source + " can be opened") : problem("source", opened.error())};
@@ -89,7 +89,7 @@ Findings check_files(const Asked& asked) {
   return found;
 }
 
-/// Certificates end, and the audit log is dated, by this computer's clock.
+/// The dates of certificates and of the audit log's lines depend on this computer's clock.
 Finding check_clock() {
   timex state{};
   if (::adjtimex(&state) != TIME_ERROR) return good("clock", "is kept right by a time server");

@@ -5,8 +5,8 @@
 
 namespace telepalp::server {
 
-/// Looks at all that a server with these options needs: ports, keys and their dates, source, files, disks, clock, other
-/// servers. Changes nothing and shows no patient.
+/// Checks what a server with these options needs: keys and their dates, ports, source, other servers, files, disks and
+/// the clock. Writes nothing, opens no camera and publishes nothing.
 [[nodiscard]] Findings self_check(const Asked& asked, keys::WallTime now);
 
 }  // namespace telepalp::server

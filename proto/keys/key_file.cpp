@@ -171,20 +171,41 @@ Result<std::string> read_key_text(const std::filesystem::path& file) {
   return with_answer(*std::move(text), file);
 }
 
-Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now, const AskPassphrase& ask) {
-  forbid_dumps();
-  const Result<Located> located = locate(file);
-  if (!located) return located.error();
-  const std::string name = located->path.string();
-  const Result<KeyFile> seen = read_public_part(located->text, name);
-  if (!seen) return seen.error();
+namespace {
+
+/// The key of `file` without its private key. Error: it is no key, others may read it, or it has expired.
+Result<KeyFile> load_public_part(const Located& located, const std::filesystem::path& file, WallTime now) {
+  const std::string name = located.path.string();
+  Result<KeyFile> seen = read_public_part(located.text, name);
+  if (!seen) return seen;
   // Only for a key: the fix is a chmod, and it would harm another file that was named by mistake. Before the private
   // key is opened: a file that others may write must not choose the driver of a token.
   if (const Result<void> hidden = check_private(file); !hidden) return hidden.error();
   if (const Result<void> valid = check_not_expired(*seen, now, name); !valid) return valid.error();
-  Result<KeyFile> key = read_key(located->text, name, ask);
+  seen->path = located.path;
+  return seen;
+}
+
+}  // namespace
+
+Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now, const AskPassphrase& ask) {
+  forbid_dumps();
+  const Result<Located> located = locate(file);
+  if (!located) return located.error();
+  if (const Result<KeyFile> seen = load_public_part(*located, file, now); !seen) return seen;
+  Result<KeyFile> key = read_key(located->text, located->path.string(), ask);
   if (key) key->path = located->path;
   return key;
+}
+
+Result<KeyFile> load_key_unasked(const std::filesystem::path& file, WallTime now) {
+  const Result<Located> located = locate(file);
+  if (!located) return located.error();
+  Result<KeyFile> seen = load_public_part(*located, file, now);
+  if (!seen) return seen;
+  const bool needs_passphrase = seen->secret == Secret::Encrypted || seen->secret == Secret::Token;
+  if (needs_passphrase && !environment_has_passphrase()) return seen;
+  return load_key(file, now, passphrase_of_environment);
 }
 
 Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::path& file, WallTime now,

@@ -63,6 +63,10 @@ void forbid_dumps() noexcept;
 [[nodiscard]] Result<KeyFile> load_key(const std::filesystem::path& file, WallTime now,
                                        const AskPassphrase& ask = ask_passphrase);
 
+/// As load_key(), but nobody is asked in the terminal: if the environment has no passphrase for an encrypted key or a
+/// hardware token, the key is returned without its private key.
+[[nodiscard]] Result<KeyFile> load_key_unasked(const std::filesystem::path& file, WallTime now);
+
 /// The key that a client's `--key FILE` names; null for an empty name. Error: as for load_key(), or the file is a
 /// server's key.
 [[nodiscard]] Result<std::shared_ptr<const KeyFile>> load_client_key(const std::filesystem::path& file, WallTime now,

@@ -39,6 +39,14 @@ keys::Identity local() {
   return {.name = "local", .role = keys::Role::Local, .serial = {}, .expires = keys::WallTime::max()};
 }
 
+Result<KeptFacts> kept_beside(const fs::path& audit_log) {
+  return KeptFacts::open(audit_log.parent_path() / "telepalp.state");
+}
+
+RevokedFile revoked_file(const Access::Options& options, const keys::KeyFile& key) {
+  return {options.revoked.empty() ? key.path.parent_path() / "revoked.crl" : options.revoked, key.authority};
+}
+
 }  // namespace
 
 std::string host_of(const std::string& peer) { return peer.substr(0, peer.rfind(':')); }
@@ -50,18 +58,35 @@ Result<std::shared_ptr<Access>> Access::with_key(Options options) {
   access->say_ = options.say ? options.say : [](const std::string&) {};
   if (const Result<void> opened = access->open_key(options); !opened) return opened.error();
   if (const Result<void> opened = access->open_web(options); !opened) return opened.error();
-  const fs::path folder = access->key_->path.parent_path();
-  const fs::path beside = folder / "revoked.crl";
-  const fs::path log = options.audit.empty() ? folder / "audit.log" : options.audit;
-  Result<KeptFacts> kept = KeptFacts::open(log.parent_path() / "telepalp.state");
+  const fs::path log = options.audit_log(*access->key_);
+  Result<KeptFacts> kept = kept_beside(log);
   if (!kept) return kept.error();
   access->kept_ = std::move(kept).value();
-  access->revoked_ = RevokedFile(options.revoked.empty() ? beside : options.revoked, access->key_->authority);
+  access->revoked_ = revoked_file(options, *access->key_);
   if (const Result<void> read = access->read_revocations(); !read) return read.error();
   if (access->is_revoked()) return access->own_key_is_revoked();
   if (const Result<void> audit = access->open_audit(log); !audit) return audit.error();
   access->touch_.restore(access->kept_->get(kTouch).value_or(""), std::chrono::steady_clock::now());
   return access;
+}
+
+fs::path Access::Options::audit_log(const keys::KeyFile& opened) const {
+  return audit.empty() ? opened.path.parent_path() / "audit.log" : audit;
+}
+
+Result<void> Access::check_is_servers(const keys::KeyFile& key) {
+  if (key.kind == keys::KeyFile::Kind::Server) return {};
+  return Error{.what = "this is the key of a person, not of a server",
+               .where = key.path.string(),
+               .fix = "make a server's key: telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER"};
+}
+
+Result<RevokedFile> Access::read_revoked(const Options& options, const keys::KeyFile& key) {
+  const Result<KeptFacts> kept = kept_beside(options.audit_log(key));
+  if (!kept) return kept.error();
+  RevokedFile revoked = revoked_file(options, key);
+  if (const Result<void> read = revoked.read(number_in(kept->get(kListNumber))); !read) return read.error();
+  return revoked;
 }
 
 Result<void> Access::open_audit(const fs::path& log) {
@@ -76,10 +101,7 @@ Result<void> Access::open_audit(const fs::path& log) {
 Result<void> Access::open_key(const Options& options) {
   Result<keys::KeyFile> key = keys::load_key(options.key, std::chrono::system_clock::now());
   if (!key) return key.error();
-  if (key->kind != keys::KeyFile::Kind::Server)
-    return Error{.what = "this is the key of a person, not of a server",
-                 .where = options.key.string(),
-                 .fix = "make a server's key: telepalp-keys server --host NAME-OR-ADDRESS-OF-THIS-SERVER"};
+  if (const Result<void> ours = check_is_servers(*key); !ours) return ours;
   // weak: the settings are a member of this object
   const auto is_revoked = [self = weak_from_this()](const keys::Identity& who) {
     const std::shared_ptr<Access> access = self.lock();

@@ -30,16 +30,24 @@ class Access : public std::enable_shared_from_this<Access> {
  public:
   struct Options {
     std::filesystem::path key;                      ///< key file that `telepalp-keys server` made
-    std::filesystem::path revoked;                  ///< empty: revoked.crl beside the key, if it exists
+    std::filesystem::path revoked;                  ///< empty: revoked.crl beside the key
     std::filesystem::path audit;                    ///< empty: audit.log beside the key
     std::filesystem::path web_certificate{};        ///< chain that browsers see; empty: the key's own certificate
     std::filesystem::path web_key{};                ///< private key of `web_certificate`
     std::function<void(const std::string&)> say{};  ///< log lines for the technician
+
+    [[nodiscard]] std::filesystem::path audit_log(const keys::KeyFile& opened) const;  ///< `opened`: the key
   };
 
   [[nodiscard]] static std::shared_ptr<Access> without_keys();
   /// Error: the key is unreadable, expired or a person's; the revocation list is invalid; or the audit log is unusable.
   [[nodiscard]] static Result<std::shared_ptr<Access>> with_key(Options options);
+
+  /// Error: `key` is not that of a server.
+  [[nodiscard]] static Result<void> check_is_servers(const keys::KeyFile& key);
+  /// The list of revoked keys, as a server with these options and this key reads it when it starts. Error: as for
+  /// RevokedFile::read(), also if a newer list was read before an earlier start.
+  [[nodiscard]] static Result<RevokedFile> read_revoked(const Options& options, const keys::KeyFile& key);
 
   [[nodiscard]] bool has_keys() const noexcept { return key_ != nullptr; }
   /// TLS for stations and recorders; null without keys.

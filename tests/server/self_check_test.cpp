@@ -126,6 +126,10 @@ TEST_F(SelfCheck, WhatIsWrongWithAKeysFilesIsAProblem) {
   fs::remove(in("listless/revoked.crl"));
   EXPECT_EQ(check({"--port", "0", "--key", listless}), 1);
   EXPECT_TRUE(said("PROBLEM  revoked keys: ")) << said_;
+  const std::string old_list = keys_of("old", days(1), days(300));
+  write("old/telepalp.state", "revocation-list=2\n");
+  EXPECT_EQ(check({"--port", "0", "--key", old_list}), 1) << "the server has read a newer list";
+  EXPECT_TRUE(said("PROBLEM  revoked keys: ") && said("is older (number 1)")) << said_;
 }
 
 TEST_F(SelfCheck, AnAuditLogThatCannotBeTrustedOrWrittenIsAProblem) {

@@ -87,6 +87,8 @@ Result<std::string> passphrase_of_environment(const std::string& what, int attem
   return no_passphrase(what, kOld, "a passphrase protects this key, and nobody can be asked for it");
 }
 
+bool environment_has_passphrase() { return of_environment(kOld, {}).has_value(); }
+
 Result<std::string> ask_passphrase(const std::string& what, int attempt) {
   if (of_environment(kOld, what) || !has_terminal()) return passphrase_of_environment(what, attempt);
   const std::string again = attempt == 0 ? "" : "wrong. ";

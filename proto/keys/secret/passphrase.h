@@ -18,6 +18,9 @@ using AskPassphrase = std::function<Result<std::string>(const std::string& what,
 /// As ask_passphrase(), but nobody is asked in the terminal.
 [[nodiscard]] Result<std::string> passphrase_of_environment(const std::string& what, int attempt);
 
+/// True if passphrase_of_environment() has a passphrase to give, right or wrong: one of the two variables is set.
+[[nodiscard]] bool environment_has_passphrase();
+
 /// A new passphrase for `what`, of 12 to 256 bytes: of TELEPALP_NEW_PASSPHRASE, or the first line of the file that
 /// TELEPALP_NEW_PASSPHRASE_FILE names; else typed twice in the terminal.
 [[nodiscard]] Result<std::string> new_passphrase(const std::string& what);
