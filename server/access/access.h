@@ -36,7 +36,7 @@ class Access : public std::enable_shared_from_this<Access> {
     std::filesystem::path web_key{};                ///< private key of `web_certificate`
     std::function<void(const std::string&)> say{};  ///< log lines for the technician
 
-    [[nodiscard]] std::filesystem::path audit_log(const keys::KeyFile& opened) const;  ///< `opened`: the key
+    [[nodiscard]] std::filesystem::path audit_log(const keys::KeyFile& opened) const;  ///< `opened`: read from `key`
   };
 
   [[nodiscard]] static std::shared_ptr<Access> without_keys();
@@ -46,7 +46,7 @@ class Access : public std::enable_shared_from_this<Access> {
   /// Error: `key` is not that of a server.
   [[nodiscard]] static Result<void> check_is_servers(const keys::KeyFile& key);
   /// The list of revoked keys, as a server with these options and this key reads it when it starts. Error: as for
-  /// RevokedFile::read(), also if a newer list was read before an earlier start.
+  /// RevokedFile::read(); or this server has read a newer list.
   [[nodiscard]] static Result<RevokedFile> read_revoked(const Options& options, const keys::KeyFile& key);
 
   [[nodiscard]] bool has_keys() const noexcept { return key_ != nullptr; }

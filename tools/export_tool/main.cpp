@@ -1,7 +1,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -20,6 +19,7 @@
 #include "tools/export_tool/frames.h"
 #include "tools/export_tool/image_folder.h"
 #include "tools/export_tool/message_table.h"
+#include "tools/export_tool/output.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ program::Usage usage() {
                       {"parts", "LIST", "for --foxglove: of points,depth,color,station; default: all"},
                       {"rate", "HZ", "for --foxglove: at most so many images a second; default: all"},
                       {"deidentify", "FILE.mcap",
-                       "the session without people, places, notes and colour; says what remains"},
+                       "the session without names, texts, notes and colour; prints what remains"},
                       {"color", "remove|blur", "for --deidentify: what becomes of colour; default: remove"},
                       {"report", "DIR", "the same as telepalp-report SESSION.mcap --out DIR"},
                       {"out", "FILE", "file for --csv, --ply, --pcd, or what --deidentify says; default: stdout"}},
@@ -55,7 +55,11 @@ int say(const Result<std::uint64_t>& count, const char* one, const char* more, c
 
 /// Error: `--out` names the session, which must not be overwritten, or the copy that --deidentify writes.
 Result<void> check_out(const std::string& session, const program::Arguments& asked) {
-  if (asked.has("out") && asked.text("out") == asked.text("deidentify"))
+  const auto place = [&](const char* option) {
+    std::error_code unknown;
+    return std::filesystem::absolute(asked.text(option), unknown).lexically_normal();
+  };
+  if (asked.has("out") && asked.has("deidentify") && place("out") == place("deidentify"))
     return Error{.what = "is the copy of the session itself",
                  .where = "--out " + asked.text("out"),
                  .fix = "name another file for what --deidentify says"};
@@ -65,14 +69,7 @@ Result<void> check_out(const std::string& session, const program::Arguments& ask
                .fix = "name another file"};
 }
 
-/// Writes to `--out`, or to stdout.
-Result<void> put(const program::Arguments& asked, const std::string& bytes) {
-  if (asked.has("out")) return program::write_whole_file(asked.text("out"), bytes, program::Readers::Group);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0) return {};
-  return Error{.what = "cannot be written", .where = "stdout", .fix = "give --out FILE"};
-}
-
-/// Tells that parts of the session are not in the export.
+/// Logs how many parts of the session are missing from the export.
 void say_left_out(std::uint64_t count, const std::string& file) {
   if (const std::string words = export_tool::left_out_in_words(count, file); !words.empty())
     program::log(kProgram, words);
@@ -94,8 +91,7 @@ int run_cloud(const std::string& file, const program::Arguments& asked, std::str
   const Result<RgbdFrame> frame = frames->at(*at_s);
   if (!frame) return program::fail(frame.error());
   say_left_out(frames->damaged(), file);
-  const Result<void> written = put(asked, bytes_of(*frame));
-  return written ? program::kDone : program::fail(written.error());
+  return export_tool::put(asked, bytes_of(*frame));
 }
 
 int run_csv(const std::string& file, const program::Arguments& asked) {
@@ -128,8 +124,7 @@ int run_csv(const std::string& file, const program::Arguments& asked) {
                      ", so the table has only its header line. To list the contents of the session: telepalp-record "
                      "info " +
                      file);
-  const Result<void> written = put(asked, text);
-  return written ? program::kDone : program::fail(written.error());
+  return export_tool::put(asked, text);
 }
 
 /// Becomes telepalp-report, which is installed beside this program.
@@ -141,7 +136,7 @@ int run_report(const std::string& file, const std::string& folder) {
                         .fix = "install telepalp-report in the folder of telepalp-export"});
 }
 
-/// What is kept of an export that Ctrl-C ends.
+/// What Ctrl-C leaves of an export.
 std::string kept(const program::Arguments& asked) {
   if (asked.has("png"))
     return "the images written so far, in " + asked.text("png") + ", are whole; camera.textproto is missing there";

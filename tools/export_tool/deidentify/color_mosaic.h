@@ -21,10 +21,11 @@ struct BlurredColor {
   bool key_frame = true;
 };
 
-/// Blurs a session's colour images, pictures and video, by mosaic(). All images are passed, in their order.
+/// Blurs the colour images of a session, pictures and video, by mosaic(). The caller passes all of them in order,
+/// because video frames are predicted from earlier ones.
 class ColorBlur {
  public:
-  /// nullopt: the image cannot be decoded, so that nothing of it may stay.
+  /// nullopt: the image cannot be decoded, so it cannot be blurred and must be removed.
   [[nodiscard]] std::optional<BlurredColor> blurred(const wire::Message& message);
 
  private:

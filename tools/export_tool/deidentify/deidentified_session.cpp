@@ -1,6 +1,5 @@
 #include "tools/export_tool/deidentify/deidentified_session.h"
 
-#include <regex>
 #include <utility>
 
 #include "proto/wire/camera/color_message.h"
@@ -10,41 +9,38 @@
 #include "proto/wire/mcap/writer.h"
 #include "support/program/version.h"
 #include "tools/export_tool/deidentify/color_mosaic.h"
+#include "tools/export_tool/deidentify/text_rules.h"
 
 namespace telepalp::export_tool {
 namespace {
 
-bool matches(const std::string& text, const char* pattern) {
-  return text.size() <= 100 && std::regex_match(text, std::regex(pattern));
+std::string if_has_form(const std::string& text, const char* pattern) {
+  return has_form(text, std::regex(pattern)) ? text : "";
 }
-
-std::string if_matches(const std::string& text, const char* pattern) { return matches(text, pattern) ? text : ""; }
 
 /// The session's own metadata: programs and versions stay; the scene stays without names, files and comments.
 wire::SessionInfo cleaned(const wire::SessionInfo& session, MessageCleaner& cleaner) {
-  return {.program = if_matches(session.program, "telepalp-[a-z]+"),
-          .version = if_matches(session.version, "[0-9]+(\\.[0-9]+)*"),
-          .commit = if_matches(session.commit, "[0-9a-f]+"),
+  return {.program = if_has_form(session.program, "telepalp-[a-z]+"),
+          .version = if_has_form(session.version, "[0-9]+(\\.[0-9]+)*"),
+          .commit = if_has_form(session.commit, "[0-9a-f]+"),
           .source = {},
           .scene = cleaner.cleaned_scene(session.scene)};
 }
 
-/// Keeps the numbers in a record about a recording or its repair, and the recorder's words on the depth's error.
+/// Keeps the numbers in a record about a recording or its repair, and the recorder's text about the error of the depth.
 wire::mcap::Metadata cleaned(const wire::mcap::Metadata& metadata) {
-  wire::mcap::Metadata numbers{metadata.name, {}};
-  for (const auto& [key, value] : metadata.values) {
-    const bool is_number =
-        matches(key, "(gaps|gap_s|lost|clock_uncertainty_us|dropped/[a-z/]+)") && matches(value, "[0-9]+(\\.[0-9]+)?");
-    const bool is_depth =
-        key == "depth" &&
-        matches(value,
-                "(fast|intra|temporal|bounded), (lossless|off by (an unknown amount|up to [0-9.e+-]+ mm at 1 m))");
-    if (is_number || is_depth) numbers.values.emplace(key, value);
-  }
-  return numbers;
+  static const std::regex kCount("gaps|gap_s|lost|clock_uncertainty_us|dropped/[a-z/]+");
+  static const std::regex kNumber("[0-9]+(\\.[0-9]+)?");
+  static const std::regex kDepth(
+      "(fast|intra|temporal|bounded), (lossless|off by (an unknown amount|up to [0-9.e+-]+ mm at 1 m))");
+  wire::mcap::Metadata kept{metadata.name, {}};
+  for (const auto& [key, value] : metadata.values)
+    if ((has_form(key, kCount) && has_form(value, kNumber)) || (key == "depth" && has_form(value, kDepth)))
+      kept.values.emplace(key, value);
+  return kept;
 }
 
-/// Copies a session's messages, cleaned.
+/// Writes the messages of a session to its copy, cleaned.
 class Copy {
  public:
   Copy(wire::McapWriter& writer, ColorRule color, MessageCleaner& cleaner, Deidentified& report)
@@ -72,7 +68,7 @@ class Copy {
   }
 
  private:
-  /// Writes under the topic's own type and channel, not under the file's, which may hold any text.
+  /// Writes under telepalp's own channel and type of the topic: those in the file may hold any text.
   Result<void> write(const wire::mcap::StoredMessage& stored, const wire::Topic& topic, const std::string& payload,
                      bool key_frame) {
     const wire::mcap::Schema schema{.id = 1,
@@ -98,8 +94,10 @@ class Copy {
 Result<void> copy_messages(wire::McapReader& reader, Copy& copy, Deidentified& report) {
   for (;;) {
     const auto next = reader.next_stored();
-    if (!next) ++report.damaged;
-    if (!next) continue;
+    if (!next) {
+      ++report.damaged;
+      continue;
+    }
     if (!*next) return {};
     if (const Result<void> added = copy.add(**next); !added) return added;
   }
@@ -112,8 +110,10 @@ Result<void> copy_metadata(wire::McapReader& reader, wire::McapWriter& writer, D
     const bool has_numbers = index.name == wire::kRecordingMetadata || index.name == "telepalp.repair";
     const Result<wire::mcap::Metadata> metadata = reader.read(index);
     const wire::mcap::Metadata clean = has_numbers && metadata ? cleaned(*metadata) : wire::mcap::Metadata{};
-    if (clean.values.empty()) ++report.records_of_metadata;
-    if (clean.values.empty()) continue;
+    if (clean.values.empty()) {
+      ++report.records_of_metadata;
+      continue;
+    }
     if (const Result<void> added = writer.add(clean); !added) return added;
   }
   return {};

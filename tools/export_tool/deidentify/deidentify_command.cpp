@@ -1,8 +1,8 @@
 #include "tools/export_tool/deidentify/deidentify_command.h"
 
 #include "proto/words/counted.h"
-#include "support/program/files/whole_file.h"
 #include "support/program/log.h"
+#include "tools/export_tool/output.h"
 
 namespace telepalp::export_tool {
 namespace {
@@ -43,8 +43,8 @@ std::string what_remains(ColorRule color) {
       "still in the copy: dates and times of the session\n";
   if (color == ColorRule::Blur)
     text +=
-        "still in the copy: blurred colour; look at it before you pass it on, because a program may know a blurred "
-        "face\n";
+        "still in the copy: blurred colour; look at it before you pass it on, because a program may recognise a "
+        "blurred face\n";
   return text + "not touched: the session itself, and the notes beside it\n";
 }
 
@@ -74,10 +74,7 @@ int deidentify_command(const std::string& session, const program::Arguments& ask
   const Result<Deidentified> report = write_deidentified(session, out, *color);
   if (!report) return program::fail(report.error());
   program::log(kProgram, "wrote " + out);
-  const std::string words = in_words(*report, *color);
-  if (!asked.has("out")) return program::print(words);
-  const Result<void> written = program::write_whole_file(asked.text("out"), words, program::Readers::Group);
-  return written ? program::kDone : program::fail(written.error());
+  return put(asked, in_words(*report, *color));
 }
 
 }  // namespace telepalp::export_tool

@@ -7,8 +7,8 @@
 
 namespace telepalp::export_tool {
 
-/// The report for a person: one line for each kind of thing that was removed, replaced or kept, and what the copy still
-/// tells. Holds no text of the session.
+/// The report as text: one line for each kind of content that was removed, replaced or kept, and then what in the copy
+/// can still identify a person. Holds no text of the session.
 [[nodiscard]] std::string in_words(const Deidentified& report, ColorRule color);
 
 /// Runs telepalp-export SESSION --deidentify FILE.mcap; prints the report, or writes it to --out. Returns the exit

@@ -1,13 +1,13 @@
 #include "tools/export_tool/deidentify/message_cleaner.h"
 
 #include <google/protobuf/arena.h>
-#include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
 
 #include <vector>
 
 #include "messages/scene.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
+#include "support/program/text_format.h"
 #include "tools/export_tool/deidentify/plain_jpeg.h"
 #include "tools/export_tool/deidentify/text_rules.h"
 
@@ -17,12 +17,6 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using google::protobuf::Reflection;
-
-/// Scenes that cannot be read are removed as a whole, so nobody needs the parser's errors.
-class NoErrors : public google::protobuf::io::ErrorCollector {
- public:
-  void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}
-};
 
 }  // namespace
 
@@ -84,10 +78,7 @@ std::optional<std::string> MessageCleaner::cleaned(const wire::Topic& topic, std
 
 std::string MessageCleaner::cleaned_scene(const std::string& text) {
   msg::Scene scene;
-  google::protobuf::TextFormat::Parser parser;
-  NoErrors quiet;
-  parser.RecordErrorsTo(&quiet);
-  if (text.empty() || !parser.ParseFromString(text, &scene)) return {};
+  if (text.empty() || !program::parse_text_format(text, "scene", scene)) return {};
   clean(scene);
   std::string clean_text;
   return google::protobuf::TextFormat::PrintToString(scene, &clean_text) ? clean_text : std::string{};

@@ -12,15 +12,15 @@
 
 namespace telepalp::export_tool {
 
-/// Number of the texts that were removed or replaced, by the full name of their field.
+/// Numbers of the texts that were removed, and that were replaced, by the full name of their field.
 struct CleanedTexts {
   std::map<std::string, std::uint64_t, std::less<>> removed;
   std::map<std::string, std::uint64_t, std::less<>> numbered;
   std::uint64_t unknown_fields = 0;  ///< messages with fields of another version, which were removed
 };
 
-/// Removes from a session's messages the texts by which a person, a place or a computer could be known, by the rules of
-/// rule_of(). All numbers stay. A name that is replaced has the same number in all messages of this cleaner.
+/// Removes the texts from which a person, a place or a computer could be identified from a session's messages, by
+/// rule_of(). All numbers stay. All messages that one cleaner cleans have the same number in place of the same name.
 class MessageCleaner {
  public:
   /// Cleans `message` and all messages in it.
@@ -29,7 +29,7 @@ class MessageCleaner {
   /// The cleaned payload of a message of `topic`; nullopt: `payload` is not of the topic's type.
   [[nodiscard]] std::optional<std::string> cleaned(const wire::Topic& topic, std::string_view payload);
 
-  /// The cleaned text of a scene file, without its comments. Empty: `text` is not a scene.
+  /// The cleaned text of a scene file, without comments. Empty: `text` is not a scene, so all of it must be removed.
   [[nodiscard]] std::string cleaned_scene(const std::string& text);
 
   [[nodiscard]] const CleanedTexts& texts() const noexcept { return texts_; }

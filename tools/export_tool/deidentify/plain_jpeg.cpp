@@ -5,7 +5,7 @@
 namespace telepalp::export_tool {
 namespace {
 
-// Markers of ITU-T T.81, table B.1: the second byte, behind 0xff.
+// Markers of ITU-T T.81, table B.1: the second byte, after 0xff.
 constexpr unsigned char kStartOfImage = 0xd8;
 constexpr unsigned char kEndOfImage = 0xd9;
 constexpr unsigned char kStartOfScan = 0xda;
@@ -19,7 +19,7 @@ bool is_marker(std::string_view text, std::size_t place, unsigned char marker) {
   return place + 2 <= text.size() && byte_at(text, place) == 0xff && byte_at(text, place + 1) == marker;
 }
 
-/// Place of the first marker at or behind `place` that ends a scan's coded data; npos: the data does not end.
+/// Place of the marker that ends the coded data of the scan that begins at `place`; npos: there is none.
 std::size_t end_of_scan(std::string_view jpeg, std::size_t place) {
   for (; place + 2 <= jpeg.size(); ++place) {
     const unsigned char next = byte_at(jpeg, place + 1);
@@ -41,8 +41,8 @@ std::string plain_jpeg(std::string_view jpeg) {
     if (length < 2 || end > jpeg.size()) return {};
     if (marker == kStartOfScan) end = end_of_scan(jpeg, end);
     if (end == std::string_view::npos) return {};
-    const bool is_told = (marker >= kFirstApplication && marker <= kLastApplication) || marker == kComment;
-    if (!is_told) plain += jpeg.substr(place, end - place);
+    const bool is_note = (marker >= kFirstApplication && marker <= kLastApplication) || marker == kComment;
+    if (!is_note) plain += jpeg.substr(place, end - place);
     place = end;
     if (is_marker(jpeg, place, kEndOfImage)) return plain += jpeg.substr(place, 2);
   }

@@ -5,8 +5,8 @@
 
 namespace telepalp::export_tool {
 
-/// `jpeg` without comments, application data (Exif, thumbnails) and bytes behind its end; the picture itself is the
-/// same to the byte. Empty: not a JPEG picture that begins and ends as one.
+/// `jpeg` without comments, application data (Exif, thumbnails) and bytes after its end. All other bytes are unchanged.
+/// Empty: `jpeg` does not have the form of a JPEG picture.
 [[nodiscard]] std::string plain_jpeg(std::string_view jpeg);
 
 }  // namespace telepalp::export_tool

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <string>
 
 #include "proto/wire/topics.h"
@@ -50,11 +49,11 @@ constexpr std::array kRules{
 
 constexpr std::size_t kLongestText = 100;
 
-bool matches(std::string_view text, const char* pattern) {
-  return text.size() <= kLongestText && std::regex_match(text.begin(), text.end(), std::regex(pattern));
-}
-
 }  // namespace
+
+bool has_form(std::string_view text, const std::regex& pattern) {
+  return text.size() <= kLongestText && std::regex_match(text.begin(), text.end(), pattern);
+}
 
 TextRule rule_of(const google::protobuf::FieldDescriptor& field) {
   const auto found = std::ranges::find(kRules, std::string_view(field.full_name()), &Ruled::field);
@@ -62,16 +61,18 @@ TextRule rule_of(const google::protobuf::FieldDescriptor& field) {
 }
 
 bool may_stay(TextRule rule, std::string_view text) {
+  static const std::regex kWord("(PCL )?[a-z][a-z0-9_]*([ -](KD-tree|[a-z0-9_]+)){0,2}|PCL KD-tree");
+  static const std::regex kSoftware("telepalp-[a-z]+ [0-9]+(\\.[0-9]+)*(, commit [0-9a-f]+)?");
   switch (rule) {
     case TextRule::Remove:
     case TextRule::Number:
       return false;
     case TextRule::Word:
-      return matches(text, "(PCL )?[a-z][a-z0-9_]*([ -](KD-tree|[a-z0-9_]+)){0,2}|PCL KD-tree");
+      return has_form(text, kWord);
     case TextRule::Topic:
       return wire::find_topic(text).has_value();
     case TextRule::Software:
-      return matches(text, "telepalp-[a-z]+ [0-9]+(\\.[0-9]+)*(, commit [0-9a-f]+)?");
+      return has_form(text, kSoftware);
     case TextRule::Data:
     case TextRule::Picture:
       return true;
