@@ -14,23 +14,23 @@ bool is_own(const wire::mcap::StoredChannel& channel) {
          channel.schema->data == wire::file_descriptor_set(*wire::descriptor_of(*channel.topic));
 }
 
-/// The topic of a damaged definition, by its name or else by its type, if only one topic has this type. A second coding
-/// of a topic's content does not count: recordings hold the first one.
+/// The only topic for which `fits` is true; nullopt: there is none, or there are several.
+template <class Fits>
+std::optional<wire::Topic> only_topic(Fits fits) {
+  if (std::ranges::count_if(wire::kTopics, fits) != 1) return std::nullopt;
+  return *std::ranges::find_if(wire::kTopics, fits);
+}
+
+/// The topic of a damaged definition: the one with its name, or else the only one with its type. If several topics have
+/// this type, those that repeat the content of another one (Topic::only_by_name) are left out, because a
+/// recorder takes them only if they are asked for by name.
 std::optional<wire::Topic> recognised(const wire::mcap::StoredChannel& channel) {
   if (const std::optional<wire::Topic> topic = wire::find_topic(channel.channel.topic)) return topic;
   if (channel.schema == nullptr) return std::nullopt;
   const auto has_type = [&](const wire::Topic& topic) { return topic.schema == channel.schema->name; };
   const auto is_first = [&](const wire::Topic& topic) { return has_type(topic) && !topic.only_by_name; };
-  if (std::ranges::count_if(wire::kTopics, is_first) == 1) return *std::ranges::find_if(wire::kTopics, is_first);
-  if (std::ranges::count_if(wire::kTopics, has_type) != 1) return std::nullopt;
-  return *std::ranges::find_if(wire::kTopics, has_type);
-}
-
-wire::mcap::Schema schema_of(const wire::Topic& topic) {
-  return {.id = 1,
-          .name = std::string(topic.schema),
-          .encoding = "protobuf",
-          .data = wire::file_descriptor_set(*wire::descriptor_of(topic))};
+  const std::optional<wire::Topic> first = only_topic(is_first);
+  return first ? first : only_topic(has_type);
 }
 
 /// The channel of `topic` with the mark of key frames that the damaged definition still has.
@@ -64,7 +64,7 @@ const wire::mcap::StoredChannel* DefinitionCheck::mended(const wire::mcap::Store
   std::optional<Definition>& own = place->second;
   const std::optional<wire::Topic> topic = is_new && !is_own(channel) ? recognised(channel) : std::nullopt;
   if (topic) {
-    own = Definition{.schema = schema_of(*topic), .channel = channel_of(*topic, channel)};
+    own = Definition{.schema = wire::mcap::schema_of(*topic), .channel = channel_of(*topic, channel)};
     own->channel.schema = &own->schema;
   }
   return own ? &own->channel : nullptr;

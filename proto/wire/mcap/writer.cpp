@@ -22,13 +22,6 @@ std::string identity(Record record) {
   return bytes;
 }
 
-mcap::Schema schema_of(const Topic& topic) {
-  return {.id = 0,
-          .name = std::string(topic.schema),
-          .encoding = "protobuf",
-          .data = file_descriptor_set(*descriptor_of(topic))};
-}
-
 constexpr const char* kCheckSum = "crc32";
 
 /// CRC-32 of the record's name and its other entries, each text followed by a zero byte, in hexadecimal digits.
@@ -112,7 +105,7 @@ Result<void> McapWriter::write(const Message& message) {
   Known& known = topics_[message.topic.name];
   std::uint16_t& id = message.key_frame ? known.key_id : known.predicted_id;
   if (id == 0) {
-    const mcap::Schema schema = schema_of(message.topic);
+    const mcap::Schema schema = mcap::schema_of(message.topic);
     id = add_channel(&schema, mcap::channel_for(message.topic, message.key_frame));
   }
   const std::uint64_t time = stored_time(message.published);

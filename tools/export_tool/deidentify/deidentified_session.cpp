@@ -1,5 +1,6 @@
 #include "tools/export_tool/deidentify/deidentified_session.h"
 
+#include <string_view>
 #include <utility>
 
 #include "proto/wire/camera/color_message.h"
@@ -71,10 +72,8 @@ class Copy {
   /// Writes under telepalp's own channel and type of the topic: those in the file may hold any text.
   Result<void> write(const wire::mcap::StoredMessage& stored, const wire::Topic& topic, const std::string& payload,
                      bool key_frame) {
-    const wire::mcap::Schema schema{.id = 1,
-                                    .name = std::string(topic.schema),
-                                    .encoding = "protobuf",
-                                    .data = wire::file_descriptor_set(*wire::descriptor_of(topic))};
+    wire::mcap::Schema& schema = schemas_[topic.name];
+    if (schema.name.empty()) schema = wire::mcap::schema_of(topic);
     const wire::mcap::StoredChannel channel{.channel = wire::mcap::channel_for(topic, key_frame),
                                             .schema = &schema,
                                             .topic = topic,
@@ -89,6 +88,7 @@ class Copy {
   MessageCleaner& cleaner_;
   Deidentified& report_;
   ColorBlur blur_;
+  std::map<std::string_view, wire::mcap::Schema> schemas_;  // by topic, because each holds a serialised type
 };
 
 Result<void> copy_messages(wire::McapReader& reader, Copy& copy, Deidentified& report) {

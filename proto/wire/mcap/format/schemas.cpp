@@ -60,4 +60,11 @@ std::string file_descriptor_set(const Descriptor& type) {
   return set.SerializeAsString();
 }
 
+mcap::Schema mcap::schema_of(const Topic& topic) {
+  return {.id = 0,
+          .name = std::string(topic.schema),
+          .encoding = "protobuf",
+          .data = file_descriptor_set(*descriptor_of(topic))};
+}
+
 }  // namespace telepalp::wire

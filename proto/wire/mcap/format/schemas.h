@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "proto/wire/mcap/format/records.h"
 #include "proto/wire/topics.h"
 
 namespace telepalp::wire {
@@ -14,5 +15,10 @@ namespace telepalp::wire {
 /// A serialised FileDescriptorSet with the file of `type` and all its imports, imports first. MCAP and the Foxglove
 /// WebSocket protocol use it as the data of a "protobuf" schema. Deterministic.
 [[nodiscard]] std::string file_descriptor_set(const google::protobuf::Descriptor& type);
+
+namespace mcap {
+/// The schema record of a topic's messages, with the id 0. `topic` must be in kTopics.
+[[nodiscard]] Schema schema_of(const Topic& topic);
+}  // namespace mcap
 
 }  // namespace telepalp::wire
