@@ -111,9 +111,8 @@ TEST(CameraPipeline, DepthWithAWindowIsMadeOnlyWhileSomebodyTakesIt) {
   pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 99}},
                                     clock,
                                     {.publish = [&](const wire::Message& message) { return log.publish(message); },
-                                     .take_key_frame_request = [] { return false; },
-                                     .depth_wanted = [&] { return wanted; },
-                                     .window = [&] { return window; }});
+                                     .take_key_frame_request = [](std::string_view) { return false; },
+                                     .wanted = [&] { return pipeline::Wanted{.depth = wanted, .window = window}; }});
   const auto after = [&](int images, pipeline::DepthWanted now) {
     wanted = now;
     log.letters.clear();
