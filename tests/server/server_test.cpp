@@ -259,7 +259,7 @@ TEST(CameraPipeline, EachCodingOfColourIsMadeOnlyWhileSomebodyTakesIt) {
   EXPECT_EQ(after(3, {.pictures = false, .video = true}), "Kpp");
   EXPECT_EQ(after(2, {.pictures = true, .video = true}), "pJpJ");
   EXPECT_EQ(after(2, {.pictures = true, .video = false}), "JJ");
-  EXPECT_EQ(after(2, {.pictures = false, .video = true}), "Kp") << "who comes later begins with a key frame";
+  EXPECT_EQ(after(2, {.pictures = false, .video = true}), "Kp") << "a later subscriber begins with a key frame";
 }
 
 TEST(CameraPipeline, AKeyFrameOfVideoComesOnDemandAndAfterADroppedFrame) {
