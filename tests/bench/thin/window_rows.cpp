@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <vector>
 
 #include "codec/depth_stream.h"
@@ -141,13 +140,6 @@ void add_set_rows(Report& report, const std::string& name, const DepthSet& set, 
       if (mode == DepthMode::Intra) means.log_ratio[i] += std::log(part.bytes / whole);
     }
   ++means.sets;
-}
-
-std::vector<std::string> names_in(const std::string& inputs) {
-  std::vector<std::string> names;
-  std::istringstream text(inputs);
-  for (std::string name; std::getline(text, name, ',');) names.push_back(name);
-  return names;
 }
 
 }  // namespace
