@@ -31,7 +31,7 @@ inline constexpr std::uint8_t kLastDepthMode = 3;
 /// sensor's own resolution, and at least a millimetre.
 inline constexpr DepthErrorBound kOneDisparityStep{.least_m = 0.001, .per_m = 2.85e-3};
 
-/// How the error bound grows from a window for the hand to the image's border.
+/// How the error bound grows from a window of exact depth to the image's border.
 enum class WindowGrowth : std::uint8_t {
   Flat,     ///< twice kOneDisparityStep everywhere outside the window
   Growing,  ///< from twice beside the window to four times kOneDisparityStep at the image's border
@@ -45,9 +45,9 @@ struct EncodedDepth {
   std::string bytes;
   bool key_frame = true;  ///< decodes without the frame before it
   DepthMode mode = DepthMode::Fast;
-  std::optional<DepthErrorBound>
-      bound;  ///< set for near-lossless coding; nullopt: lossless. With a window: the largest
-  std::optional<DepthWindow> window = {};  ///< where the image is exact; nullopt: everywhere, or nowhere if bounded
+  std::optional<DepthErrorBound> bound;  ///< largest bound on the error of a pixel; nullopt: lossless
+  /// Where the image is exact although it has a bound. nullopt: the bound holds for each pixel.
+  std::optional<DepthWindow> window = {};
   std::uint32_t crc = 0;  ///< CRC-32C of header and decoded samples; it names this frame as a reference
 };
 
@@ -68,8 +68,8 @@ struct DepthPacketInfo {
   int height = 0;
   double unit_m = 0.001;
   int slices = 1;
-  int since_key = 0;  ///< frames since the last key frame; 0: this is a key frame
-  std::optional<DepthWindow> window = {};
+  int since_key = 0;                       ///< frames since the last key frame; 0: this is a key frame
+  std::optional<DepthWindow> window = {};  ///< nullopt: no window
 };
 
 [[nodiscard]] Result<DepthPacketInfo> inspect_depth(std::span<const std::byte> packet);

@@ -28,9 +28,9 @@ class DepthEncoder {
   DepthEncoder(DepthEncoder&&) noexcept;
   DepthEncoder& operator=(DepthEncoder&&) noexcept;
 
-  /// `depth` must be well formed. A change of image size or unit forces a key frame. `window`, in the modes Intra and
-  /// Temporal: the part that stays exact, from frame to frame another one if need be. It must be well formed for this
-  /// image. Other modes ignore it.
+  /// `depth` must be well formed. A change of image size or unit forces a key frame. `window`: the part of the image
+  /// that stays exact, in the modes Intra and Temporal; other modes ignore it. It must be well formed for this image,
+  /// and may differ from frame to frame.
   [[nodiscard]] EncodedDepth encode(const DepthImage& depth, const std::optional<DepthWindow>& window = std::nullopt);
 
   /// Forces the next frame to be a key frame: a receiver joined, or lost a frame.
@@ -62,7 +62,7 @@ struct DecodedDepth {
   DepthImage image;
   DepthMode mode = DepthMode::Fast;
   bool key_frame = true;
-  std::optional<DepthWindow> window = {};  ///< where the image is exact, and the bounds elsewhere; nullopt: no window
+  std::optional<DepthWindow> window = {};  ///< nullopt: the packet states no window
 };
 
 /// Decodes some frames of a stream and skips others: read() or skip() is called for each packet, in the stream's order.

@@ -123,20 +123,19 @@ void Server::publish(wire::Message message) {
 }
 
 void Server::tell_origin_what_is_wanted() {
-  origin_->want_color(
-      {.pictures = hub_.is_wanted(wire::kCameraColor.name), .video = hub_.is_wanted(wire::kCameraColorVideo.name)});
-  origin_->want_depth(
-      {.whole = hub_.is_wanted(wire::kCameraDepth.name), .window = hub_.is_wanted(wire::kCameraDepthWindow.name)});
-  origin_->want_window(window_.at(clock_.now()));
+  const auto wants = [this](const wire::Topic& topic) { return hub_.is_wanted(topic.name); };
+  origin_->want({.color = {.pictures = wants(wire::kCameraColor), .video = wants(wire::kCameraColorVideo)},
+                 .depth = {.whole = wants(wire::kCameraDepth), .window = wants(wire::kCameraDepthWindow)},
+                 .window = window_.at(clock_.now())});
 }
 
 void Server::follow_window(const msg::WindowRequest& request) {
   const std::optional<DepthWindow> window = wire::window_of(request.window());
   if (!window || !origin_) return;
-  if (window_.ask(request.sender(), *window, clock_.now())) return origin_->want_window(window);
+  if (window_.ask(request.sender(), *window, clock_.now())) return tell_origin_what_is_wanted();
   if (!std::exchange(window_noted_, true))
-    log("a second station asks for exact depth around its hand: images follow the station that asked first, until it "
-        "is silent for 1 s");
+    log("a second station asks for exact depth around its hand: images are exact around the hand of the station that "
+        "asked first, until that station has not asked for 1 s");
 }
 
 std::string Server::problem() const {

@@ -165,8 +165,8 @@ std::vector<std::uint16_t> rank_those_of(const Choice& choice, const LevelPalett
   return rank_of;
 }
 
-/// Least rank (low half) and greatest rank (high half) of each level of a frame; of level 0, which is not measured,
-/// any.
+/// Least rank (low half) and greatest rank (high half) of each level of a frame. Those of level 0, "not measured", are
+/// 0 and 0xffff.
 std::vector<std::uint32_t> packed_ranks(const Choice& choice, const std::vector<std::uint16_t>& rank_of) {
   std::vector<std::uint32_t> ranks{0xffff0000};
   for (std::size_t i = 1; i < choice.least.size(); ++i)
@@ -174,14 +174,14 @@ std::vector<std::uint32_t> packed_ranks(const Choice& choice, const std::vector<
   return ranks;
 }
 
-/// packed_ranks() of all rings of a window, one after the other. Fills `palette`.
+/// packed_ranks() of ring 0, ring 1, and so on, in one table. Fills `palette` with the levels that they refer to.
 std::vector<std::uint32_t> packed_ranks_of_rings(const LevelPalette& present,
                                                  const ReconstructionLevels& reconstruction, const DepthWindow& window,
                                                  LevelPalette& palette) {
   const auto choice_in = [&](int ring) {
     return choice_of(present, reconstruction.levels, {window.in_ring(ring), reconstruction.bound.unit_m});
   };
-  // The outermost ring may take every level that another ring may.
+  // The outermost ring has the largest bound, so its pixels may take each level that an inner ring's may.
   const std::vector<std::uint16_t> rank_of =
       rank_those_of(choice_in(DepthWindow::kRings - 1), reconstruction.levels, palette);
   std::vector<std::uint32_t> ranks;
@@ -192,8 +192,8 @@ std::vector<std::uint32_t> packed_ranks_of_rings(const LevelPalette& present,
   return ranks;
 }
 
-/// For each place on an axis: where its ring's part of a table with `count` entries for each ring begins. 0 in the
-/// window, where a pixel's ring depends on the other axis alone.
+/// For each place on an axis: the first index of its ring in a table with `count` entries for each ring. 0 for places
+/// in the window, so that the greater of a pixel's two offsets is that of its ring.
 std::vector<std::size_t> ring_offsets(int exact_first, int exact_size, int size, std::size_t count) {
   std::vector<std::size_t> offsets;
   for (int at = 0; at < size; ++at)

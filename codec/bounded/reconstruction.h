@@ -34,8 +34,9 @@ struct ReconstructionLevels {
 [[nodiscard]] RankedFrame within_bounds(const DepthImage& depth, const LevelPalette& palette,
                                         ReconstructionLevels& reconstruction);
 
-/// As within_bounds(), with the bounds that `window` states around it. `outer`: the image, in whose window nothing is
-/// measured. `palette`: of `outer`. The levels of `reconstruction` may have been chosen for another frame or window.
+/// As within_bounds(), with the bounds that `window` states around it. `outer`: the image, with its pixels in the
+/// window set to "not measured". `palette`: of `outer`. The levels of `reconstruction` may have been chosen for another
+/// frame or window.
 [[nodiscard]] RankedFrame within_window(const DepthImage& outer, const LevelPalette& palette,
                                         ReconstructionLevels& reconstruction, const DepthWindow& window);
 

@@ -78,7 +78,8 @@ Error other_version(char version) {
       .fix = "install the same version of telepalp at both ends; read a recording with the version that recorded it"};
 }
 
-/// Reads the window after the fixed header into `header`. Error: there is none that the image can have.
+/// Reads the window, which follows the fixed header, into `header`. Error: it is cut short, is not well formed for the
+/// image, or the packet's mode or coding has no windows.
 Result<void> read_window(ByteReader& reader, PacketHeader& header) {
   if (reader.rest().size() < kWindowBytes) return damaged("it ends before its window");
   DepthWindow window;

@@ -23,9 +23,9 @@ bool same_size_and_unit(const DepthImage& a, const DepthImage& b) noexcept {
 
 struct DepthEncoder::State {
   DepthStreamSettings settings;
-  // Of Bounded, and around windows; kept for a group of frames, because changes of levels cost bits.
+  // Used in the mode Bounded, and around windows. They stay for a group of frames, because changing them costs bits.
   ReconstructionLevels reconstruction;
-  int since_levels = 0;  // frames with a window since the levels were chosen; 0: they were not
+  int since_levels = 0;  // frames with a window since the levels were chosen; 0: no levels are chosen for windows
   CodedFrame previous;   // the last frame as the decoder has it
   int since_key = 0;
   bool key_frame_requested = true;
@@ -66,7 +66,7 @@ CodedFrame DepthEncoder::State::code(const DepthImage& depth, bool is_key, const
   return code_bounded(depth, palette, reconstruction, reference);
 }
 
-/// Levels are chosen for the whole image, so that they suit the next window too.
+/// Chooses levels for the whole image, so that they also suit a window at another place.
 CodedFrame DepthEncoder::State::code_around(const DepthImage& depth, const DepthWindow& window,
                                             const Reference& reference) {
   const bool suits = since_levels > 0 && reconstruction.bound.bound == window.near &&

@@ -8,12 +8,6 @@
 namespace telepalp::codec {
 namespace {
 
-WrittenPacket stored_packet(const DepthImage& depth, DepthMode mode) {
-  const PacketHeader header{
-      .mode = mode, .coding = Coding::Stored, .width = depth.width, .height = depth.height, .unit_m = depth.unit_m};
-  return write_packet(header, depth.samples, stored(depth).bytes);
-}
-
 /// Fills the frame. False when the body is damaged.
 bool decode_body(const Packet& packet, const Reference& reference, DecodedFrame& frame) {
   const Coding coding = packet.header.coding;
@@ -43,6 +37,16 @@ PacketHeader header_of(DepthMode mode, const DepthImage& depth, const Slicing& s
   header.reference = reference.crc;
   header.since_key = reference.since_key;
   return header;
+}
+
+WrittenPacket stored_packet(const DepthImage& depth, DepthMode mode, const std::optional<DepthWindow>& window) {
+  const PacketHeader header{.mode = mode,
+                            .coding = Coding::Stored,
+                            .width = depth.width,
+                            .height = depth.height,
+                            .unit_m = depth.unit_m,
+                            .window = window};
+  return write_packet(header, depth.samples, stored(depth).bytes);
 }
 
 WrittenPacket write_frame(const DepthImage& depth, DepthMode mode, const Reference& reference) {

@@ -32,7 +32,7 @@ struct Reference {
 struct CodedFrame {
   WrittenPacket packet;
   DepthImage depth;
-  std::optional<LevelPalette> palette = {};  ///< of `depth`; nullopt: not known yet
+  std::optional<LevelPalette> palette = {};  ///< of `depth`; nullopt: not computed
 };
 
 /// The samples of the reference frame; empty for a key frame.
@@ -42,6 +42,10 @@ struct CodedFrame {
 [[nodiscard]] PacketHeader header_of(DepthMode mode, const DepthImage& depth, const Slicing& slicing,
                                      const Reference& reference);
 
+/// A key frame of raw samples, for a frame that coding would not make smaller.
+[[nodiscard]] WrittenPacket stored_packet(const DepthImage& depth, DepthMode mode,
+                                          const std::optional<DepthWindow>& window = std::nullopt);
+
 /// Codes `depth` near-losslessly: each pixel moves, within its bound, to a depth that costs few bits. `palette`: of
 /// `depth`. `reconstruction`: the depths to which pixels may move (codec/bounded/reconstruction.h).
 [[nodiscard]] CodedFrame code_bounded(const DepthImage& depth, const LevelPalette& palette,
@@ -49,7 +53,7 @@ struct CodedFrame {
 
 struct DecodedFrame {
   DepthImage depth;
-  std::optional<LevelPalette> palette;  ///< nullopt: not known, because of the packet's coding or window
+  std::optional<LevelPalette> palette;  ///< of `depth`; nullopt: not computed
 };
 
 /// Decodes a packet. The decoded samples must match the header's crc.

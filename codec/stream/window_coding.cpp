@@ -14,8 +14,8 @@ namespace {
 
 using Samples = std::vector<std::uint16_t>;
 
-/// The reference frame of one of the two images. Its palette is left out: to find it takes longer than the few bytes
-/// that it saves are worth.
+/// The reference frame of one of the two images. It has no palette: computing the palette takes time, and saves only a
+/// few bytes.
 FrameBefore before_of(const Samples& samples) {
   static const LevelPalette kNoLevels;
   return {.samples = samples, .palette = &kNoLevels};
@@ -48,7 +48,7 @@ void put_back(const Samples& cut, std::span<std::uint16_t> image, int image_widt
   });
 }
 
-/// The image with nothing measured in the window.
+/// The image with its pixels in the window set to "not measured".
 Samples without(std::span<const std::uint16_t> image, int image_width, const PixelRect& exact) {
   Samples outer(image.begin(), image.end());
   if (outer.empty()) return outer;
@@ -60,7 +60,8 @@ Samples without(std::span<const std::uint16_t> image, int image_width, const Pix
 
 constexpr std::size_t kPixelsWorthFourSlices = 8192;
 
-/// Four slices of a window that has the pixels for them: fewer take as long as four, as they are coded in lockstep.
+/// Four slices if the window has enough pixels. Fewer slices would not be faster for each pixel, because the coder
+/// processes four in lockstep.
 Slicing slicing_of(int width, int height) {
   const bool worth = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) >= kPixelsWorthFourSlices;
   const std::optional<Slicing> four = worth ? Slicing::declared(height, kLanes) : std::nullopt;
@@ -96,21 +97,11 @@ std::optional<Samples> read_exact(ByteReader& reader, const PacketHeader& header
   return done ? std::optional(std::move(samples)) : std::nullopt;
 }
 
-CodedFrame stored_whole(const DepthImage& depth, PacketHeader header) {
-  header.coding = Coding::Stored;
-  header.slices = 1;
-  header.reference = 0;
-  header.since_key = 0;
-  return {.packet = write_packet(header, depth.samples, stored(depth).bytes), .depth = depth, .palette = std::nullopt};
-}
-
 }  // namespace
 
 CodedFrame code_window(const DepthImage& depth, DepthMode mode, const DepthWindow& window,
                        ReconstructionLevels& reconstruction, const Reference& reference) {
   const Slicing slicing = Slicing::for_frame(depth.width, depth.height);
-  PacketHeader header = header_of(mode, depth, slicing, reference);
-  header.window = window;
   const PixelRect& exact = window.exact;
   const std::span<const std::uint16_t> before = samples_of(reference);
 
@@ -122,17 +113,20 @@ CodedFrame code_window(const DepthImage& depth, DepthMode mode, const DepthWindo
   const Samples outer_before = without(before, depth.width, exact);
   const std::optional<std::string> outer_body =
       encode_contexts(outer, depth.width, before_of(outer_before), slicing, context_kernel());
-  if (!outer_body) return stored_whole(depth, header);
+  const auto raw = [&] { return CodedFrame{.packet = stored_packet(depth, mode, window), .depth = depth}; };
+  if (!outer_body) return raw();
 
   const Samples inner = cut_out(depth.samples, depth.width, exact);
   std::string body;
   append_exact(body, inner, exact.width, cut_out(before, depth.width, exact));
   body.append(*outer_body);
-  if (body.size() >= depth.samples.size() * sizeof(std::uint16_t)) return stored_whole(depth, header);
+  if (body.size() >= depth.samples.size() * sizeof(std::uint16_t)) return raw();
   put_levels(outer.ranks, outer.palette, moved.samples);
   put_back(inner, moved.samples, depth.width, exact);
+  PacketHeader header = header_of(mode, depth, slicing, reference);
+  header.window = window;
   WrittenPacket packet = write_packet(header, moved.samples, body);
-  return {.packet = std::move(packet), .depth = std::move(moved), .palette = std::nullopt};
+  return {.packet = std::move(packet), .depth = std::move(moved)};
 }
 
 bool decode_window(const Packet& packet, std::span<const std::uint16_t> before, std::span<std::uint16_t> samples) {

@@ -48,8 +48,9 @@ TELEPALP_EXPORT(width)()->std::int32_t { return g_depth.width; }
 TELEPALP_EXPORT(height)()->std::int32_t { return g_depth.height; }
 TELEPALP_EXPORT(unit_m)()->double { return g_depth.unit_m; }
 TELEPALP_EXPORT(samples)()->const std::uint16_t* { return g_depth.samples.data(); }
-/// The window's numbers in the order of the packet: 0 to 3 its rectangle, 4 and 5 the bound beside it, 6 and 7 the
-/// bound at the border (least_m, then per_m). -1 for each: the image has no window.
+/// Number `index` of the decoded image's window, in the order of the packet: 0 to 3 column, row, width and height; 4
+/// and 5 least_m and per_m of the bound beside the window; 6 and 7 those at the image's border. -1: the image has no
+/// window.
 TELEPALP_EXPORT(window)(std::int32_t index)->double {
   if (!g_window) return -1.0;
   const auto& [exact, near, border] = *g_window;

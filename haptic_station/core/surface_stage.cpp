@@ -20,37 +20,40 @@ constexpr Nanoseconds kClockStep = std::chrono::seconds(1);
 
 constexpr const char* kSameVersion = "install the same version of telepalp at server and station";
 
-std::string image_of(const msg::DepthImage& message) {
-  return "/camera/depth, image " + std::to_string(message.sequence());
+std::string topic_of(const ArrivedDepth& depth) { return std::string(depth.depth.topic.name); }
+
+std::string image_of(const ArrivedDepth& depth, const msg::DepthImage& message) {
+  return topic_of(depth) + ", image " + std::to_string(message.sequence());
 }
 
-Error not_a_depth_image() {
-  return {.what = "the message is not a depth image", .where = "/camera/depth", .fix = kSameVersion};
+Error not_a_depth_image(const ArrivedDepth& arrived) {
+  return {.what = "the message is not a depth image", .where = topic_of(arrived), .fix = kSameVersion};
 }
 
-Error other_size(const msg::DepthImage& message) {
+Error other_size(const ArrivedDepth& arrived, const msg::DepthImage& message) {
   return {.what = "the image's size is not the one that its message declares",
-          .where = image_of(message),
+          .where = image_of(arrived, message),
           .fix = kSameVersion};
 }
 
-Error other_camera(const DepthImage& depth, const Intrinsics& camera) {
+Error other_camera(const ArrivedDepth& arrived, const DepthImage& depth) {
+  const Intrinsics& camera = arrived.camera;
   return {.what = "the image is " + std::to_string(depth.width) + " x " + std::to_string(depth.height) +
                   " pixels, its camera model is for " + std::to_string(camera.width) + " x " +
                   std::to_string(camera.height),
-          .where = "/camera/depth",
+          .where = topic_of(arrived),
           .fix = "correct camera.textproto at the server"};
 }
 
-Error not_measured(const msg::DepthImage& message) {
+Error not_measured(const ArrivedDepth& arrived, const msg::DepthImage& message) {
   return {.what = "fewer than half of the pixels around the image's centre, where the patient should be, are measured",
-          .where = image_of(message),
+          .where = image_of(arrived, message),
           .fix = "aim the camera at the patient, from a distance at which it measures"};
 }
 
-Error not_newer(const msg::DepthImage& message) {
+Error not_newer(const ArrivedDepth& arrived, const msg::DepthImage& message) {
   return {.what = "the image is not newer than the last one, or its size or camera model is invalid",
-          .where = image_of(message),
+          .where = image_of(arrived, message),
           .fix = "check the camera's time stamps, and camera.textproto at the server"};
 }
 
@@ -129,7 +132,7 @@ SurfaceStage::Result SurfaceStage::run(const Job& job, const StepTime& time) {
   const ArrivedDepth& newest = job.messages.back();
   Decoded depth;
   if (!depth.message.ParseFromString(*newest.depth.payload)) {
-    result.error = not_a_depth_image();
+    result.error = not_a_depth_image(newest);
     result.done = job.begun;
     return result;
   }
@@ -158,26 +161,18 @@ Result<void> SurfaceStage::decode(const ArrivedDepth& newest, Decoded& depth) {
     telepalp::Result<codec::DecodedDepth> decoded = reader_.read(std::as_bytes(std::span(depth.message.data())));
     if (!decoded) return decoded.error();
     depth.mode = decoded->mode;
-    depth.window = decoded->window;
+    depth.window = decoded->window;  // the packet's, not the message's: the packet's checksum covers it
+    if (depth.window) keep_only(decoded->image, depth.window->exact);
     depth.image = std::make_shared<const DepthImage>(std::move(decoded->image));
   }
   if (depth.image->width != static_cast<int>(depth.message.width()) ||
       depth.image->height != static_cast<int>(depth.message.height()))
-    return other_size(depth.message);
-  keep_exact(depth);
+    return other_size(newest, depth.message);
   return {};
 }
 
-/// The packet's window counts, not the message's: the packet's checksum covers it.
-void SurfaceStage::keep_exact(Decoded& depth) const {
-  if (!depth.window) return;
-  DepthImage exact = *depth.image;
-  keep_only(exact, depth.window->exact);
-  depth.image = std::make_shared<const DepthImage>(std::move(exact));
-}
-
-void SurfaceStage::tell_window(const Decoded& depth, const Job& job, const Intrinsics& camera,
-                               msg::SurfaceReport& report) const {
+void SurfaceStage::report_window(const Decoded& depth, const Job& job, const Intrinsics& camera,
+                                 msg::SurfaceReport& report) const {
   if (!depth.window) return;
   *report.mutable_window() = wire::to_message(*depth.window);
   report.set_hand_outside_window(job.device &&
@@ -202,9 +197,8 @@ Result<void> SurfaceStage::build(const ArrivedDepth& newest, const Decoded& dept
                                  Result& result) {
   const DepthImage& image = *depth.image;
   const SessionTime decoded = result.done;
-  if (image.width != newest.camera.width || image.height != newest.camera.height)
-    return other_camera(image, newest.camera);
-  if (!place(depth, newest.camera, result)) return not_measured(depth.message);
+  if (image.width != newest.camera.width || image.height != newest.camera.height) return other_camera(newest, image);
+  if (!place(depth, newest.camera, result)) return not_measured(newest, depth.message);
   if (on_image_) on_image_(image, newest.camera, *haptic_from_camera_);
   const SessionTime captured = session_time(static_cast<std::int64_t>(depth.message.captured_ns()));
   const SessionTime begun = time(StageStep::Placed);
@@ -212,11 +206,11 @@ Result<void> SurfaceStage::build(const ArrivedDepth& newest, const Decoded& dept
   std::optional<surface::Reach> reach;
   if (job.device) reach = surface::Reach{haptic_from_camera_->inverse() * *job.device, surface::kReach_m};
   const auto snapshot = builder_.add(image, newest.camera, captured, reach);
-  if (!snapshot) return not_newer(depth.message);
+  if (!snapshot) return not_newer(newest, depth.message);
   result.done = time(StageStep::Done);
   result.surface = loop::TouchableSurface{snapshot, *haptic_from_camera_, ++surfaces_};
   result.report = report_of(depth.message, depth.mode, newest.received, decoded, result.done, *snapshot);
-  tell_window(depth, job, newest.camera, result.report);
+  report_window(depth, job, newest.camera, result.report);
   judge(result.report, captured, to_seconds(result.done - begun));
   built_.fetch_add(1, std::memory_order_relaxed);
   return {};

@@ -40,9 +40,9 @@ struct ArrivedDepth {
 /// above the scene's objects, and the report. A message behind which a newer one waits is dropped; it is still decoded
 /// if a newer frame is predicted from it. While 300 messages or 32 MiB wait, further messages are dropped undecoded,
 /// and the next predicted frame leads to a key frame request. While depth cannot be decoded because a reference frame
-/// is missing, no surface is made. Of an image with a window, pixels outside it count as not measured, so that no
-/// surface is made from depth that is not exact. When the session clock has stepped back by 1 s or more, the builder
-/// discards its temporal average and begins again with the next image.
+/// is missing, no surface is made. In an image with a window, the pixels outside the window count as not measured, so
+/// that no surface is made from depth that is not exact. When the session clock has stepped back by 1 s or more, the
+/// builder discards its temporal average and begins again with the next image.
 ///
 /// A driver calls take(), run() and hands the result over; the results depend on nothing but the jobs, the positions
 /// and the times that it gives. Owner: one thread; only admit() may be called on another one.
@@ -99,8 +99,7 @@ class SurfaceStage {
   void fail(const ArrivedDepth& newest, const Error& error, Result& result);
   telepalp::Result<void> build(const ArrivedDepth& newest, const Decoded& depth, const Job& job, const StepTime& time,
                                Result& result);
-  void keep_exact(Decoded& depth) const;
-  void tell_window(const Decoded& depth, const Job& job, const Intrinsics& camera, msg::SurfaceReport& report) const;
+  void report_window(const Decoded& depth, const Job& job, const Intrinsics& camera, msg::SurfaceReport& report) const;
   bool place(const Decoded& depth, const Intrinsics& camera, Result& result);
   void begin_anew_if_clock_went_back(SessionTime captured, SessionTime now);
   void judge(msg::SurfaceReport& report, SessionTime captured, double cost_s);

@@ -29,27 +29,29 @@ constexpr auto kBetweenRefusals = 5s;
 
 void say(const std::string& text) { program::log(kName, text); }
 
-const wire::Topic& depth_topic(const StationOptions& options) noexcept {
-  return options.asks_window ? wire::kCameraDepthWindow : wire::kCameraDepth;
+std::vector<std::string> subscriptions(const StationOptions& options, const DepthChoice& depth,
+                                       bool takes_viewer_hand) {
+  std::vector<std::string> names;
+  if (!options.model) {
+    names = depth.topics();
+    names.emplace_back(wire::kCameraInfo.name);
+  }
+  if (takes_viewer_hand) names.emplace_back(wire::kViewerHand.name);
+  return names;
 }
 
-wire::ClientLink::Options link_options(const StationOptions& options, bool takes_viewer_hand) {
-  wire::ClientLink::Options link{.host = options.host,
-                                 .port = options.port,
-                                 .site = options.site,
-                                 .name = kName,
-                                 .role = "doctor",
-                                 .key = options.key,
-                                 .subscribes = options.model
-                                                   ? std::vector<std::string>{}
-                                                   : std::vector<std::string>{std::string(depth_topic(options).name),
-                                                                              std::string(wire::kCameraInfo.name)},
-                                 .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface,
-                                               wire::kStationCompensation, wire::kStationEvents, wire::kStationStats,
-                                               wire::kStationUltrasound, wire::kStationInside, wire::kStationWindow},
-                                 .accepts_touch = options.accepts_touch};
-  if (takes_viewer_hand) link.subscribes.emplace_back(wire::kViewerHand.name);
-  return link;
+wire::ClientLink::Options link_options(const StationOptions& options, std::vector<std::string> subscribes) {
+  return {.host = options.host,
+          .port = options.port,
+          .site = options.site,
+          .name = kName,
+          .role = "doctor",
+          .key = options.key,
+          .subscribes = std::move(subscribes),
+          .publishes = {wire::kStationState, wire::kStationTicks, wire::kStationSurface, wire::kStationCompensation,
+                        wire::kStationEvents, wire::kStationStats, wire::kStationUltrasound, wire::kStationInside,
+                        wire::kStationWindow},
+          .accepts_touch = options.accepts_touch};
 }
 
 }  // namespace
@@ -62,7 +64,8 @@ Station::Station(boost::asio::io_context& io, StationSignals& signals, const Sta
       io_(io),
       signals_(signals),
       timers_(io),
-      link_(io, link_options(options, rig.browser != nullptr),
+      depth_choice_(options.asks_window),
+      link_(io, link_options(options, subscriptions(options, depth_choice_, rig.browser != nullptr)),
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [this](wire::LinkState state, const std::string& detail) { on_link(state, detail); },
              .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { on_datagrams(detail); }},
@@ -198,7 +201,10 @@ void Station::on_link(wire::LinkState state, const std::string& detail) {
     return give_up(link_.client().refusal());
   look_at_clock();
   if (HapticThread* haptic = core_.haptic()) haptic->set_clock_offset(link_.clock_offset());
-  if (state == wire::LinkState::Connected) publish_inside();
+  if (state == wire::LinkState::Connected) {
+    depth_choice_.connected(std::chrono::steady_clock::now());
+    publish_inside();
+  }
   if (state == wire::LinkState::Connected || state == wire::LinkState::Lost)
     telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, "link " + std::string(wire::name(state)));
 }
@@ -209,7 +215,7 @@ void Station::on_datagrams(const std::string& detail) {
 }
 
 void Station::on_message(const wire::Message& message) {
-  if (message.topic.name == depth_topic(options_).name) on_depth(message);
+  choose_depth(message);
   if (message.topic.name == wire::kCameraInfo.name) on_camera_info(message);
   if (message.topic.name == wire::kViewerHand.name) on_viewer_hand(message);
 }
@@ -224,6 +230,18 @@ void Station::on_camera_info(const wire::Message& message) {
         "intrinsics in the server's camera.textproto");
   seen_.camera = intrinsics;
 }
+
+void Station::choose_depth(const wire::Message& message) {
+  const DepthChoice::Came came = depth_choice_.came(message.topic.name, std::chrono::steady_clock::now());
+  if (came.topics_changed) subscribe();
+  if (came.said) {
+    say(*came.said);
+    telemetry_.publish_event(now(), msg::EVENT_KIND_SCENE, *came.said);
+  }
+  if (came.is_used) on_depth(message);
+}
+
+void Station::subscribe() { link_.subscribe(subscriptions(options_, depth_choice_, viewer_hand_.is_used())); }
 
 void Station::on_depth(const wire::Message& message) {
   telemetry_.outbox().frame_received();
@@ -264,7 +282,7 @@ void Station::on_surface(const msg::SurfaceReport& report) {
 }
 
 void Station::ask_window(const loop::TickSample& tick) {
-  if (!options_.asks_window || !seen_.camera || !seen_.haptic_from_camera) return;
+  if (!depth_choice_.asks_window() || !seen_.camera || !seen_.haptic_from_camera) return;
   const auto request = window_requests_.due(tick, *seen_.haptic_from_camera, *seen_.camera);
   if (request) telemetry_.publish(wire::make_message(wire::kStationWindow, now(), *request));
 }
@@ -367,7 +385,9 @@ void Station::every_second() {
   look_at_clock();
   say_device_refusals();
   publish_totals();
-  const auto waited = std::chrono::steady_clock::now() - progress_.started;
+  const auto now = std::chrono::steady_clock::now();
+  if (!options_.model && link_.client().state() == wire::LinkState::Connected && depth_choice_.look(now)) subscribe();
+  const auto waited = now - progress_.started;
   if (core_.haptic() == nullptr && waited % kSayStillWaiting < kTotalsPeriod)
     say(link_.client().state() == wire::LinkState::Connected ? "waiting for the first usable depth image"
                                                              : "waiting for the server");

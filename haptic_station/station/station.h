@@ -13,6 +13,7 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/faults/fault_monitor.h"
 #include "haptic_station/station/parts/core_threads.h"
+#include "haptic_station/station/parts/depth_choice.h"
 #include "haptic_station/station/parts/image_log.h"
 #include "haptic_station/station/parts/inside_view.h"
 #include "haptic_station/station/parts/station_link.h"
@@ -90,6 +91,8 @@ class Station {
   void on_message(const wire::Message& message);
   void on_camera_info(const wire::Message& message);
   void on_depth(const wire::Message& message);
+  void choose_depth(const wire::Message& message);
+  void subscribe();
   void on_dropped(const Error& error);
   void on_unreadable(const wire::Message& message);
   void on_viewer_hand(const wire::Message& message);
@@ -120,6 +123,7 @@ class Station {
   boost::asio::io_context& io_;  // of the network thread
   StationSignals& signals_;
   Timers timers_;
+  DepthChoice depth_choice_;
   StationLink link_;
   CoreThreads core_;
   TelemetryPublisher telemetry_;

@@ -90,21 +90,10 @@ class CameraOrigin final : public Origin {
     if (thread_) thread_->stop();
   }
   void show_again(std::string_view topic) override {
-    if (!thread_) return;
-    const bool is_video = topic == wire::kCameraColorVideo.name;
-    const bool is_window = topic == wire::kCameraDepthWindow.name;
-    if (is_video) return thread_->request_video_key_frame();
-    if (is_window) return thread_->request_window_key_frame();
-    thread_->request_key_frame();
+    if (thread_) thread_->request_key_frame(topic);
   }
-  void want_depth(pipeline::DepthWanted wanted) override {
-    if (thread_) thread_->want_depth(wanted);
-  }
-  void want_window(const std::optional<DepthWindow>& window) override {
-    if (thread_) thread_->want_window(window);
-  }
-  void want_color(pipeline::ColorWanted wanted) override {
-    if (thread_) thread_->want_color(wanted);
+  void want(const pipeline::Wanted& wanted) override {
+    if (thread_) thread_->want(wanted);
   }
   [[nodiscard]] bool is_still() const override { return false; }
   [[nodiscard]] bool withholds(const wire::Topic&, std::size_t) const override { return false; }

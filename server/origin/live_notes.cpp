@@ -26,7 +26,7 @@ Result<void> LiveNotes::mark(const std::string& json, const std::string& who) {
   if (const std::string_view fault = wire::fault_of_note(command.text()); !fault.empty())
     return wrong(std::string(fault));
   if (state_.count() >= static_cast<std::uint32_t>(wire::kMostNotes))
-    return wrong("1000 moments are marked, as many as a session may have");
+    return wrong("1000 moments are marked, the most that a session may have");
   if (!publish_) return {};
   const SessionTime now = clock_.now();
   msg::LiveNote& note = *state_.mutable_newest();

@@ -24,7 +24,7 @@ class LiveNotes {
   /// come yet, the text is too long or has a line break, or 1000 moments are marked.
   [[nodiscard]] Result<void> mark(const std::string& json, const std::string& who);
   [[nodiscard]] const msg::MarksState& state() const noexcept { return state_; }
-  /// This object must outlive it.
+  /// The resource /marks. This object must outlive it.
   [[nodiscard]] Resource resource();
 
  private:

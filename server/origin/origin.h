@@ -3,18 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "messages/camera.pb.h"
 #include "messages/playback.pb.h"
 #include "proto/wire/message.h"
-#include "proto/words/depth/depth_window.h"
 #include "proto/words/result.h"
 #include "server/origin/resources.h"
-#include "server/pipeline/color_wanted.h"
-#include "server/pipeline/depth_wanted.h"
+#include "server/pipeline/wanted.h"
 
 namespace telepalp::origin {
 
@@ -65,12 +62,8 @@ class Origin {
   /// Makes images smaller, so that their rate need not fall: link::ContentLevel::level(). An origin whose images are as
   /// they were recorded ignores it.
   virtual void shrink(std::size_t level) { (void)level; }
-  /// In which codings subscribers want colour images. An origin whose images are as they were recorded ignores it.
-  virtual void want_color(pipeline::ColorWanted wanted) { (void)wanted; }
-  /// The same, of depth images.
-  virtual void want_depth(pipeline::DepthWanted wanted) { (void)wanted; }
-  /// Where depth with a window is exact; nullopt: everywhere. The same origins ignore it.
-  virtual void want_window(const std::optional<DepthWindow>& window) { (void)window; }
+  /// In which codings subscribers want images. An origin whose images are as they were recorded ignores it.
+  virtual void want(const pipeline::Wanted& wanted) { (void)wanted; }
 
   /// Number of depth images so far.
   [[nodiscard]] virtual std::uint64_t images() const = 0;

@@ -42,7 +42,6 @@ CameraPipeline::CameraPipeline(capture::CaptureSource& source, std::string sourc
       options_(options),
       clock_(clock),
       handlers_(std::move(handlers)),
-      encoder_(options.depth),
       video_(options.video_kbit_per_s),
       window_(options.depth),
       rate_since_(clock_.now()) {}
@@ -64,13 +63,13 @@ void CameraPipeline::publish_frame(const RgbdFrame& frame) {
   publish_calibration_when_due(frame);
   shrink_when_asked();
   if (link::ContentLevel::leaves_out(level_, frames_)) return;
-  publish_depth(frame);
-  publish_color(frame);
+  const Wanted wanted = handlers_.wanted ? handlers_.wanted() : Wanted{};
+  publish_depth(frame, wanted);
+  publish_color(frame, wanted.color);
 }
 
 /// Each coding is made once, and only while a subscriber takes it.
-void CameraPipeline::publish_color(const RgbdFrame& frame) {
-  const ColorWanted wanted = handlers_.color_wanted ? handlers_.color_wanted() : ColorWanted{};
+void CameraPipeline::publish_color(const RgbdFrame& frame, ColorWanted wanted) {
   if (!wanted.video) video_.end();
   if (frame.color.rgb.empty()) return;
   if (wanted.video) publish_video(frame);
@@ -80,7 +79,7 @@ void CameraPipeline::publish_color(const RgbdFrame& frame) {
 }
 
 void CameraPipeline::publish_video(const RgbdFrame& frame) {
-  if (handlers_.take_video_key_frame_request && handlers_.take_video_key_frame_request()) video_.request_key_frame();
+  if (handlers_.take_key_frame_request(wire::kCameraColorVideo.name)) video_.request_key_frame();
   std::optional<codec::EncodedVideo> encoded = video_.encode(frame);
   if (!encoded) return;
   const bool is_key = encoded->key_frame;
@@ -88,43 +87,39 @@ void CameraPipeline::publish_video(const RgbdFrame& frame) {
   if (!publish(wire::make_message(wire::kCameraColorVideo, clock_.now(), color, is_key))) video_.lost_frame();
 }
 
-/// A new encoder begins with a key frame.
 void CameraPipeline::shrink_when_asked() {
   const std::size_t level = handlers_.content_level ? handlers_.content_level() : 0;
   if (std::exchange(level_, level) == level) return;
   options_ = shrunk(asked_, level);
-  encoder_ = codec::DepthEncoder(options_.depth);
+  whole_.end();
   video_.set_rate(options_.video_kbit_per_s);
 }
 
 /// As for colour, each coding is made once, and only while a subscriber takes it.
-void CameraPipeline::publish_depth(const RgbdFrame& frame) {
-  const DepthWanted wanted = handlers_.depth_wanted ? handlers_.depth_wanted() : DepthWanted{};
-  const bool must_not_predict = handlers_.may_predict && !handlers_.may_predict();
-  if (!wanted.window) window_.end();
-  if (wanted.window) publish_window(frame, must_not_predict);  // first: the hand waits for it
-  if (wanted.makes_whole())
-    publish_whole(frame, must_not_predict);
-  else
-    encoder_.request_key_frame();  // subscribers do not have this frame
+void CameraPipeline::publish_depth(const RgbdFrame& frame, const Wanted& wanted) {
+  if (!wanted.depth.window) window_.end();
+  if (!wanted.depth.makes_whole()) whole_.end();
+  if (wanted.depth.window) publish_window(frame, wanted.window);  // first: the hand waits for it
+  if (wanted.depth.makes_whole()) publish_whole(frame);
 }
 
-void CameraPipeline::publish_whole(const RgbdFrame& frame, bool must_not_predict) {
-  if (handlers_.take_key_frame_request()) key_frame_pacing_.requested = true;
-  if (must_not_predict || key_frame_is_due(key_frame_pacing_)) encoder_.request_key_frame();
-  codec::EncodedDepth coded = encoder_.encode(frame.depth);
-  key_frame_pacing_ = after_encoding(key_frame_pacing_, coded.key_frame);
-  if (!publish_depth_as(wire::kCameraDepth, frame, std::move(coded))) encoder_.request_key_frame();
+void CameraPipeline::publish_whole(const RgbdFrame& frame) {
+  if (handlers_.take_key_frame_request(wire::kCameraDepth.name)) whole_.request_key_frame();
+  if (must_not_predict()) whole_.lost_frame();
+  codec::EncodedDepth coded = whole_.encode_paced(options_.depth, frame.depth);
+  if (!publish_depth_as(wire::kCameraDepth, frame, std::move(coded))) whole_.lost_frame();
 }
 
-void CameraPipeline::publish_window(const RgbdFrame& frame, bool must_not_predict) {
-  if (handlers_.take_window_key_frame_request && handlers_.take_window_key_frame_request()) window_.request_key_frame();
-  if (must_not_predict) window_.lost_frame();
-  codec::EncodedDepth coded = window_.encode(frame, handlers_.window ? handlers_.window() : std::nullopt);
+void CameraPipeline::publish_window(const RgbdFrame& frame, const std::optional<DepthWindow>& window) {
+  if (handlers_.take_key_frame_request(wire::kCameraDepthWindow.name)) window_.request_key_frame();
+  if (must_not_predict()) window_.lost_frame();
+  codec::EncodedDepth coded = window_.encode(frame, window);
   if (!publish_depth_as(wire::kCameraDepthWindow, frame, std::move(coded))) window_.lost_frame();
 }
 
-/// False: the message was dropped. A dropped frame cannot be a reference: the next one must be a key frame.
+bool CameraPipeline::must_not_predict() const { return handlers_.may_predict && !handlers_.may_predict(); }
+
+/// False: the message was dropped. A dropped frame cannot be a reference, so the next one must be a key frame.
 bool CameraPipeline::publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded) {
   const bool is_key = coded.key_frame;
   msg::DepthImage depth = depth_message(frame, std::move(coded));

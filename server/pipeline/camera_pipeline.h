@@ -5,15 +5,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "codec/depth_stream.h"
-#include "proto/wire/key_frame_request.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
-#include "server/pipeline/color_wanted.h"
-#include "server/pipeline/depth_wanted.h"
+#include "server/pipeline/paced_encoder.h"
 #include "server/pipeline/video_stage.h"
+#include "server/pipeline/wanted.h"
 #include "server/pipeline/window_stage.h"
 
 namespace telepalp::pipeline {
@@ -34,19 +34,14 @@ struct EncodeOptions {
 class CameraPipeline {
  public:
   struct Handlers {
-    std::function<bool(wire::Message)> publish;    ///< passes a message on; false: it was dropped
-    std::function<bool()> take_key_frame_request;  ///< true if a key frame was requested since the last call
+    std::function<bool(wire::Message)> publish;  ///< passes a message on; false: it was dropped
+    /// True if a key frame of `topic` was requested since the last call for it.
+    std::function<bool(std::string_view topic)> take_key_frame_request;
     /// False: a lost image cannot be repaired in time, so that each depth image must be a key frame. Empty: always
     /// true.
     std::function<bool()> may_predict{};
     std::function<std::size_t()> content_level{};  ///< for shrunk(); empty: always 0
-    /// As take_key_frame_request, of colour as video.
-    std::function<bool()> take_video_key_frame_request{};
-    std::function<ColorWanted()> color_wanted{};  ///< empty: pictures alone
-    std::function<DepthWanted()> depth_wanted{};  ///< empty: whole images alone
-    /// As take_key_frame_request, of depth with a window.
-    std::function<bool()> take_window_key_frame_request{};
-    std::function<std::optional<DepthWindow>()> window{};  ///< where depth must be exact; empty: always nullopt
+    std::function<Wanted()> wanted{};  ///< called once for each image; empty: pictures and whole depth images
   };
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
                  wire::SessionClock clock, Handlers handlers);
@@ -62,14 +57,15 @@ class CameraPipeline {
   void publish_calibration_when_due(const RgbdFrame& frame);
   void publish_status_when_due();
   void measure_rate(SessionTime now);
-  void publish_depth(const RgbdFrame& frame);
-  void publish_whole(const RgbdFrame& frame, bool must_not_predict);
-  void publish_window(const RgbdFrame& frame, bool must_not_predict);
+  void publish_depth(const RgbdFrame& frame, const Wanted& wanted);
+  void publish_whole(const RgbdFrame& frame);
+  void publish_window(const RgbdFrame& frame, const std::optional<DepthWindow>& window);
   bool publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded);
-  void publish_color(const RgbdFrame& frame);
+  void publish_color(const RgbdFrame& frame, ColorWanted wanted);
   void publish_video(const RgbdFrame& frame);
   void shrink_when_asked();
   bool publish(wire::Message message);
+  [[nodiscard]] bool must_not_predict() const;
 
   capture::CaptureSource& source_;
   std::string source_name_;
@@ -78,8 +74,7 @@ class CameraPipeline {
   std::size_t level_ = 0;
   wire::SessionClock clock_;
   Handlers handlers_;
-  codec::DepthEncoder encoder_;
-  wire::KeyFramePacing key_frame_pacing_;
+  PacedEncoder<codec::DepthEncoder> whole_;  // of /camera/depth
   VideoStage video_;
   WindowStage window_;
 

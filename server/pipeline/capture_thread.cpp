@@ -31,17 +31,13 @@ void CaptureThread::run(const std::string& source_name, EncodeOptions options, w
   CameraPipeline pipeline(
       *source_, source_name, options, clock,
       {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
-       .take_key_frame_request = [this] { return key_frame_requested_.exchange(false); },
+       .take_key_frame_request = [this](std::string_view topic) { return key_frame_requests_.take(topic); },
        .may_predict = [this] { return may_predict_.load(); },
        .content_level = [this] { return content_level_.load(); },
-       .take_video_key_frame_request = [this] { return video_key_frame_requested_.exchange(false); },
-       .color_wanted = [this] { return color_wanted_.load(); },
-       .depth_wanted = [this] { return depth_wanted_.load(); },
-       .take_window_key_frame_request = [this] { return window_key_frame_requested_.exchange(false); },
-       .window =
+       .wanted =
            [this] {
-             wanted_window_.take();
-             return wanted_window_.current();
+             wanted_.take();
+             return wanted_.current();
            }});
   while (!stopping_) {
     set_wanted_exposure();

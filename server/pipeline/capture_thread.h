@@ -7,11 +7,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "proto/words/latest_value.h"
 #include "server/capture/capture_source.h"
 #include "server/pipeline/camera_pipeline.h"
+#include "server/pipeline/key_frame_requests.h"
 
 namespace telepalp::pipeline {
 
@@ -38,18 +40,10 @@ class CaptureThread {
   ~CaptureThread();
 
   void stop();  ///< as the destructor; may be called more than once
-  /// Requests a key frame of depth; at most one of four frames becomes a requested key frame. Any thread.
-  void request_key_frame() noexcept { key_frame_requested_ = true; }
-  void request_video_key_frame() noexcept { video_key_frame_requested_ = true; }  ///< the same, of colour as video
-  void request_window_key_frame() noexcept {
-    window_key_frame_requested_ = true;
-  }  ///< the same, of depth with a window
-  /// From the next image on, depth is encoded as `wanted` says. Any thread.
-  void want_depth(DepthWanted wanted) noexcept { depth_wanted_ = wanted; }
-  /// From the next image on, depth with a window is exact there; nullopt: everywhere. Network thread.
-  void want_window(const std::optional<DepthWindow>& window) { wanted_window_.put(window); }
-  /// From the next image on, colour is encoded as `wanted` says. Any thread.
-  void want_color(ColorWanted wanted) noexcept { color_wanted_ = wanted; }
+  /// Requests a key frame of `topic`; at most one of four frames becomes a requested key frame. Any thread.
+  void request_key_frame(std::string_view topic) noexcept { key_frame_requests_.request(topic); }
+  /// From the next image on, images are encoded as `wanted` says. Network thread.
+  void want(const Wanted& wanted) { wanted_.put(wanted); }
   /// False: from the next image on, each depth image is a key frame. Any thread.
   void let_predict(bool may) noexcept { may_predict_ = may; }
   /// From the next image on, images are encoded as shrunk() says for `level`. Any thread.
@@ -68,14 +62,10 @@ class CaptureThread {
   boost::asio::io_context& network_;
   std::unique_ptr<capture::CaptureSource> source_;
   Handlers handlers_;
-  LatestValue<capture::Exposure> wanted_exposure_;         // from the network thread to the capture thread
-  LatestValue<std::optional<DepthWindow>> wanted_window_;  // the same
+  LatestValue<capture::Exposure> wanted_exposure_;  // from the network thread to the capture thread
+  LatestValue<Wanted> wanted_;                      // the same
   std::atomic<bool> stopping_{false};
-  std::atomic<bool> key_frame_requested_{false};
-  std::atomic<bool> video_key_frame_requested_{false};
-  std::atomic<bool> window_key_frame_requested_{false};
-  std::atomic<ColorWanted> color_wanted_{};
-  std::atomic<DepthWanted> depth_wanted_{};
+  KeyFrameRequests key_frame_requests_;
   std::atomic<bool> may_predict_{true};
   std::atomic<std::size_t> content_level_{0};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled

@@ -14,16 +14,16 @@ namespace telepalp::pipeline {
 /// station is silent for kValid. Pure; owner: the server's network thread.
 class WindowChoice {
  public:
-  /// A request is followed for so long: a station asks several times a second.
+  /// How long a request is followed; a station sends several a second.
   static constexpr std::chrono::seconds kValid{1};
 
-  /// `one_asks`: the caller lets only one station ask at a time.
+  /// `one_asks`: only one station at a time can ask, as with keys.
   explicit WindowChoice(bool one_asks) noexcept : one_asks_(one_asks) {}
 
   /// Station number `sender` asks for `window`. False: another station's window is followed.
   bool ask(std::uint32_t sender, const DepthWindow& window, SessionTime now) noexcept;
 
-  /// The window that images have now; nullopt: nobody asks, so that images are exact everywhere.
+  /// The window that the server follows at `now`; nullopt: no request is valid, so images are exact everywhere.
   [[nodiscard]] std::optional<DepthWindow> at(SessionTime now) const noexcept;
 
  private:

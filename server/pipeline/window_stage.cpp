@@ -20,16 +20,8 @@ std::optional<DepthWindow> window_in(const RgbdFrame& frame, const std::optional
 
 WindowStage::WindowStage(const codec::DepthStreamSettings& depth) : settings_(with_windows(depth)) {}
 
-void WindowStage::lost_frame() noexcept {
-  if (encoder_) encoder_->request_key_frame();
-}
-
 codec::EncodedDepth WindowStage::encode(const RgbdFrame& frame, const std::optional<DepthWindow>& window) {
-  if (!encoder_) encoder_.emplace(settings_);
-  if (wire::key_frame_is_due(pacing_)) encoder_->request_key_frame();
-  codec::EncodedDepth encoded = encoder_->encode(frame.depth, window_in(frame, window));
-  pacing_ = wire::after_encoding(pacing_, encoded.key_frame);
-  return encoded;
+  return encode_paced(settings_, frame.depth, window_in(frame, window));
 }
 
 }  // namespace telepalp::pipeline

@@ -142,7 +142,7 @@ TEST(DepthWindow, PacketsWithoutAWindowKeepTheOldVersion) {
   EXPECT_EQ(encoder.encode(kinect_like(64, 40, 3), some_window()).bytes.substr(0, 4), "TPD4");
 }
 
-/// A packet whose window says something else, without a new checksum: it must be refused before anything is decoded.
+/// A packet with one number of its window replaced, and the old checksum: it must be refused before it is decoded.
 std::string restated(std::size_t at, auto value) {
   DepthEncoder encoder({.mode = DepthMode::Intra});
   std::string packet = encoder.encode(kinect_like(64, 40, 3), some_window()).bytes;

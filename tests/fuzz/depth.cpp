@@ -24,7 +24,7 @@ DepthImage some_frame(int width, int height) {
 
 }  // namespace
 
-/// Any bytes as a depth packet give an error or a whole frame, and both kernels give the same result.
+/// Any bytes as a depth packet give an error or a whole frame, and without a window both kernels give the same result.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::byte> bytes = std::as_bytes(std::span(data, size));
   const Result<Packet> packet = read_packet(bytes);

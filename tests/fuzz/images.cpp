@@ -19,7 +19,8 @@ std::uint16_t sample_at(const std::uint8_t* data, std::size_t index) {
   return static_cast<std::uint16_t>(data[2 * index] | data[2 * index + 1] << 8);
 }
 
-/// A window in an image of that size, from three bytes; nullopt unless the first byte asks for one.
+/// A window in an image of `width` x `height` pixels, chosen by three bytes of `data`. nullopt: bit 3 of the first byte
+/// is not set.
 std::optional<DepthWindow> window_of(const std::uint8_t* data, int width, int height) {
   if ((data[0] & 8) == 0) return std::nullopt;
   const PixelRect exact{
@@ -27,7 +28,7 @@ std::optional<DepthWindow> window_of(const std::uint8_t* data, int width, int he
   return window_around(*clipped(exact, width, height), static_cast<WindowGrowth>(data[0] >> 4 & 1));
 }
 
-/// The bound of a pixel; nullopt: it is exact.
+/// The bound on the error of one pixel; nullopt: the pixel is exact.
 std::optional<DepthErrorBound> bound_of(const EncodedDepth& encoded, const DepthImage& image, int column, int row) {
   return encoded.window ? bound_at(*encoded.window, image.width, image.height, column, row) : encoded.bound;
 }

@@ -216,7 +216,7 @@ TEST(CameraPipeline, ImagesShrinkWhileALineIsSharedAndDepthStaysExact) {
                                            modes.push_back(decoded->mode);
                                            return true;
                                          },
-                                     .take_key_frame_request = [] { return false; },
+                                     .take_key_frame_request = [](std::string_view) { return false; },
                                      .content_level = [&] { return level; }});
   for (level = 0; level <= 2; ++level) (void)pipeline.step();
   EXPECT_EQ(modes, (std::vector{codec::DepthMode::Fast, codec::DepthMode::Intra, codec::DepthMode::Intra}));
@@ -247,8 +247,8 @@ TEST(CameraPipeline, EachCodingOfColourIsMadeOnlyWhileSomebodyTakesIt) {
   pipeline::ColorWanted wanted{};
   pipeline::CameraPipeline pipeline(source, "still", {}, clock,
                                     {.publish = [&](const wire::Message& message) { return log.publish(message); },
-                                     .take_key_frame_request = [] { return false; },
-                                     .color_wanted = [&] { return wanted; }});
+                                     .take_key_frame_request = [](std::string_view) { return false; },
+                                     .wanted = [&] { return pipeline::Wanted{.color = wanted}; }});
   const auto after = [&](int images, pipeline::ColorWanted now) {
     wanted = now;
     log.letters.clear();
@@ -259,7 +259,7 @@ TEST(CameraPipeline, EachCodingOfColourIsMadeOnlyWhileSomebodyTakesIt) {
   EXPECT_EQ(after(3, {.pictures = false, .video = true}), "Kpp");
   EXPECT_EQ(after(2, {.pictures = true, .video = true}), "pJpJ");
   EXPECT_EQ(after(2, {.pictures = true, .video = false}), "JJ");
-  EXPECT_EQ(after(2, {.pictures = false, .video = true}), "Kp") << "who comes later begins with a key frame";
+  EXPECT_EQ(after(2, {.pictures = false, .video = true}), "Kp") << "a later subscriber begins with a key frame";
 }
 
 TEST(CameraPipeline, AKeyFrameOfVideoComesOnDemandAndAfterADroppedFrame) {
@@ -270,9 +270,11 @@ TEST(CameraPipeline, AKeyFrameOfVideoComesOnDemandAndAfterADroppedFrame) {
   pipeline::CameraPipeline pipeline(
       source, "still", {}, clock,
       {.publish = [&](const wire::Message& message) { return log.publish(message); },
-       .take_key_frame_request = [] { return false; },
-       .take_video_key_frame_request = [&] { return requests > 0 && requests-- > 0; },
-       .color_wanted = [] { return pipeline::ColorWanted{.pictures = false, .video = true}; }});
+       .take_key_frame_request =
+           [&](std::string_view topic) {
+             return topic == wire::kCameraColorVideo.name && requests > 0 && requests-- > 0;
+           },
+       .wanted = [] { return pipeline::Wanted{.color = {.pictures = false, .video = true}}; }});
   const auto step = [&](int images) {
     for (int image = 0; image < images; ++image) (void)pipeline.step();
   };
@@ -301,7 +303,7 @@ TEST(CameraPipeline, EachDepthImageIsAKeyFrameWhileALostOneCannotBeRepairedInTim
                                              is_key.push_back(message.key_frame);
                                            return true;
                                          },
-                                     .take_key_frame_request = [] { return false; },
+                                     .take_key_frame_request = [](std::string_view) { return false; },
                                      .may_predict = [&] { return may_predict; }});
   for (const bool predicts : {true, false, true}) {
     may_predict = predicts;

@@ -111,9 +111,8 @@ TEST(CameraPipeline, DepthWithAWindowIsMadeOnlyWhileSomebodyTakesIt) {
   pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 99}},
                                     clock,
                                     {.publish = [&](const wire::Message& message) { return log.publish(message); },
-                                     .take_key_frame_request = [] { return false; },
-                                     .depth_wanted = [&] { return wanted; },
-                                     .window = [&] { return window; }});
+                                     .take_key_frame_request = [](std::string_view) { return false; },
+                                     .wanted = [&] { return pipeline::Wanted{.depth = wanted, .window = window}; }});
   const auto after = [&](int images, pipeline::DepthWanted now) {
     wanted = now;
     log.letters.clear();
@@ -123,12 +122,13 @@ TEST(CameraPipeline, DepthWithAWindowIsMadeOnlyWhileSomebodyTakesIt) {
   EXPECT_EQ(after(2, {.whole = false, .window = false}), "WkW") << "ready for a newcomer";
   EXPECT_EQ(after(2, {.whole = false, .window = true}), "EkE") << "nobody has asked for a window";
   window = codec::window_around({0, 0, 2, 2}, codec::WindowGrowth::Flat);
-  EXPECT_EQ(after(2, {.whole = true, .window = true}), "wWkwW") << "a recorder's image is exact, and begins anew";
+  EXPECT_EQ(after(2, {.whole = true, .window = true}), "wWkwW")
+      << "a recorder's images are exact, and begin with a key frame";
   EXPECT_EQ(wire::window_of(log.newest->window()), std::nullopt) << "the whole image has no window";
   window = codec::window_around({4000, 0, 2, 2}, codec::WindowGrowth::Flat);
   EXPECT_EQ(after(1, {.whole = false, .window = true}), "E") << "outside the image";
   EXPECT_EQ(after(1, {.whole = true, .window = false}), "Wk");
-  EXPECT_EQ(after(1, {.whole = false, .window = true}), "Ek") << "who comes later begins with a key frame";
+  EXPECT_EQ(after(1, {.whole = false, .window = true}), "Ek") << "a later subscriber begins with a key frame";
 }
 
 }  // namespace

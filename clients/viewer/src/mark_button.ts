@@ -16,7 +16,7 @@ export function shownAgo_s(pictureInstant_ms: number | undefined, sessionNow_ns:
   return Math.min(LONGEST_AGO_S, Math.max(0, Number(sessionNow_ns) / 1e9 - pictureInstant_ms / 1e3));
 }
 
-/** Marks the moment that the page shows: a note of the recorded session. The button is there for those who may mark. */
+/** Marks the moment that the page shows: a note of the recorded session. Only users who may mark see the button. */
 export class MarkButton {
   private readonly button = element<HTMLButtonElement>('mark');
 

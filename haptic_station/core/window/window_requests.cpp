@@ -29,7 +29,7 @@ Eigen::Vector3d velocity_between(const std::optional<loop::TickSample>& last, co
 std::optional<msg::WindowRequest> WindowRequests::due(const loop::TickSample& tick,
                                                       const Transform<HapticBase, DepthCamera>& haptic_from_camera,
                                                       const Intrinsics& camera) {
-  // A clock that stepped back begins anew.
+  // After the clock stepped back, the next request is due at once.
   if (last_ && tick.stamp_ns >= last_->stamp_ns && tick.stamp_ns - last_->stamp_ns < kPeriod_ns) return std::nullopt;
   if (last_ && tick.stamp_ns < last_->stamp_ns) last_.reset();
   const Eigen::Vector3d velocity = velocity_between(last_, tick);

@@ -10,12 +10,13 @@
 
 namespace telepalp::core {
 
-/// Asks the server for the window of exact depth 30 times a second, from the ticks of the 2 kHz loop, and says in one
-/// sentence when the hand outruns the window. Pure; owner: the network thread.
+/// Makes the requests for the window of exact depth, 30 a second, from the ticks of the 2 kHz loop, and the sentence
+/// for people when the hand leaves the window. Pure; owner: the network thread.
 class WindowRequests {
  public:
-  /// The request that is due after `tick`; nullopt: none is due, or the hand is not before the camera. It looks ahead
-  /// by one and a half times the age of the surface, as a request travels up before an image comes down, and a frame.
+  /// The request that is due after `tick`; nullopt: none is due, or the hand is not in front of the camera. The window
+  /// holds for the time from a request to its image: one and a half times the age of the surface, because the request
+  /// travels to the server before the image comes back, plus one frame period.
   [[nodiscard]] std::optional<msg::WindowRequest> due(const loop::TickSample& tick,
                                                       const Transform<HapticBase, DepthCamera>& haptic_from_camera,
                                                       const Intrinsics& camera);
@@ -24,9 +25,9 @@ class WindowRequests {
   [[nodiscard]] std::optional<std::string> look(const msg::SurfaceReport& report, SessionTime now);
 
  private:
-  std::optional<loop::TickSample> last_;  // of the last request
-  bool outside_ = false;
-  std::optional<SessionTime> said_;
+  std::optional<loop::TickSample> last_;  // at the last request
+  bool outside_ = false;                  // in the newest report, the hand is outside the window
+  std::optional<SessionTime> said_;       // when look() last returned a sentence
 };
 
 }  // namespace telepalp::core

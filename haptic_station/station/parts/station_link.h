@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "haptic_station/station/commands/hand_over.h"
 #include "proto/wire/client/client_link.h"
@@ -21,6 +23,7 @@ class StationLink {
   void start() { link_.start(); }
   void stop(const std::string& reason) { link_.stop(reason); }
   void publish(wire::Message message) { (void)link_.publish(std::move(message)); }
+  void subscribe(std::vector<std::string> topics) { link_.subscribe(std::move(topics)); }
   void request_key_frame(const wire::Message& unreadable) { link_.request_key_frame(unreadable); }
   [[nodiscard]] SessionTime now() const noexcept { return link_.clock().now(); }
   [[nodiscard]] Nanoseconds clock_offset() const noexcept { return link_.clock().offset(); }

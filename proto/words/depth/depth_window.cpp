@@ -14,7 +14,7 @@ bool is_credible(const DepthErrorBound& bound) noexcept {
 }  // namespace
 
 std::optional<PixelRect> clipped(const PixelRect& rect, int width, int height) noexcept {
-  // A rectangle may be a peer's: its far sides may not fit an int.
+  // `rect` may come from a peer, so the sum of its place and its size may not fit an int.
   const auto within = [](std::int64_t at, int size) { return static_cast<int>(std::clamp<std::int64_t>(at, 0, size)); };
   const int left = within(rect.column, width);
   const int top = within(rect.row, height);
@@ -34,7 +34,7 @@ int ring_on_axis(int at, int exact_first, int exact_size, int size) noexcept {
   const int exact_end = exact_first + exact_size;
   if (at >= exact_first && at < exact_end) return -1;
   const int away = at < exact_first ? exact_first - at : at - exact_end + 1;  // 1 beside the window
-  const int room = at < exact_first ? exact_first : size - exact_end;         // `away` of the image's last pixel
+  const int room = at < exact_first ? exact_first : size - exact_end;         // `away` of the pixel at the border
   return (away * DepthWindow::kRings + room - 1) / room - 1;
 }
 

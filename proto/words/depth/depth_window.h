@@ -38,12 +38,11 @@ struct DepthWindow {
 };
 
 /// The ring of a pixel on an axis with `size` pixels, of which `exact_size` from `exact_first` on are exact; -1 for
-/// these. The distance from the window is a share of the way to the border, so that each side of a window has all
-/// rings.
+/// these. On each side of the window, the pixels up to the border are divided evenly among the rings.
 [[nodiscard]] int ring_on_axis(int at, int exact_first, int exact_size, int size) noexcept;
 
-/// The bound on the error of one pixel of an image of `width` x `height` pixels; nullopt: the pixel is exact. A pixel's
-/// ring is the outer one of its rings on both axes.
+/// The bound on the error of one pixel of an image of `width` x `height` pixels; nullopt: the pixel is exact. The
+/// pixel's ring is the outer one of its two rings on the axes.
 [[nodiscard]] std::optional<DepthErrorBound> bound_at(const DepthWindow& window, int width, int height, int column,
                                                       int row) noexcept;
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <sstream>
 
 #include "codec/context/kernel.h"
 #include "codec/depth_stream.h"
@@ -153,8 +152,7 @@ constexpr std::array kModes{codec::DepthMode::Fast, codec::DepthMode::Intra, cod
 Result<void> add_held_out(const std::string& sets, Report& report) {
   std::array<double, kModes.size()> log_ratio{};
   int count = 0;
-  std::istringstream names(sets);
-  for (std::string name; std::getline(names, name, ',');) {
+  for (const std::string& name : names_in(sets)) {
     const Result<DepthSet> frames = depth_set_of(name);
     if (!frames) return frames.error();
     ++count;

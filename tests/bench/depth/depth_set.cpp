@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 #include "codec/levels/level_palette.h"
 #include "proto/words/numbers/quantile.h"
@@ -15,6 +16,13 @@ constexpr std::size_t kSyntheticFrames = 20;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of samples held in memory: 1700 frames of 640 x 480
 
 }  // namespace
+
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  std::istringstream text(list);
+  for (std::string name; std::getline(text, name, ',');) names.push_back(name);
+  return names;
+}
 
 Result<DepthSet> depth_set_of(const std::string& input) {
   DepthSet frames;

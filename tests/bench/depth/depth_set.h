@@ -15,6 +15,9 @@ struct DepthSet {
   std::size_t left_out = 0;  ///< images beyond 1 GiB of samples
 };
 
+/// The names in a list that is separated by commas.
+[[nodiscard]] std::vector<std::string> names_in(const std::string& list);
+
 /// The depth of `input`, a file or folder as telepalp-codec reads it; of the synthetic patient if `input` is empty.
 [[nodiscard]] Result<DepthSet> depth_set_of(const std::string& input);
 

@@ -185,7 +185,7 @@ Result<Report> run_thin(const program::Arguments& arguments) {
   if (!part.empty() && part != "color" && part != "window")
     return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color or window"};
   if (part.empty() && !input.empty())
-    return Error{.what = "the input may be colour or depth",
+    return Error{.what = "the input belongs to one part, colour or depth",
                  .where = "--input",
                  .fix = "add --part color for a --source of the server, or --part window for sets of depth"};
   if (part != "window")

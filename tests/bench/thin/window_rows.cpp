@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <vector>
 
 #include "codec/depth_stream.h"
@@ -24,7 +23,7 @@ using codec::WindowGrowth;
 
 constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr double kShare = 0.15;      // of the image's pixels
-constexpr std::size_t kFewest = 15;  // images of a set that are coded; a smaller set is repeated
+constexpr std::size_t kFewest = 15;  // least number of images that are coded; a smaller set is repeated
 constexpr std::size_t kMostImages = 30;
 
 struct Growth {
@@ -35,8 +34,8 @@ struct Growth {
 constexpr std::array kGrowths{Growth{WindowGrowth::Flat, "bound 2x", 0.55},
                               Growth{WindowGrowth::Growing, "bound 2x to 4x", 0.45}};
 
-/// The window in image `index`: it goes round between the middle of the image and four places towards its corners, as
-/// what an image shows is not the same everywhere.
+/// The window in image `index`. Every three images it moves on among five places, the middle of the image and one
+/// towards each corner, because an image is not equally detailed everywhere.
 PixelRect window_in(const DepthImage& image, std::size_t index) {
   constexpr std::array<std::array<double, 2>, 5> kPlaces{{{.5, .5}, {.3, .3}, {.7, .7}, {.7, .3}, {.3, .7}}};
   const int width = std::max(1, static_cast<int>(std::lround(std::sqrt(kShare) * image.width)));
@@ -53,11 +52,11 @@ struct Outcome {
   double bytes = 0.0;
   Distribution encode_us;
   Distribution decode_us;
-  double off_in_window = 0.0;  ///< pixels that differ in the window; all pixels of an image that is not decoded
-  double beyond_bound = 0.0;   ///< pixels elsewhere beyond the stated bound, and holes lost or added
+  double off_in_window = 0.0;  ///< pixels in the window that differ, and all pixels of images that cannot be decoded
+  double beyond_bound = 0.0;   ///< pixels outside the window that exceed their bound, and holes lost or added
 };
 
-/// Counts the pixels of `back` that break what the packet stated.
+/// Counts the pixels of `back` that differ from `sent` by more than the packet states.
 void check(const DepthImage& sent, const codec::DecodedDepth& back, Outcome& into) {
   for (int row = 0; row < sent.height; ++row)
     for (int column = 0; column < sent.width; ++column) {
@@ -114,7 +113,7 @@ Outcome coded(const DepthSet& set, DepthMode mode, std::optional<WindowGrowth> g
   return outcome;
 }
 
-/// Sums over sets, for their means.
+/// Sums over sets of images, for geometric means.
 struct Means {
   std::array<double, kGrowths.size()> log_ratio{};
   int sets = 0;
@@ -141,13 +140,6 @@ void add_set_rows(Report& report, const std::string& name, const DepthSet& set, 
       if (mode == DepthMode::Intra) means.log_ratio[i] += std::log(part.bytes / whole);
     }
   ++means.sets;
-}
-
-std::vector<std::string> names_in(const std::string& inputs) {
-  std::vector<std::string> names;
-  std::istringstream text(inputs);
-  for (std::string name; std::getline(text, name, ',');) names.push_back(name);
-  return names;
 }
 
 }  // namespace

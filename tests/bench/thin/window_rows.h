@@ -7,8 +7,8 @@
 
 namespace telepalp::bench {
 
-/// Adds what depth that is exact in a window of 15 % of the image costs, beside depth that is exact everywhere.
-/// `inputs`: sets of depth images, with commas between them; empty: the recorded room and the synthetic patient.
+/// Adds bytes and times of depth that is exact in a window of 15 % of the image, compared with depth that is exact
+/// everywhere. `inputs`: sets of depth images, separated by commas; empty: the recorded room and the synthetic patient.
 [[nodiscard]] Result<void> add_window_rows(Report& report, const std::string& inputs);
 
 }  // namespace telepalp::bench

@@ -1,4 +1,4 @@
-// The window of exact depth that the station asks for, and the surface that it makes from the images that come.
+// The window of exact depth that the station asks for, and the surface that it makes from images with a window.
 
 #include <gtest/gtest.h>
 
@@ -111,7 +111,8 @@ TEST(WindowRequests, SayOnceThatTheHandHasLeftTheWindow) {
   EXPECT_TRUE(requests.look(outside, start + 6s));
 }
 
-/// A patient of rough skin; with `exact`, coded with a window, so that depth outside is up to 8 mm off.
+/// An image of a patient with rough skin. `exact`: the image is coded with this window, and is up to 8 mm off
+/// elsewhere.
 ArrivedDepth rough_image(const std::optional<PixelRect>& exact) {
   DepthImage depth = level_patient(0);
   for (std::size_t i = 0; i < depth.samples.size(); ++i)

@@ -22,7 +22,7 @@ export interface DepthFrame {
   height: number;
   unit_m: number;
   samples: Uint16Array;
-  window?: DepthWindow;  // undefined: the frame is as its message states everywhere
+  window?: DepthWindow;  // undefined: the bound in the frame's message holds for each pixel
 }
 
 /** The functions of the compiled decoder; see codec/wasm/depth_decoder_wasm.cpp. */

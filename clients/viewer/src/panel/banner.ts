@@ -65,7 +65,7 @@ export function bannerFor(health: Health): Banner | undefined {
     return {
       level: 'warn',
       title: 'No exact depth at the hand',
-      text: 'The hand is faster than the images that are exact around it, so it feels no force there until they come. Move more slowly.',
+      text: 'The hand has left the part of the image that is exact, so it feels no force until exact images of its new place come. Move more slowly.',
     };
   if (health.surfaceStale)
     return {

@@ -29,7 +29,7 @@ export interface Health extends TouchHealth {
   surfaceStale: boolean;
   surface_ms: number | undefined;
   objectOverPlace: boolean;  // something lies over the touched place: the station shows the skin that it remembers
-  handOutsideWindow: boolean;  // the hand outran the part of the image that is exact: nothing is felt there
+  handOutsideWindow: boolean;  // the hand has left the part of the image that is exact, so it feels no force
   paused: boolean;           // the played session is paused
   stale: boolean;            // the picture is too old, or no newer one has come for longer than this path explains
   silence_ms: number | undefined;   // since the last image, if that is longer than this path explains
