@@ -9,10 +9,12 @@ namespace telepalp::tissue {
 /// Dry friction as a bristle that bends, then slips: the elasto-plastic model of Dupont et al. 2002 (docs/sources.md).
 /// Below 0.7 of the greatest force the bristle is a spring, so a needle at rest neither creeps nor drifts. Above, it
 /// slips by a growing share of the motion, and at the greatest force by all of it. Its anchor only ever follows the
-/// tip, so it gives back at most what it stores. A bristle that slips takes hold of fresh tissue, which has not
-/// relaxed: all its branches shorten by one share. With one anchor behind all branches, those would relax to nothing
-/// while the needle slides, and a needle that stops would not relax, against the measurements. At zero velocity the
-/// force is the bristle's own, in any direction.
+/// tip, so it gives back at most what it stores. At zero velocity the force is the bristle's own, in any direction.
+///
+/// The spring has relaxing branches (RelaxingSpring). A bristle that slips grips tissue that has not relaxed yet, so
+/// slipping multiplies the extensions of all branches by the same factor. If slipping moved one common anchor instead,
+/// the branches would relax to zero while the needle slides. The force of a needle that stops would then no longer
+/// fall, but measured forces do.
 class Bristle {
  public:
   /// Moves the tip by `by_m`. The friction force is at most `most_N`.

@@ -70,8 +70,8 @@ class LayeredTissue {
   /// Upper bound of the stiffness of the layers that act now: |change of force| / |motion| where nothing slips or
   /// ruptures.
   [[nodiscard]] double stiffness_N_per_m() const noexcept;
-  /// The greatest force that a tissue of these settings gives (force_bound.h), also while the tip pushes several
-  /// nets at once, except where a fast tick overshoots a puncture, or a damper of S4's eq. (5) is pulled fast.
+  /// Upper bound of the tissue's force (force_bound.h), also while the tip pushes several nets at once. A fast tip can
+  /// exceed it for a tick, by overshooting a puncture or by pulling a damper of S4's eq. (5).
   [[nodiscard]] double most_N() const noexcept;
   /// Greatest stiffness of all layers together at the middle of the nets. Near its fixed rim, a net is stiffer.
   [[nodiscard]] double stiffest_N_per_m() const noexcept;

@@ -10,7 +10,7 @@ namespace telepalp::control {
 
 Eigen::Vector3d Lift::step(const ControlInput& in, double target_height_m, double dt_s) noexcept {
   constexpr double kBrakes_s = 0.05;
-  constexpr double kSlew_N_per_s = 50.0;  // 0.025 N per tick; a force of the last phase fades by 0.02 N per tick, too
+  constexpr double kSlew_N_per_s = 50.0;  // 0.025 N per tick; meanwhile the last phase's force fades by 0.02 N per tick
   constexpr double kBeyond_m = 0.002;     // the lift aims above the plane, so that it reaches the plane
   constexpr double kCoarsestEncoder_m = 100e-6;
   constexpr double kEncoderStep_N = 0.05;  // the change of force that one step of this encoder may cause

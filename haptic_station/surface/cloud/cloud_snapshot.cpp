@@ -48,9 +48,9 @@ CloudSnapshot::CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& sh
 }
 
 double CloudSnapshot::spacing_at_m(const Eigen::Vector3f& local, double evenly_m) const noexcept {
-  std::array<Neighbor, 1> nearest;
-  if (!shape_.graded || index_->within(local, kAnywhere_m, nearest) == 0) return evenly_m;
-  return static_cast<double>(storage_[nearest[0].index].support_m) / kSupportPerSpacing;
+  if (!shape_.graded) return evenly_m;
+  const std::optional<Neighbor> near = nearest(local, static_cast<double>(kAnywhere_m));
+  return near ? static_cast<double>(storage_[near->index].support_m) / kSupportPerSpacing : evenly_m;
 }
 
 std::optional<Eigen::Vector3f> normal_of(const std::vector<Eigen::Vector3f>& near) {

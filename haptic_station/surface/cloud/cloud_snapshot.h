@@ -20,7 +20,8 @@ class CloudSnapshot final : public CloudSurface {
 
   [[nodiscard]] const CloudShape& shape() const noexcept { return shape_; }
   [[nodiscard]] const std::vector<CloudPoint>& cloud() const noexcept { return storage_; }
-  /// The spacing of the points near `local` [m], relative to the origin: `evenly_m`, unless the shape is graded.
+  /// The spacing of the points [m] near `local`, a place relative to the origin. `evenly_m`: the spacing of all points
+  /// if the shape is not graded; it is then returned.
   [[nodiscard]] double spacing_at_m(const Eigen::Vector3f& local, double evenly_m) const noexcept;
 
  private:

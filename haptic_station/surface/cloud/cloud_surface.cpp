@@ -73,14 +73,20 @@ FieldSample sample_of(const Sums& sums) noexcept {
 
 }  // namespace
 
-/// The distance within which all points lie that have a weight at `local`. A point of support h at the distance r
-/// counts if r < h, and h <= h0 + kSupportGrade (r + d0) for the nearest point's support h0 and distance d0.
+std::optional<Neighbor> CloudSurface::nearest(const Eigen::Vector3f& local, double within_m) const noexcept {
+  std::array<Neighbor, 1> found;
+  if (index_->within(local, static_cast<float>(within_m), found) == 0) return std::nullopt;
+  return found[0];
+}
+
+/// A point of support h at the distance r has a weight if r < h. The grade of the supports bounds h by
+/// h0 + kSupportGrade (r + d0), where h0 and d0 are the nearest point's support and distance.
 double CloudSurface::reach_m(const Eigen::Vector3f& local) const noexcept {
   if (!shape_.graded) return shape_.support_m;
-  std::array<Neighbor, 1> nearest;
-  if (index_->within(local, static_cast<float>(shape_.support_m), nearest) == 0) return 0.0;
-  const double away_m = std::sqrt(static_cast<double>(nearest[0].squared_m2));
-  const double support_m = static_cast<double>(points_[nearest[0].index].support_m);
+  const std::optional<Neighbor> near = nearest(local, shape_.support_m);
+  if (!near) return 0.0;
+  const double away_m = std::sqrt(static_cast<double>(near->squared_m2));
+  const auto support_m = static_cast<double>(points_[near->index].support_m);
   return std::min(shape_.support_m, (support_m + kSupportGrade * away_m) / (1.0 - kSupportGrade));
 }
 
@@ -113,9 +119,9 @@ FieldSample CloudSurface::evaluate(const Vector3d& query, const Vector3d& facing
 std::optional<Seed> CloudSurface::seed(const Vector3d& query) const noexcept {
   if (index_ == nullptr || !query.allFinite()) return std::nullopt;
   const Vector3d local = query - shape_.origin_m;
-  std::array<Neighbor, 1> nearest;
-  if (index_->within(local.cast<float>(), static_cast<float>(shape_.seed_radius_m), nearest) == 0) return std::nullopt;
-  const CloudPoint& point = points_[nearest[0].index];
+  const std::optional<Neighbor> near = nearest(local.cast<float>(), shape_.seed_radius_m);
+  if (!near) return std::nullopt;
+  const CloudPoint& point = points_[near->index];
   const Vector3d at = point.at_m.cast<double>();
   return Seed{shape_.origin_m + at, point.normal.cast<double>().dot(local - at) >= 0.0};
 }
@@ -123,10 +129,8 @@ std::optional<Seed> CloudSurface::seed(const Vector3d& query) const noexcept {
 double CloudSurface::stride_m(const Vector3d& query) const noexcept {
   constexpr double kShare = 0.4;
   if (!shape_.graded) return kShare * shape_.support_m;
-  std::array<Neighbor, 1> nearest;
-  const Eigen::Vector3f local = (query - shape_.origin_m).cast<float>();
-  if (index_->within(local, static_cast<float>(shape_.support_m), nearest) == 0) return kShare * shape_.support_m;
-  return kShare * static_cast<double>(points_[nearest[0].index].support_m);
+  const std::optional<Neighbor> near = nearest((query - shape_.origin_m).cast<float>(), shape_.support_m);
+  return kShare * (near ? static_cast<double>(points_[near->index].support_m) : shape_.support_m);
 }
 
 }  // namespace telepalp::surface

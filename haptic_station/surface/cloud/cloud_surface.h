@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "haptic_station/surface/cloud/neighbor_index.h"
@@ -19,13 +20,13 @@ struct CloudShape {
   double support_m = 0.02;                             ///< a point farther than this from the query has no weight
   std::size_t neighbors = 0;   ///< k > 0: the distance of the k-th neighbour replaces a greater support; 0: k is 256
   double seed_radius_m = 0.3;  ///< search radius for the nearest point
-  /// Each point has a support of its own, at most support_m, which changes over the surface by at most kSupportGrade.
+  /// Each point has its own support, of at most support_m; kSupportGrade bounds how fast it changes over the surface.
   bool graded = false;
 };
 
-/// Ratio of a support that is not given to the spacing of the points.
+/// The support where the settings give none, in spacings of the points.
 inline constexpr double kSupportPerSpacing = 3.0;
-/// Largest change of the points' own supports per distance between the points.
+/// Greatest difference between the supports of two points, divided by the distance between them.
 inline constexpr double kSupportGrade = 0.5;
 
 /// A point-set surface for unorganised clouds: a weighted mean of tangent planes. Each weight falls to zero at the
@@ -43,6 +44,9 @@ class CloudSurface : public SurfaceSnapshot {
 
  protected:
   ~CloudSurface() = default;
+  /// The point that is nearest to `local` (relative to the origin), if it lies within `within_m`.
+  [[nodiscard]] std::optional<Neighbor> nearest(const Eigen::Vector3f& local, double within_m) const noexcept;
+  /// The distance from `local` within which all points with a weight lie [m].
   [[nodiscard]] double reach_m(const Eigen::Vector3f& local) const noexcept;
   CloudShape shape_;
   std::span<const CloudPoint> points_;

@@ -29,7 +29,7 @@ struct Sampler {
     const double spacing_m = std::sqrt(area_m2 / static_cast<double>(count));
     return touched(poisson_disk_samples(mesh, count, settings.seed), shape, spacing_m, spacing_m);
   }
-  /// With denser samples at thin walls than `sampled` has.
+  /// Samples the mesh again, with `spacing`, which is denser at thin walls. `sampled`: the mesh with an even spacing.
   [[nodiscard]] SampledMesh denser_at_walls(const SampledMesh& sampled, const WallSpacing& spacing,
                                             double least_m) const {
     say_count(static_cast<std::size_t>(spacing.samples()));
@@ -87,7 +87,8 @@ SampledMesh refined(const Sampler& sampler) {
   return sampled;
 }
 
-/// Denser samples at thin walls, as dense as kMostSamples allows.
+/// `sampled`, with denser samples at thin walls. The spacing at the thinnest walls is the smallest one, from 0.2 mm on,
+/// for which kMostSamples suffice. Returns `sampled` unchanged if no wall is thin, or no such spacing is found.
 SampledMesh denser_at_walls(const Sampler& sampler, SampledMesh sampled) {
   constexpr double kLeast_m = 0.0002;
   constexpr double kCoarser = 1.2;

@@ -57,7 +57,7 @@ struct StaticModel {
 /// The wanted spacing of samples [m] at a place of the model.
 using SpacingAt = std::function<double(const Eigen::Vector3f& place)>;
 
-/// As poisson_disk_samples(), with a spacing that differs from place to place; it decides the number of points.
+/// As poisson_disk_samples(), with a spacing that differs from place to place. The number of points follows from it.
 [[nodiscard]] std::vector<CloudPoint> graded_samples(const models::PointModel& model, const SpacingAt& spacing_m,
                                                      std::uint64_t seed);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWallPerSpacing = 2.2;  // a tenth more than two, because samples are not evenly spaced
 constexpr double kGrade = kSupportGrade / kSupportPerSpacing;
-constexpr int kSweeps = 12;  // each carries a spacing to the next neighbours
+constexpr int kSweeps = 12;  // each one passes a spacing on to the nearest neighbours
 
 }  // namespace
 
@@ -27,7 +27,7 @@ WallSpacing::WallSpacing(const std::vector<CloudPoint>& points, double most_m, d
 }
 
 /// The distance through the body from a point to the samples of the opposite side, along the point's normal; infinite
-/// if it exceeds the widest spacing that matters.
+/// if the body is thicker there than the widest spacing needs.
 double WallSpacing::wall_m(const CloudPoint& point) const {
   const double thickest_m = kWallPerSpacing * most_m_;
   std::array<Neighbor, 128> found;
@@ -44,12 +44,12 @@ double WallSpacing::wall_m(const CloudPoint& point) const {
   return thinnest_m;
 }
 
-/// A neighbour's spacing is wider by at most kGrade times the distance.
+/// Reduces spacings until each exceeds those of its neighbours by at most kGrade times the distance.
 void WallSpacing::grade() {
   std::array<Neighbor, 16> found;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (spacing_m_[i] >= most_m_) continue;  // cannot narrow others
+      if (spacing_m_[i] >= most_m_) continue;  // too wide to reduce a neighbour's
       const std::size_t count = index_->within(points_[i].at_m, static_cast<float>(3.0 * most_m_), found);
       for (std::size_t k = 0; k < count; ++k) {
         const double away_m = std::sqrt(static_cast<double>(found[k].squared_m2));
@@ -59,7 +59,8 @@ void WallSpacing::grade() {
     }
 }
 
-/// Each sample's spacing holds as far as the next sample: between two samples of a thin wall the wall is thin, too.
+/// Each sample's spacing is used unchanged as far as the next sample, because a wall is thin between two samples of a
+/// thin wall, too.
 double WallSpacing::at_m(const Eigen::Vector3f& place) const {
   std::array<Neighbor, 6> found;
   const std::size_t count = index_->within(place, static_cast<float>(3.0 * most_m_), found);

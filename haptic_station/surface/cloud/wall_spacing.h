@@ -7,17 +7,18 @@
 
 namespace telepalp::surface {
 
-/// The spacing of a mesh's samples, place by place, so that each wall is at least two spacings thick. Otherwise the
-/// samples of both sides of a wall have a say in one place of the surface. Between thin and thick walls the spacing
-/// changes slowly, as CloudShape::graded demands of the supports.
+/// The spacing of a mesh's samples at each place, chosen so that each wall is at least two spacings thick. At a thinner
+/// wall, samples of both sides would lie within the support of one place of the surface. Between thin and thick walls
+/// the spacing changes slowly enough for supports of kSupportGrade.
 class WallSpacing {
  public:
   /// `points`: samples of the mesh `most_m` apart, with normals out of the body. Spacings are between `least_m` and
   /// `most_m`.
   WallSpacing(const std::vector<CloudPoint>& points, double most_m, double least_m);
 
+  /// The spacing at a place of the mesh [m].
   [[nodiscard]] double at_m(const Eigen::Vector3f& place) const;
-  /// The number of samples with these spacings, about.
+  /// Approximate number of samples with these spacings.
   [[nodiscard]] double samples() const;
   /// True when a wall is thinner than two of the widest spacings.
   [[nodiscard]] bool differs() const;
@@ -26,7 +27,7 @@ class WallSpacing {
   [[nodiscard]] double wall_m(const CloudPoint& point) const;
   void grade();
 
-  const std::vector<CloudPoint>& points_;  // the caller's
+  const std::vector<CloudPoint>& points_;  // owned by the caller
   double most_m_;
   std::shared_ptr<const NeighborIndex> index_;
   std::vector<double> spacing_m_;  ///< at each of the points

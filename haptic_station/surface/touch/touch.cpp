@@ -147,7 +147,8 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   const double foot_most_m = kFootPerDevice * (device.m - from).norm() + kFoot_m_per_s * dt;
   if (was_inside && side_ == Side::Inside)  // under a deep device the nearest skin point can jump far to the side
     foot_ = foot_before + shortened(foot_ - foot_before, foot_most_m);
-  else if (was_inside && (glides_ || depth_before_m > foot_most_m))  // else the skin moved away, or the device came out
+  else if (was_inside &&
+           (glides_ || depth_before_m > foot_most_m))  // if less deep, the skin fell or the device came out
     leave(device.m, foot_before, foot_most_m, dt);
   device_ = device.m;
   has_device_ = true;
@@ -159,12 +160,12 @@ TouchSample Touch::step(const Point<DepthCamera>& device, SessionTime now, doubl
   return answer(device.m);
 }
 
-/// The device left the body from `foot_before`. A device that comes out through the skin has this point at hand, within
-/// `at_hand_m`. A device that is farther away from it fell into a fold or passed into another wall. The displayed skin
-/// then glides to the device, and the next contact may begin there.
-void Touch::leave(const Vector3d& device, const Vector3d& foot_before, double at_hand_m, double dt_s) noexcept {
+/// Handles a device that is no longer inside the body. `foot_before`: the foot of the tick before. A device that came
+/// out through the skin is within `near_m` of this foot. A device that is farther away fell into a fold, or passed into
+/// another wall. The displayed skin then glides to the device, and the next contact may begin when it is there.
+void Touch::leave(const Vector3d& device, const Vector3d& foot_before, double near_m, double dt_s) noexcept {
   const Vector3d pulled = foot_before - device;
-  if (pulled.norm() > at_hand_m) {
+  if (pulled.norm() > near_m) {
     side_ = Side::Inside;
     glides_ = true;
     foot_ = foot_before - shortened(pulled, kFoot_m_per_s * dt_s);

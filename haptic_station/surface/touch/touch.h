@@ -94,7 +94,7 @@ class Touch {
   void follow_anchor(double dt_s) noexcept;
   void hold(double dt_s, const Eigen::Vector3d& device, bool felt) noexcept;
   void end_too_deep(const Eigen::Vector3d& device) noexcept;
-  void leave(const Eigen::Vector3d& device, const Eigen::Vector3d& foot_before, double at_hand_m, double dt_s) noexcept;
+  void leave(const Eigen::Vector3d& device, const Eigen::Vector3d& foot_before, double near_m, double dt_s) noexcept;
   [[nodiscard]] double height_of(const Eigen::Vector3d& device) const noexcept;
   [[nodiscard]] double sideways_of(const Eigen::Vector3d& device) const noexcept;
   [[nodiscard]] double age_s() const noexcept;
@@ -113,7 +113,7 @@ class Touch {
   bool has_foot_ = false;
   bool fresh_foot_ = false;     // the foot was found anew: the newest surface is displayed without a lag
   bool swapped_ = false;        // a new snapshot was adopted and has not been evaluated yet
-  bool glides_ = false;         // the device left the body far from its foot, and the displayed skin goes to it
+  bool glides_ = false;         // the device left the body far from its foot; the displayed skin glides to it
   bool was_in_front_ = false;   // at the last step the device was outside, so a device now inside went through the skin
   FieldSample at_foot_;         // sample of the displayed surface at foot_
   double newest_velocity_ = 0;  // speed of the newest surface at foot_ [m/s]

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace telepalp::tissue {
 namespace {
 
 constexpr double kDeepest_m = 0.3;  // no layer begins deeper
 
-/// Depth at which a fully relaxed net, `share` times as stiff as at its middle, reaches its puncture; at most
-/// kDeepest_m, because a net that relaxes to nothing is never punctured by a slow tip.
+/// Depth at which a fully relaxed net, `share` times as stiff as at its middle, is punctured. At most kDeepest_m: a
+/// slow tip never punctures a net whose force relaxes to zero.
 double bends_m(const LayerSettings& layer, double share) noexcept {
   double left = 1.0;
   for (int i = 0; i < layer.relaxation.branches; ++i) left -= layer.relaxation.share[i];
@@ -29,7 +30,10 @@ double pushed_N(const SurfaceSettings& surface, double share, double deep_m) noe
   return share * lean * deep_m * (surface.stiffness_N_per_m + surface.stiffening_N_per_m2 * lean * deep_m);
 }
 
-/// The sum while the net `first` is pushed the furthest, from outside or from inside.
+/// The sum of the forces of all nets that the tip pushes when it punctures the net `first`. From outside, the tip also
+/// pushes each inner net that lies within the depth by which `first` bends; none of them is punctured before `first`.
+/// From inside, it also pushes outer nets, of which each is punctured by its own force. For an upper bound, `first` is
+/// relaxed, so that it bends as far as it can, and the other nets have not relaxed.
 double group_N(std::span<const LayerSettings> layers, std::size_t first, double share, bool from_inside) noexcept {
   const LayerSettings& met = layers[first];
   const double bends = bends_m(met, share);
@@ -43,9 +47,8 @@ double group_N(std::span<const LayerSettings> layers, std::size_t first, double 
   return sum_N;
 }
 
-}  // namespace
-
-/// Where a net is stiffer it bends less, so neither end of the range need give the greatest sum: the range is sampled.
+/// The greatest sum of the forces of all nets that one tip can push at once [N]. A stiffer net pushes more, but bends
+/// less, so the greatest sum may lie within the range: the range is sampled.
 double pushed_at_once_N(std::span<const LayerSettings> layers, const StiffnessRange& range) noexcept {
   constexpr int kSamples = 8;
   double most_N = 0.0;
@@ -57,6 +60,8 @@ double pushed_at_once_N(std::span<const LayerSettings> layers, const StiffnessRa
   }
   return most_N;
 }
+
+}  // namespace
 
 double most_force_N(const TissueSettings& settings, const StiffnessRange& range) noexcept {
   double sum_N = pushed_at_once_N(settings.layers, range);

@@ -36,6 +36,10 @@ bool LocalNet::near(const Triangle& triangle, const Vector3d& at_m, double withi
                              [&](std::uint32_t v) { return (vertices_[v] - at_m).norm() < within_m * (1.0 + 1e-9); });
 }
 
+bool LocalNet::has_new_vertex(const Triangle& triangle) const {
+  return std::ranges::any_of(triangle, [this](std::uint32_t v) { return v >= vertices_at_[0]; });
+}
+
 /// Subdivides the triangles that have a corner within `within_m` of `about_m`.
 void LocalNet::subdivide(const Vector3d& about_m, double within_m) {
   std::vector<Triangle> next;
@@ -86,8 +90,7 @@ void LocalNet::number_unknowns() {
 void LocalNet::choose_base_unknowns(const Vector3d& about_m, double within_m) {
   chosen_at_.assign(static_cast<std::size_t>(base_unknowns_), -1);
   for (const Triangle& t : triangles_) {
-    const bool added = std::ranges::any_of(t, [this](std::uint32_t v) { return v >= vertices_at_[0]; });
-    if (!added && !near(t, about_m, within_m)) continue;
+    if (!has_new_vertex(t) && !near(t, about_m, within_m)) continue;
     for (const std::uint32_t v : t)
       for (const Share& share : shares_[v]) {
         if (share.unknown >= base_unknowns_) continue;
@@ -105,30 +108,30 @@ int LocalNet::place(int unknown) const noexcept {
                                   : unknown - base_unknowns_ + static_cast<int>(chosen_.size());
 }
 
-/// Each triangle has half of the spring on each of its edges.
+/// Adds half of the spring on `edge`, which is what one of its triangles has, to the rows of the added unknowns.
+void LocalNet::add_spring(const Edge& edge, Eigen::MatrixXd& coupling, Eigen::MatrixXd& own) const {
+  std::vector<Share> difference = shares_[edge.first];
+  for (const Share& share : shares_[edge.second]) difference.push_back({share.unknown, -share.weight});
+  for (const Share& a : difference) {
+    if (a.unknown < base_unknowns_) continue;
+    for (const Share& b : difference) {
+      const double spring = 0.5 * a.weight * b.weight;
+      if (b.unknown < base_unknowns_)
+        coupling(place(b.unknown), a.unknown - base_unknowns_) += spring;
+      else
+        own(a.unknown - base_unknowns_, b.unknown - base_unknowns_) += spring;
+    }
+  }
+}
+
 void LocalNet::assemble(const BaseNet& base) {
   const auto chosen = static_cast<Eigen::Index>(chosen_.size());
   const Eigen::Index added = added_at_[settings_.subdivisions];
   Eigen::MatrixXd coupling = Eigen::MatrixXd::Zero(chosen, added);
   Eigen::MatrixXd own = Eigen::MatrixXd::Zero(added, added);
-  std::vector<Share> difference;
-  for (const Triangle& t : triangles_) {
-    if (std::ranges::none_of(t, [this](std::uint32_t v) { return v >= vertices_at_[0]; })) continue;
-    for (int i = 0; i < 3; ++i) {
-      difference = shares_[t[i]];
-      for (const Share& share : shares_[t[(i + 1) % 3]]) difference.push_back({share.unknown, -share.weight});
-      for (const Share& a : difference) {
-        if (a.unknown < base_unknowns_) continue;
-        for (const Share& b : difference) {
-          const double spring = 0.5 * a.weight * b.weight;
-          if (b.unknown < base_unknowns_)
-            coupling(place(b.unknown), a.unknown - base_unknowns_) += spring;
-          else
-            own(a.unknown - base_unknowns_, b.unknown - base_unknowns_) += spring;
-        }
-      }
-    }
-  }
+  for (const Triangle& t : triangles_)
+    if (has_new_vertex(t))
+      for (int i = 0; i < 3; ++i) add_spring({t[i], t[(i + 1) % 3]}, coupling, own);
   base_ = base.compliance(chosen_);
   carried_ = base_ * coupling;
   added_.compute(own - coupling.transpose() * carried_);
@@ -185,7 +188,7 @@ std::array<double, LocalNet::kMostDepth + 1> LocalNet::depths(const Vector3d& sh
   return depths;
 }
 
-/// A halved edge leaves a quarter of the error, so a third of the last change is still missing.
+/// A halved edge leaves a quarter of the error. So the limit lies beyond the last net by a third of the last change.
 double LocalNet::limit(const Vector3d& shares) const {
   const auto at = depths(shares);
   const double last = at[settings_.subdivisions];

@@ -15,16 +15,17 @@ namespace telepalp::tissue {
 /// The net of springs of 1 N/m that is subdivided around one contact triangle (StiffnessMap). Allocates.
 ///
 /// A new vertex's displacement is the mean of its edge's two ends plus an unknown of its own (a hierarchical basis). In
-/// this basis the springs of the base net stay what they are, so the base net is solved once for all contacts, and a
-/// subdivision adds unknowns. All depths come from one Cholesky factor, whose leading blocks are the smaller depths.
+/// this basis a subdivision adds unknowns and leaves the base net's stiffness matrix as it is, so the base net is
+/// solved once for all contacts. One Cholesky factor serves all depths: its leading blocks are the factors of the nets
+/// with fewer subdivisions.
 class LocalNet {
  public:
   LocalNet(const BaseNet& base, const NetSettings& settings, std::uint32_t contact);
   /// The displacement of the tip by 1 N [m] for the net at `depth`: 0 to subdivisions. `shares`: barycentric
   /// coordinates in the contact triangle.
   [[nodiscard]] double compliance(const Eigen::Vector3d& shares, int depth) const { return depths(shares)[depth]; }
-  /// The displacement that a tip feels [m]: that of the net's limit, extrapolated from the last subdivision; without
-  /// one, that of the net itself.
+  /// The displacement by 1 N that a tip feels [m]: of the limit of infinitely many subdivisions, extrapolated from the
+  /// last one. With `subdivisions` 0: of the net itself.
   [[nodiscard]] double limit(const Eigen::Vector3d& shares) const;
 
  private:
@@ -40,7 +41,9 @@ class LocalNet {
   void number_unknowns();
   void choose_base_unknowns(const Eigen::Vector3d& about_m, double within_m);
   void assemble(const BaseNet& base);
+  void add_spring(const Edge& edge, Eigen::MatrixXd& coupling, Eigen::MatrixXd& own) const;
   [[nodiscard]] bool near(const Triangle& triangle, const Eigen::Vector3d& at_m, double within_m) const;
+  [[nodiscard]] bool has_new_vertex(const Triangle& triangle) const;
   [[nodiscard]] int place(int unknown) const noexcept;
   [[nodiscard]] Eigen::VectorXd load(const Eigen::Vector3d& at_m) const;
   [[nodiscard]] std::array<double, kMostDepth + 1> depths(const Eigen::Vector3d& shares) const;

@@ -33,7 +33,7 @@ struct InsertionFit {
   double left_m = 0.0;          ///< depth below the contact that all curves reach
 };
 
-/// Fits one tissue to the mean of `curves`, weighted so that relative errors count. Error: a curve has fewer than 40
+/// Fits one tissue to the mean of `curves`, weighted so that it minimises relative errors. Error: a curve has fewer than 40
 /// samples, a value that is not finite, depths that do not ascend, no contact, or less than 30 mm behind it.
 [[nodiscard]] Result<InsertionFit> fit_insertion(std::span<const InsertionCurve> curves,
                                                  const InsertionFitSettings& settings = {});

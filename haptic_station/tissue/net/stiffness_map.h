@@ -31,11 +31,11 @@ struct StiffnessRange {
 /// finer.
 ///
 /// A subdivided net is softer under the same load: by 3 % in the middle of the nets of the scenes, and by 12 % near
-/// their rims. A tip would feel this. S4's own rule for the children's springs (its source [7]) is not to be had, so
-/// this is ours: at each place of contact, all springs of a net are scaled by one factor, so that the net shows the
-/// force of its limit, the net of infinitely many subdivisions. The limit is extrapolated from the last subdivision
-/// (Richardson: a halved edge leaves a quarter of the error), so the force hardly depends on their number. Without a
-/// subdivision, the net is as it is. The force on the tip is the sum of the vertex forces (S4 eq. 2 and 6): the net's
+/// their rims. A tip would feel this. S4 takes its rule for the children's springs from its source [7], which we could
+/// not obtain. Our rule: at each place of contact, all springs of a net are scaled by one factor, so that the net shows
+/// the force of its limit, the net of infinitely many subdivisions. The limit is extrapolated from the last subdivision
+/// (Richardson: a halved edge leaves a quarter of the error), so the force hardly depends on their number. A net with
+/// `subdivisions` 0 is not scaled. The force on the tip is the sum of the vertex forces (S4 eq. 2 and 6): the net's
 /// stiffness × displacement.
 ///
 /// The vertices' masses carry no force here: the net is at rest under its load at each tick. So the force depends on
@@ -43,8 +43,8 @@ struct StiffnessRange {
 /// scene is read; a tick interpolates between ten places of the contact triangle.
 class StiffnessMap {
  public:
-  static constexpr double kLeast = 0.1;  ///< a tip never feels less than this stiffness, relative to the middle,
-  static constexpr double kMost = 3.0;   ///< and never more than this, as near the fixed rim
+  static constexpr double kLeast = 0.1;  ///< least stiffness that a tip feels, relative to the middle
+  static constexpr double kMost = 3.0;   ///< greatest one: near its fixed rim a net is much stiffer
 
   StiffnessMap(const SurfaceMesh& mesh, const NetSettings& settings);
   /// The stiffness relative to that at the middle of the mesh. `shares`: barycentric coordinates of the contact.

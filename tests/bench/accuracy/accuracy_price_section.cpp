@@ -5,8 +5,7 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/station/bill/scene_bill.h"
 #include "haptic_station/surface/build/hidden_skin.h"
-#include "server/capture/synthetic/synthetic_patient.h"
-#include "support/program/files/shipped.h"
+#include "server/capture/synthetic/source/patient_model.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
 #include "tests/bench/effects/thread_time.h"
 #include "where.h"
@@ -84,13 +83,12 @@ void add_effects(const std::string& scene, const station::SceneBill& bill, doubl
   }
 }
 
-/// What the station pays to tell the patient's skin from objects over it (HiddenSkin), at 30 images of 640x480 pixels a
-/// second [% of a core]. A colleague's hand comes, stays and leaves in the measured time.
-Result<double> who_is_skin_share() {
+/// Processor time with which the station tells the patient's skin from objects over it (HiddenSkin), at 30 images of
+/// 640x480 pixels per second [% of a core]. A colleague's hand comes, stays and leaves in the measured time.
+Result<double> skin_from_objects_share() {
   constexpr double kRate_hz = 30.0;
   constexpr int kImages = 150;
-  const char* const kTorso = "deploy/demo_data/torso/visible_human_torso.ply";
-  const auto mesh = capture::read_mesh(program::shipped_file(kTorso).value_or(kTorso));
+  const auto mesh = capture::shipped_torso();
   if (!mesh) return mesh.error();
   const auto patient = capture::SyntheticPatient::make(*mesh, {});
   if (!patient) return patient.error();
@@ -114,12 +112,11 @@ Result<double> who_is_skin_share() {
   return 1e-4 * kRate_hz * spent_us / kImages;
 }
 
-Result<void> add_who_is_skin(PageTable& prices, std::vector<Row>& rows) {
-  const Result<double> share = who_is_skin_share();
+Result<void> add_skin_from_objects(PageTable& prices, std::vector<Row>& rows) {
+  const Result<double> share = skin_from_objects_share();
   if (!share) return share.error();
-  rows.push_back(measured("whole station: who is skin, and who is a colleague's hand", *share, "% of a core"));
-  prices.rows.push_back(
-      {"who is skin, and who is a colleague's hand", cell(*share), cell(*share), "–", "–", "–", "–", "–"});
+  rows.push_back(measured("whole station: telling skin from objects over it", *share, "% of a core"));
+  prices.rows.push_back({"telling skin from objects over it", cell(*share), cell(*share), "–", "–", "–", "–", "–"});
   return {};
 }
 
@@ -151,7 +148,7 @@ Result<Section> price_section() {
     add_scene(scene->name, *bill, scenes, section.rows);
     add_effects(scene->name, *bill, read_ms, prices, section.rows);
   }
-  if (const Result<void> added = add_who_is_skin(prices, section.rows); !added) return added.error();
+  if (const Result<void> added = add_skin_from_objects(prices, section.rows); !added) return added.error();
   section.parts = {{"scenes", to_markdown(scenes)}, {"price", to_markdown(prices)}};
   return section;
 }

@@ -18,9 +18,9 @@ constexpr int kJudgedEvery = 4;      // judges each fourth tick
 constexpr double kBeside_px = 80.0;  // from the pressed place to the arm's middle: 50 px, 75 mm, to its side
 constexpr double kPalm_px = -120.0;  // from the image's middle: the forearm crosses the whole image
 constexpr double kOver_m = 0.06;     // height of the palm's underside over the skin
-constexpr double kAway_m = 0.8;      // the arm at this distance from its place is outside the image
+constexpr double kAway_m = 0.8;      // at this distance from its place, the arm is outside the image
 constexpr double kSpeed_m_per_s = 0.3;
-constexpr double kCovers_m = 0.015;  // a pixel that the arm brings nearer by more is covered
+constexpr double kCovers_m = 0.015;  // where the arm makes the depth smaller by more, it covers the pixel
 
 /// The arm over the patient in `pose`: it has come from the head's side by kComes_s + 2.7 s, and rides on the body.
 capture::ColleagueHand arm_at(const capture::SyntheticPatient& patient, const capture::PatientPose& pose,
@@ -66,8 +66,8 @@ std::vector<double> errors_N2(const Pattern& pattern, const Spot& spot, bool arm
              .builder = {}});
   const auto placed = haptic_from_camera(*patient, spot);
   const auto path = [&](double t, const control::ControlOutput&) {
-    const double ridden_m = rest_height_m(*patient, bare(std::max(0.0, t - pattern.rides_after_s)), placed);
-    return Point<HapticBase>{{0.0, reaching_m(t, kDepth_m) + ridden_m, 0.0}};
+    const double height_m = reaching_m(t, kDepth_m) + ridden_m(pattern, bare, *patient, placed, t);
+    return Point<HapticBase>{{0.0, height_m, 0.0}};
   };
   std::vector<DelayedStation> stations = stations_at_delays(placed, [&] { return std::make_unique<RigidHand>(path); });
   std::vector<double> squares_N2(stations.size(), 0.0);

@@ -37,8 +37,8 @@ OfDelays play(const Pattern& pattern, const Spot& spot) {
   Feed feed({.patient = patient, .pose = pose, .link = link_before_delays(), .builder = {}});
   const auto placed = haptic_from_camera(*patient, spot);
   const auto path = [&](double t, const control::ControlOutput&) {
-    const double ridden_m = rest_height_m(*patient, pose(std::max(0.0, t - pattern.rides_after_s)), placed);
-    return Point<HapticBase>{{0.0, reaching_m(t, kDepth_m) + ridden_m, 0.0}};
+    const double height_m = reaching_m(t, kDepth_m) + ridden_m(pattern, pose, *patient, placed, t);
+    return Point<HapticBase>{{0.0, height_m, 0.0}};
   };
   std::vector<DelayedStation> stations = stations_at_delays(placed, [&] { return std::make_unique<RigidHand>(path); });
   std::vector<Judged> all(stations.size());

@@ -6,9 +6,9 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// What one depth camera cannot tell from skin, or from an object: a hand presses the patient while such a thing
-// happens. The figures have no budget. They say how much force and how many millimetres each case costs, for the table
-// of limits in controller.md.
+// One depth camera cannot tell some things over the patient from skin, and some skin from an object. Here a hand
+// presses the patient while such a case happens. The figures have no budget. They give the errors of force and place
+// that each case causes, for the table of limits in controller.md.
 
 namespace telepalp::bench::hand {
 namespace {
@@ -19,21 +19,22 @@ constexpr double kBegins_s = 6.0;  // of the event
 constexpr double kUntil_s = 16.0;
 constexpr double kOneWay_s = 0.05;
 
-/// The image at one instant: each pixel's place relative to the pressed one, in metres at the skin's depth.
+/// The place of a pixel relative to the pressed place, in metres at the skin's depth.
 struct Pixel {
   double across_m;  ///< along the image's rows
   double down_m;
 };
-/// How much nearer to the camera than the patient a thing lies at a pixel [m]; 0: the thing is not there.
+/// The height of a thing over the patient at a pixel [m], towards the camera; 0: the pixel shows the patient.
 using Over = double (*)(const Pixel& pixel, double time_s);
 
 struct Limit {
   const char* name;
   Over over;
   double sits_up_rad;    ///< from kBegins_s on
-  double frames_lost_s;  ///< after kBegins_s
+  double frames_lost_s;  ///< from 0.5 s after kBegins_s on
 };
 
+/// Time since the event [s].
 double since(double time_s) noexcept { return time_s - kBegins_s; }
 
 /// A thing 12 mm thick and 90 mm wide, laid on the pressed place at once.
@@ -54,7 +55,7 @@ double slow_sheet(const Pixel& at, double time_s) {
 double cover(const Pixel& at, double time_s) {
   return since(time_s) >= -0.5 && std::hypot(at.across_m, at.down_m) < 0.09 ? 0.06 : 0.0;
 }
-/// All that lies within 160 mm of the place, most of the image, is 60 mm nearer from one image to the next.
+/// From one image to the next, everything within 160 mm beside the place, most of the image, is 60 mm nearer.
 double most_of_the_body(const Pixel& at, double time_s) {
   return since(time_s) >= 0.0 && std::abs(at.across_m) < 0.16 ? 0.06 : 0.0;
 }
@@ -70,7 +71,7 @@ constexpr Limit kLimits[] = {
     {"more than half of the image covered at once", most_of_the_body, 0.0, 0.0},
 };
 
-/// Of one run: the device's place, its force and the law's, tick by tick.
+/// One tick of a run: the device's place, its force and the law's.
 struct Felt {
   Eigen::Vector3d device_m;
   double pushed_N;
@@ -88,8 +89,9 @@ void lay_over(const Limit& limit, const Intrinsics& camera, const Spot& spot, do
     }
 }
 
-/// `seen`: the thing is there, or the frames are lost; false: the same run without.
-std::vector<Felt> play(const Limit& limit, const Spot& spot, effects::SkinAnchor anchor, bool seen) {
+/// All ticks of one run, from 0.5 s before the event on. `disturbed`: the thing lies over the patient, or frames are
+/// lost; false: the patient moves in the same way, but nothing lies over him and no frame is lost.
+std::vector<Felt> play(const Limit& limit, const Spot& spot, effects::SkinAnchor anchor, bool disturbed) {
   const auto patient = torso(Sensor::KinectSmooth);
   const Intrinsics camera = patient->settings().camera;
   const auto pose = [&limit](double t) {
@@ -102,14 +104,14 @@ std::vector<Felt> play(const Limit& limit, const Spot& spot, effects::SkinAnchor
              .pose = pose,
              .damage =
                  [&](double t, DepthImage& depth) {
-                   if (!seen) return true;
+                   if (!disturbed) return true;
                    lay_over(limit, camera, spot, t, depth);
                    return since(t) < 0.5 || since(t) >= 0.5 + limit.frames_lost_s;
                  },
              .link = {.one_way_s = kOneWay_s, .loss = 0.0},
              .builder = {}});
   StationSettings settings = with_skin(anchor);
-  settings.control.limits.continuous_N = settings.control.limits.peak_N;
+  settings.control.limits.continuous_N = settings.control.limits.peak_N;  // motors that stay cool
   const Eigen::Vector3d normal = normal_at(*patient, spot).v;
   BenchStation station(settings, haptic_from_camera(*patient, spot),
                        std::make_unique<ArmHand>(kArm_N_per_m, [normal](double t) {
@@ -134,7 +136,7 @@ struct Cost {
 Cost cost_of(const std::vector<Felt>& with, const std::vector<Felt>& without, const Eigen::Vector3d& normal) {
   Cost cost;
   for (std::size_t i = 0; i < with.size(); ++i) {
-    // What the same run does without the thing, such as a lag behind a sit-up, is no cost of the thing.
+    // The error that the run has without the thing too, such as a lag behind a sit-up, is not counted.
     const double usual_N = without[i].pushed_N - without[i].law_N;
     const double off_N = with[i].pushed_N - with[i].law_N;
     const double out_m = normal.dot(with[i].device_m - without[i].device_m);

@@ -14,9 +14,9 @@
 #include "tests/bench/hand/studies.h"
 #include "where.h"
 
-// A hand presses a mesh 2 mm deep and slides over it for 40 mm, along what it feels. Measures whether the force follows
-// the hand without steps, whether the hand stays outside the mesh, and which share of the surface telepalp itself calls
-// too thin for its samples.
+// A hand presses a mesh 2 mm deep and slides 40 mm over the surface that it feels. This study measures whether the
+// force follows the hand without steps, whether the hand stays outside the mesh, and the share of the surface with
+// walls that telepalp reports as too thin for its samples.
 
 namespace telepalp::bench::hand {
 namespace {
@@ -34,7 +34,7 @@ constexpr double kLong_m = 0.04;
 constexpr double kMostStep_N = 0.1;
 constexpr int kSlides = 200;
 constexpr std::size_t kTruthPoints = 300'000;
-constexpr double kThrough_m = 0.003;  // below the mesh by more: the hand has gone through
+constexpr double kThrough_m = 0.003;  // a hand that is deeper inside the mesh has gone through its surface
 
 struct Body {
   std::string name;
@@ -95,18 +95,19 @@ struct Truth {
 };
 
 struct Slide {
-  double step_N = 0.0;  ///< most force step beyond K times the motion
+  double step_N = 0.0;  ///< greatest change of the force in a tick, minus stiffness times motion
   Vector3d step_at = Vector3d::Zero();
-  double way_m = 0.0;      ///< along which the hand was in contact
+  double way_m = 0.0;      ///< length of the way in contact
   double through_s = 0.0;  ///< time inside the mesh by more than kThrough_m without force
 };
 
-/// The next place of a hand that slides along `along` (unit) on what it feels, and presses towards kDeep_m.
+/// A hand that slides over the surface that it feels, and presses to a depth of kDeep_m.
 struct Hand {
   Vector3d at;
-  Vector3d along;
-  Vector3d out;
+  Vector3d along;  ///< unit, direction of the slide
+  Vector3d out;    ///< unit, normal of the felt surface
 
+  /// Moves the hand by one tick, and returns its movement. `slides`: false while it only comes nearer.
   Vector3d moves(bool slides, double depth_m) {
     along = (along - along.dot(out) * out).normalized();
     const double down = std::clamp((kDeep_m - depth_m) / 0.001, -0.7, 0.7);
@@ -147,7 +148,7 @@ Slide slide_over(const surface::SurfaceSnapshot& model, const Truth& truth, cons
   return slide;
 }
 
-/// A body's mean, in its file's frame; its points relative to it.
+/// `mesh` with its points relative to their mean, as sampling needs it. `middle_m`: becomes this mean.
 PointModel centred(const PointModel& mesh, Vector3d& middle_m) {
   PointModel near = mesh;
   middle_m = Vector3d::Zero();

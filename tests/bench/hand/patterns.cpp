@@ -111,6 +111,11 @@ const Pattern& pattern(std::string_view name) {
   std::abort();
 }
 
+double ridden_m(const Pattern& pattern, const PoseScript& pose, const capture::SyntheticPatient& patient,
+                const Transform<HapticBase, DepthCamera>& haptic_from_camera, double time_s) {
+  return rest_height_m(patient, pose(std::max(0.0, time_s - pattern.rides_after_s)), haptic_from_camera);
+}
+
 PoseScript script(const Pattern& pattern, std::shared_ptr<const capture::SyntheticPatient> patient, const Spot& spot) {
   const auto placed = haptic_from_camera(*patient, spot);
   const Transform<DepthCamera, HapticBase> camera_from_haptic = placed.inverse();

@@ -30,4 +30,9 @@ struct Pattern {
 [[nodiscard]] PoseScript script(const Pattern& pattern, std::shared_ptr<const capture::SyntheticPatient> patient,
                                 const Spot& spot);
 
+/// The height in H [m] by which a hand has followed a patient who shifts, rises or tilts. It follows with the delay
+/// Pattern::rides_after_s. `pose`: the script of `pattern`.
+[[nodiscard]] double ridden_m(const Pattern& pattern, const PoseScript& pose, const capture::SyntheticPatient& patient,
+                              const Transform<HapticBase, DepthCamera>& haptic_from_camera, double time_s);
+
 }  // namespace telepalp::bench::hand

@@ -11,10 +11,10 @@
 #include "tests/bench/hand/run.h"
 #include "tests/bench/hand/studies.h"
 
-// A doctor percusses: the hand taps four times a second and enters the skin at 0.6 m/s. A tap shall feel like the taps
-// before it, so this study divides the largest force of each tap by the largest force that the true skin would give.
-// A second study lets a hand come back after a pause, at each height and in each phase, and measures the force that
-// opposes it while it is still above the skin.
+// A doctor percusses: the hand taps four times a second and enters the skin at 0.6 m/s. All taps must feel alike, so
+// this study divides the largest force of each tap by the largest force that the true skin would give. A second study
+// lets a hand come back after a pause, at each height and in each phase, and measures the force that opposes it while
+// it is still above the skin.
 
 namespace telepalp::bench::hand {
 namespace {
@@ -26,12 +26,12 @@ constexpr double kOmega_rad_per_s = 2.0 * std::numbers::pi * kTaps_hz;
 // A sine of this amplitude goes kDepth_m deep, and passes the height of the skin at kEntry_m_per_s.
 constexpr double kAmplitude_m =
     (kEntry_m_per_s * kEntry_m_per_s / (kOmega_rad_per_s * kOmega_rad_per_s) + kDepth_m * kDepth_m) / (2.0 * kDepth_m);
-constexpr double kAbove_m = 0.001;       // closer to the skin, an error of the skin may push, too
+constexpr double kAbove_m = 0.001;       // closer to the skin, the force may come from an error of the displayed skin
 constexpr double kWayIn_m_per_s = 0.01;  // a slower hand is not on its way in
 constexpr double kFeltTap_N = 0.5;       // the law's least peak in a tap
 constexpr double kFlesh_m = 0.001;       // a fingertip this close to the end-effector touches it
 constexpr double kPressedIn_m = 0.01;    // the fingertip yields less; a lower hand has passed beside the end-effector
-constexpr double kReach_m = device::SimulatedHandSettings{}.reach_m;  // farther aside, the hand misses it
+constexpr double kReach_m = device::SimulatedHandSettings{}.reach_m;  // a hand farther aside misses the end-effector
 constexpr double kArm_N_per_m = 300.0, kWrist_N_per_m = 2000.0;
 
 enum class Hand { Firm, Wrist, Arm };
@@ -134,7 +134,7 @@ std::vector<Taps> tap_everywhere(Hand hand, const Feed::Settings& feed_settings,
   return all;
 }
 
-/// The ratios of all taps that met the end-effector. Infinite ones, if no tap did.
+/// The ratios of all taps that met the end-effector; one infinite ratio if no tap did.
 Distribution joined(const std::vector<Taps>& all) {
   Distribution ratios;
   for (const Taps& one : all)
@@ -160,13 +160,14 @@ double most_against_N(const std::vector<Taps>& all) {
   return most_N;
 }
 
-std::string said(const char* study, const Tapper& tapper) {
+/// The beginning of a row's name.
+std::string name_of(const char* study, const Tapper& tapper) {
   return std::string("percussion/") + study + ", " + tapper.name + ": ";
 }
 
-/// A hand that no force moves is always at the end-effector, so each of its taps shall meet the skin.
+/// A hand that no force moves is always at the end-effector, so each of its taps must meet the skin.
 Row missed_row(const char* study, const Tapper& tapper, const std::vector<Taps>& all) {
-  const std::string name = said(study, tapper) + "taps at which the hand misses the end-effector";
+  const std::string name = name_of(study, tapper) + "taps at which the hand misses the end-effector";
   return tapper.hand == Hand::Firm ? at_most(name, missed_percent(all), "%", 0.0)
                                    : measured(name, missed_percent(all), "%");
 }
@@ -182,17 +183,17 @@ std::vector<Row> measure_still(const Options& options) {
   for (const Tapper& tapper : kTappers) {
     const auto all = tap_everywhere(tapper.hand, feed, nullptr, kFrom_s, kTaps, options);
     const Distribution ratios = joined(all);
-    const std::string name = said("still", tapper) + "largest force of a tap divided by the law's, ";
+    const std::string name = name_of("still", tapper) + "largest force of a tap divided by the law's, ";
     rows.push_back(at_least(name + "least", ratios.quantile(0.0), "", 0.97));
     rows.push_back(at_most(name + "greatest", ratios.max(), "", 1.03));
-    rows.push_back(at_most(said("still", tapper) + "force against the way in, over 1 mm above the skin",
+    rows.push_back(at_most(name_of("still", tapper) + "force against the way in, over 1 mm above the skin",
                            most_against_N(all), "N", 0.2));
     rows.push_back(missed_row("still", tapper, all));
   }
   return rows;
 }
 
-/// The medians of the taps with even and with odd numbers differ by this share.
+/// Difference between the medians of the taps with even and with odd numbers [%].
 double even_odd_percent(const std::vector<Taps>& all) {
   std::array<Distribution, 2> of;
   for (const Taps& one : all)
@@ -211,15 +212,16 @@ std::vector<Row> measure_irregular(const Options& options) {
   for (const Tapper& tapper : kTappers) {
     const auto all = tap_everywhere(tapper.hand, feed, &irregular, kFrom_s, kTaps, options);
     const Distribution ratios = joined(all);
-    const std::string name = said("irregular breath, 150 ms", tapper) + "largest force of a tap divided by the law's, ";
-    rows.push_back(at_least(name + "median", ratios.p50(), "", 0.98));
-    rows.push_back(at_most(name + "median, too", ratios.p50(), "", 1.02));
+    const std::string name =
+        name_of("irregular breath, 150 ms", tapper) + "largest force of a tap divided by the law's, ";
+    rows.push_back(at_least(name + "median, lower bound", ratios.p50(), "", 0.98));
+    rows.push_back(at_most(name + "median, upper bound", ratios.p50(), "", 1.02));
     rows.push_back(at_least(name + "5th percentile", ratios.quantile(0.05), "", 0.92));
     rows.push_back(at_most(name + "95th percentile", ratios.quantile(0.95), "", 1.08));
     rows.push_back(at_most(name + "difference between even and odd taps", even_odd_percent(all), "%", 2.0));
-    rows.push_back(
-        measured(said("irregular breath, 150 ms", tapper) + "force against the way in, over 1 mm above the true skin",
-                 most_against_N(all), "N"));
+    rows.push_back(measured(
+        name_of("irregular breath, 150 ms", tapper) + "force against the way in, over 1 mm above the true skin",
+        most_against_N(all), "N"));
     rows.push_back(missed_row("irregular breath, 150 ms", tapper, all));
   }
   return rows;
@@ -269,8 +271,9 @@ std::vector<Row> measure_return(const Options& options) {
       run(feed, station, visit.ends_s(), [&](const Tick& tick) { way_in.add(tick); });
       against_N[static_cast<std::size_t>(i)] = way_in.most_N();
     });
-    rows.push_back(at_most(said("return after a pause", tapper) + "force against the way in, over 1 mm above the skin",
-                           *std::max_element(against_N.begin(), against_N.end()), "N", 0.2));
+    rows.push_back(
+        at_most(name_of("return after a pause", tapper) + "force against the way in, over 1 mm above the skin",
+                *std::max_element(against_N.begin(), against_N.end()), "N", 0.2));
   }
   return rows;
 }

@@ -58,9 +58,8 @@ Curves play(const Panel& panel) {
   settings.control.limits.continuous_N = settings.control.limits.peak_N;  // motors that stay cool
   BenchStation station(settings, placed, std::make_unique<RigidHand>([&](double t, const control::ControlOutput&) {
                          if (panel.taps) return Point<HapticBase>{tapping(t, kFrom_s - 1.0).m * normal};
-                         const double ridden_m =
-                             rest_height_m(*patient, pose(std::max(0.0, t - moves.rides_after_s)), placed);
-                         return Point<HapticBase>{{0.0, reaching_m(t, kDepth_m) + ridden_m, 0.0}};
+                         const double height_m = reaching_m(t, kDepth_m) + ridden_m(moves, pose, *patient, placed, t);
+                         return Point<HapticBase>{{0.0, height_m, 0.0}};
                        }));
   Curves curves;
   run(feed, station, kFrom_s + panel.lasts_s, [&](const Tick& tick) {

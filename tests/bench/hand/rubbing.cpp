@@ -19,17 +19,18 @@ namespace {
 constexpr double kUntil_s = 40.0;
 constexpr double kArm_N_per_m = 300.0;
 constexpr double kDepth_m = 0.003;  // below the skin at full exhale, where the arm rests
-constexpr double kRub_m = 0.015;    // amplitude of the way to and fro
+constexpr double kRub_m = 0.015;    // amplitude of the rubbing
 constexpr std::array kRubs_m_per_s{0.0, 0.018, 0.088};
 constexpr OfDelays kMostInContact_mJ{5.0, 5.0, 30.0};
 constexpr OfDelays kMostInWindow_mJ{15.0, 20.0, 30.0};
 
-/// Where an arm aims that presses at the origin of H and rubs along the skin at `mean_m_per_s`.
-device::Intention rubbing(double t, const Eigen::Vector3d& normal, double mean_m_per_s, double ridden_m) noexcept {
+/// The aim of an arm that presses at the origin of H and rubs along the skin at `mean_m_per_s`. `higher_m`: height by
+/// which it has followed the patient.
+device::Intention rubbing(double t, const Eigen::Vector3d& normal, double mean_m_per_s, double higher_m) noexcept {
   const double aim_m = kDepth_m * (1.0 + kSkin_N_per_m / kArm_N_per_m);
   const double omega = mean_m_per_s * 0.5 * std::numbers::pi / kRub_m;
   const Eigen::Vector3d along = normal.cross(Eigen::Vector3d::UnitZ()).normalized();
-  return {{reaching_m(t, aim_m) * normal + ridden_m * Eigen::Vector3d::UnitY() + kRub_m * std::sin(omega * t) * along},
+  return {{reaching_m(t, aim_m) * normal + higher_m * Eigen::Vector3d::UnitY() + kRub_m * std::sin(omega * t) * along},
           {kRub_m * omega * std::cos(omega * t) * along}};
 }
 
@@ -74,8 +75,7 @@ Gained play(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
   const Eigen::Vector3d normal = normal_at(*patient, spot).v;
   const auto person = [&]() -> std::unique_ptr<Person> {
     return std::make_unique<ArmHand>(kArm_N_per_m, [&, normal, mean_m_per_s](double t) {
-      return rubbing(t, normal, mean_m_per_s,
-                     rest_height_m(*patient, pose(std::max(0.0, t - pattern.rides_after_s)), placed));
+      return rubbing(t, normal, mean_m_per_s, ridden_m(pattern, pose, *patient, placed, t));
     });
   };
   std::vector<DelayedStation> stations = stations_at_delays(placed, person);
@@ -104,7 +104,8 @@ Gained play(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
   return gained;
 }
 
-/// `bounds_contact`: the whole contact's work has a budget, too.
+/// Rows of all delays. `bounds_contact`: the work in a contact has a budget, as the work in 0.2 s has; false: it is
+/// only measured.
 std::vector<Row> measure(const Pattern& pattern, bool bounds_contact, const Options& options) {
   std::array<Gained, kRubs_m_per_s.size()> all;
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {

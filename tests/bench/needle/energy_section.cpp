@@ -98,7 +98,7 @@ std::vector<Row> run_needle_energy_section() {
       rows.push_back(at_most(row + "the display's ledger", 1e3 * gain.display_J, "mJ", 0.0));
       rows.push_back(at_most(row + "the hand's ledger", 1e3 * gain.hand_J, "mJ", 0.0));
     }
-  // What of it is not the tissue's: the skin on the same path without a needle, and the tissue without the skin.
+  // The parts of this gain: the skin on the same path without a needle, and the tissue without the skin.
   const scenes::Scene scene = library_scene(kNeedleScenes[0]);
   const Gain skin = gained({effects::Skin(*scene.skin())});
   const Gain layers = gained({stiff_tissue(scene, tissue::BulkLaw::Bristle)});

@@ -113,7 +113,7 @@ ForesightShare to_mean_of_swing(double amplitude_m) {
   return past.to_mean();
 }
 
-/// 0.12 s later, the place of a cell that swings fast is hardly related to where it is now.
+/// After 0.12 s, a cell that swings fast may be anywhere in its swing, so its mean place is the best guess.
 TEST(PastPredictions, ACellThatSwingsFastIsSentBackToItsMeanPlace) {
   const ForesightShare share = to_mean_of_swing(0.003);
   EXPECT_LT(share[0], share[1]) << "the younger the image, the more it says about now";

@@ -111,10 +111,10 @@ TEST(Touch, AContactThatIsFeltRegainsItsShareGradually) {
   EXPECT_NEAR(share.after - share.before, 0.0005 / kLetGoOver_s, 1e-9);
 }
 
-/// What a device at rest feels, 2 mm deep, while the patient lies down and the displayed skin falls.
+/// What a device that rests 2 mm deep feels while the patient lies down and the displayed skin falls.
 struct Falling {
   double fastest_m_per_s = 0.0;
-  double pull_m = 0.0;        ///< most by which the proxy lies nearer to the body than the device
+  double pull_m = 0.0;        ///< greatest distance of the proxy below the device: a force into the body
   double least_cosine = 1.0;  ///< of the normals in contact with the skin's
   bool ends = false;
 };

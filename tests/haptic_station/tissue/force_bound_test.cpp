@@ -29,8 +29,8 @@ TissueSettings close_nets(device::Random& random) {
   return tissue;
 }
 
-/// Out and in again, straight and slanting, at 5 to 20 mm/s: a tick overshoots a puncture by a few hundredths of a
-/// newton.
+/// The needle goes out and in again, straight and slanting, at 5 to 20 mm/s. At these speeds the force exceeds a
+/// puncture by a few hundredths of a newton within one tick.
 TEST(ForceBound, NoSlowNeedleFeelsMoreInNetsThatLieCloseTogether) {
   constexpr std::uint64_t kSeed = 7;
   constexpr double kOvershoot_N = 0.05;
@@ -72,7 +72,7 @@ TEST(ForceBound, CountsTheNetsThatATipReachesTogetherAndNoOthers) {
   tissue.layers[0].relaxation = {.branches = 1, .share = {0.5}, .time_s = {0.1}};
   EXPECT_NEAR(most_force_N(tissue, even), 1.0 + 300.0 * (2.0 / 300.0 - 0.004), 1e-12) << "relaxed, it bends by 6.7 mm";
   tissue.layers[0].relaxation.share[0] = 1.0;
-  EXPECT_GT(most_force_N(tissue, even), 50.0) << "a net that relaxes to nothing is never punctured by a slow tip";
+  EXPECT_GT(most_force_N(tissue, even), 50.0) << "a slow tip never punctures a net whose force relaxes to zero";
 }
 
 }  // namespace

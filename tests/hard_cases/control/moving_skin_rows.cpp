@@ -206,28 +206,28 @@ AfterGap feel(const Gap& gap) {
   return got;
 }
 
-AssertionResult gap_in_contact() {
-  for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding}) {
-    const AfterGap after = feel(Gap{.anchor = anchor});
-    const AssertionResult got =
-        all_of({below("felt again", after.felt_s, 1.5, 1.0, "s"),
-                below("off the law after 3 s", after.off, 0.05, 100.0, "%"), below_N("step", after.step_N, 0.2)});
-    if (!got || anchor == effects::SkinAnchor::Sliding) return got;
-  }
-  return ::testing::AssertionFailure();
+/// `gap` with each anchor; the result of the first anchor that `judge` refuses, otherwise that of the last one.
+AssertionResult with_each_anchor(Gap gap, AssertionResult (*judge)(const AfterGap& after)) {
+  gap.anchor = effects::SkinAnchor::FollowsSurface;
+  if (const AssertionResult follows = judge(feel(gap)); !follows) return follows;
+  gap.anchor = effects::SkinAnchor::Sliding;
+  return judge(feel(gap));
 }
 
-/// An arm that yields follows the rising skin only as this presses it: the skin has 54 mm to rise.
+AssertionResult gap_in_contact() {
+  return with_each_anchor({}, [](const AfterGap& after) {
+    return all_of({below("felt again", after.felt_s, 1.5, 1.0, "s"),
+                   below("off the law after 3 s", after.off, 0.05, 100.0, "%"), below_N("step", after.step_N, 0.2)});
+  });
+}
+
+/// The displayed skin has 54 mm to rise, and a soft arm gives way to it only while it is pressed.
 AssertionResult gap_under_a_soft_arm() {
-  for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding}) {
-    const AfterGap after =
-        feel(Gap{.anchor = anchor, .skin_N_per_m = 500.0, .arm_N_per_m = 200.0, .aim_m = 0.024, .risen_m = 0.03});
-    const AssertionResult got =
-        all_of({below("90 % of the law", after.nine_tenths_s, 1.2, 1.0, "s"),
-                below("off the law after 3 s", after.off, 0.02, 100.0, "%"), below_N("step", after.step_N, 0.1)});
-    if (!got || anchor == effects::SkinAnchor::Sliding) return got;
-  }
-  return ::testing::AssertionFailure();
+  const Gap gap{.skin_N_per_m = 500.0, .arm_N_per_m = 200.0, .aim_m = 0.024, .risen_m = 0.03};
+  return with_each_anchor(gap, [](const AfterGap& after) {
+    return all_of({below("90 % of the law", after.nine_tenths_s, 1.2, 1.0, "s"),
+                   below("off the law after 3 s", after.off, 0.02, 100.0, "%"), below_N("step", after.step_N, 0.1)});
+  });
 }
 
 }  // namespace

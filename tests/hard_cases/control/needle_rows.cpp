@@ -112,7 +112,7 @@ AssertionResult at_the_threshold() {
 }
 
 /// Through the controller, both nets push with their whole force, and both are punctured: at the end the two holes
-/// drag, and no net pushes. Which of them gives way first is seen on the tissue alone.
+/// drag, and no net pushes. The order of the punctures is checked on a tissue without the controller.
 AssertionResult two_at_once() {
   tissue::TissueSettings two = tissue::one_surface(1.0, 0.1);
   two.layers.push_back(two.layers[0]);
