@@ -1,7 +1,6 @@
 #include "haptic_station/surface/foresight/past_predictions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace telepalp::surface {
@@ -14,9 +13,8 @@ struct Predicted {
   double to_mean_m = 0.0;
 };
 
-// The swing counts fully up to the first distance from the mean place, and not at all from the second one on; between
-// them its share fades. A patient who sits up or shifts goes farther, and does not swing.
-constexpr double kNear_m = 0.004;
+// Root mean square over the cells. A patient who sits up goes farther from the mean place, and does not swing: the
+// swing then neither learns nor counts as better than the other predictions.
 constexpr double kFarthestSwing_m = 0.005;
 
 Predicted predicted(const MotionTerms& terms, const MotionBasis& basis) noexcept {
@@ -29,14 +27,14 @@ Predicted predicted(const MotionTerms& terms, const MotionBasis& basis) noexcept
 
 double square(double value) noexcept { return value * value; }
 
-/// Root mean square distance of the measured cells from their mean places [m].
-double distance_m(std::span<const MotionTerms> terms, std::span<const float> weight) noexcept {
+/// Mean square distance of the measured cells from their mean places [m²].
+double distance_m2(std::span<const MotionTerms> terms, std::span<const float> weight) noexcept {
   double sum = 1e-30, weighted_m2 = 0.0;
   for (std::size_t at = 0; at < terms.size(); ++at) {
     sum += static_cast<double>(weight[at]);
     weighted_m2 += static_cast<double>(weight[at]) * square(static_cast<double>(terms[at][kMeanTerm]));
   }
-  return std::sqrt(weighted_m2 / sum);
+  return weighted_m2 / sum;
 }
 
 }  // namespace
@@ -55,6 +53,7 @@ void PastPredictions::judge_past(const Past& then, std::size_t age, std::span<co
   const OfThree& mean = then.mean[age];
   const SwingRegression::Shares& swings = then.swings[age];
   const double sum = std::accumulate(weight.begin(), weight.end(), 1e-30);
+  const bool near = distance_m2(then.terms, weight) <= square(kFarthestSwing_m);
   SquareErrors errors;
   for (std::size_t at = 0; at < measured_m.size(); ++at) {
     const double counts = static_cast<double>(weight[at]) / sum;
@@ -65,9 +64,9 @@ void PastPredictions::judge_past(const Past& then, std::size_t age, std::span<co
     errors.straight += counts * square(went_m - by.straight_m);
     errors.mean += counts * square(went_m - mean[0] * by.own_m - mean[2] * by.straight_m);
     errors.swing += counts * square(went_m - swings.to_mean * by.to_mean_m - swings.straight * by.straight_m);
-    if (then.nearness > 0.0) swing_[age].add({went_m, by.to_mean_m, by.straight_m}, counts * dt_s);
+    if (near) swing_[age].add({went_m, by.to_mean_m, by.straight_m}, counts * dt_s);
   }
-  if (then.nearness <= 0.0) errors.swing = std::max(errors.swing, errors.mean);
+  if (!near) errors.swing = std::max(errors.swing, errors.mean);
   by_age_[age].add(errors, dt_s);
 }
 
@@ -80,11 +79,9 @@ void PastPredictions::judge(std::span<const float> measured_m, std::span<const f
   }
 }
 
-void PastPredictions::remember(std::span<const float> displacement_m, std::span<const float> weight,
-                               std::span<const MotionTerms> terms, const MotionModel& model) {
-  nearness_ = std::clamp((kFarthestSwing_m - distance_m(terms, weight)) / (kFarthestSwing_m - kNear_m), 0.0, 1.0);
-  Past past{now_s_, {displacement_m.begin(), displacement_m.end()}, {terms.begin(), terms.end()}, model, nearness_, {},
-            {}};
+void PastPredictions::remember(std::span<const float> displacement_m, std::span<const MotionTerms> terms,
+                               const MotionModel& model) {
+  Past past{now_s_, {displacement_m.begin(), displacement_m.end()}, {terms.begin(), terms.end()}, model, {}, {}};
   past.model.own = past.model.straight = past.model.to_mean = kFullForesight;
   for (std::size_t i = 0; i < by_age_.size(); ++i) {
     past.mean[i] = by_age_[i].short_term();
@@ -96,7 +93,7 @@ void PastPredictions::remember(std::span<const float> displacement_m, std::span<
 
 ForesightShare PastPredictions::weights_of(std::size_t prediction) const noexcept {
   ForesightShare share{};
-  for (std::size_t i = 0; i < by_age_.size(); ++i) share[i] = by_age_[i].weights(nearness_)[prediction];
+  for (std::size_t i = 0; i < by_age_.size(); ++i) share[i] = by_age_[i].weights()[prediction];
   return share;
 }
 

@@ -19,10 +19,8 @@ class PastPredictions {
   /// of each cell's depth since the first frame. `weight`: weight of each cell's error; 0: not measured.
   void judge(std::span<const float> measured_m, std::span<const float> weight, double dt_s);
   /// Remembers this frame's predictions: the change of each cell's depth since the first frame, and the terms of its
-  /// motion. `weight`: as in judge(). `own`, `straight` and `to_mean` in `model` are ignored, because each prediction
-  /// is judged alone.
-  void remember(std::span<const float> displacement_m, std::span<const float> weight,
-                std::span<const MotionTerms> terms, const MotionModel& model);
+  /// motion. `own`, `straight` and `to_mean` in `model` are ignored, because each prediction is judged alone.
+  void remember(std::span<const float> displacement_m, std::span<const MotionTerms> terms, const MotionModel& model);
 
   [[nodiscard]] ForesightShare own() const noexcept { return weights_of(0); }
   [[nodiscard]] ForesightShare straight() const noexcept;
@@ -34,7 +32,6 @@ class PastPredictions {
     std::vector<float> displacement_m;
     std::vector<MotionTerms> terms;
     MotionModel model;
-    double nearness;
     std::array<OfThree, kForesightAges_s.size()> mean;  ///< PredictionWeights::short_term()
     std::array<SwingRegression::Shares, kForesightAges_s.size()> swings;
   };
@@ -48,8 +45,6 @@ class PastPredictions {
   std::array<PredictionWeights, kForesightAges_s.size()> by_age_;
   std::array<SwingRegression, kForesightAges_s.size()> swing_;
   double now_s_ = 0.0;
-  double nearness_ =
-      1.0;  ///< 0 to 1: how near to its mean place the body is now; what the swing's weight is multiplied by
 };
 
 }  // namespace telepalp::surface

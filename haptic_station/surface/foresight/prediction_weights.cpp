@@ -13,7 +13,8 @@ constexpr double kLongPower = 16.0;  // with 8, a cough errs by 1.06 times as mu
 constexpr double kNoise_m = 2e-5;    // adds to each error, so that a patient at rest does not choose by noise
 // The swing counts only where its mean square error is far below the others'. Without this factor, a patient who coughs
 // is shown with 1.4 instead of 1.15 times the error of an ideal display, at a delay of 50 ms.
-constexpr double kSwingHandicap = 2.0;
+// With 2, it sufficed for coughs, but the skin after a gap or a shift was drawn back to where it had been.
+constexpr double kSwingHandicap = 5.0;
 constexpr double kFirst_m2_s = 9e-8;  // prior: all but the station's own have erred by 0.3 mm for 1 s
 
 template <std::size_t kCount>
@@ -52,17 +53,14 @@ OfThree PredictionWeights::short_term() const noexcept {
   return inverse_power_weights(sum, kLatelyPower);
 }
 
-OfFour PredictionWeights::weights(double swing_counts) const noexcept {
+OfFour PredictionWeights::weights() const noexcept {
   OfFour sum = long_m2_s_;
   for (double& one : sum) one += kNoise_m * kNoise_m * kLong_s;
   for (std::size_t i = 1; i < sum.size(); ++i) sum[i] += prior_ * kFirst_m2_s;
   sum[3] *= kSwingHandicap;
-  const double swing = swing_counts * inverse_powers(sum, kLongPower)[3];
-  const OfThree second = inverse_powers(OfThree{sum[0], sum[1], sum[2]}, kLongPower);
+  const OfFour second = inverse_powers(sum, kLongPower);
   const OfThree first = short_term();
-  const double rest = 1.0 - swing;
-  return {rest * (second[0] + second[2] * first[0]), rest * (second[1] + second[2] * first[1]),
-          rest * second[2] * first[2], swing};
+  return {second[0] + second[2] * first[0], second[1] + second[2] * first[1], second[2] * first[2], second[3]};
 }
 
 }  // namespace telepalp::surface

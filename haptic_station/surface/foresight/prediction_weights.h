@@ -40,9 +40,8 @@ class PredictionWeights {
 
   /// Weights of own, holding and straight in the first mean.
   [[nodiscard]] OfThree short_term() const noexcept;
-  /// Weights of own, holding, straight and swing, in both means together. `swing_counts`, 0 to 1: factor of the swing's
-  /// weight; the others get the rest.
-  [[nodiscard]] OfFour weights(double swing_counts) const noexcept;
+  /// Weights of own, holding, straight and swing, in both means together.
+  [[nodiscard]] OfFour weights() const noexcept;
 
  private:
   OfThree lately_m2_s_{};  ///< own, holding, straight: sums with a decay over 0.3 s

@@ -175,7 +175,7 @@ void MotionField::update_terms() {
     }
     terms_[i] = terms;
   }
-  if (shared_wanted_) past_.remember(displacement_, counts_, terms_, model_of_each());
+  if (shared_wanted_) past_.remember(displacement_, terms_, model_of_each());
 }
 
 double MotionField::rate_rad_per_s() const noexcept {
