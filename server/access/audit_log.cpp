@@ -89,6 +89,12 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const fs::path& file, const Say
                  .where = file.string(),
                  .fix = "give a file by --audit"};
   std::unique_ptr<AuditLog> log(new AuditLog(file, most_bytes, say));
+  Result<FileLock> lock = FileLock::take(file);
+  if (!lock)
+    return Error{.what = "another server writes this audit log",
+                 .where = file.string(),
+                 .fix = "end the other server, or give this one a log of its own by --audit"};
+  log->lock_ = std::move(lock).value();
   if (const Result<void> read = log->read_end(anchored); !read) return read.error();
   if (log->open_file()) return log;
   return Error{.what = "the audit log cannot be written",
@@ -112,7 +118,7 @@ Result<void> AuditLog::read_end(const std::optional<keys::AuditAnchor>& anchored
   });
   position_ = verifier.position();
   if (files.back() != file_) continues_ = "file=" + files.back().filename().string();
-  if (!whole) return put_aside(whole.error());
+  if (!whole) return put_aside(files.back(), whole.error());
   return anchored && (!has_anchor || position_.lines < anchored->end.lines) ? is_cut(*anchored) : Result<void>{};
 }
 
@@ -127,10 +133,9 @@ Result<void> AuditLog::is_cut(const keys::AuditAnchor& anchored) {
 
 /// Renames a file whose chain is broken. The new file continues at the last line before the damage, so that the damage
 /// is an event of the log and no second beginning.
-Result<void> AuditLog::put_aside(const Error& why) {
+Result<void> AuditLog::put_aside(const fs::path& broken, const Error& why) {
   int number = 1;
   while (is_there(damaged_name(file_, number))) ++number;
-  const fs::path broken = keys::audit_files(file_).back();
   const fs::path damaged = damaged_name(file_, number);
   std::error_code failed;
   fs::rename(broken, damaged, failed);
@@ -153,6 +158,8 @@ bool AuditLog::open_file() {
   stream_.rdbuf()->pubsetbuf(nullptr, 0);  // unbuffered: a line whose write failed must not come later
   stream_.open(file_, std::ios::app | std::ios::binary);
   ::umask(mask);
+  if (stream_ && !lock_.is_of(file_))  // a new file, after the one before it was renamed
+    if (Result<FileLock> lock = FileLock::take(file_)) lock_ = std::move(lock).value();
   return static_cast<bool>(stream_);
 }
 

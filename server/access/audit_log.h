@@ -13,6 +13,7 @@
 #include "proto/keys/audit_chain.h"
 #include "proto/keys/identity.h"
 #include "proto/words/result.h"
+#include "server/access/file_lock.h"
 #include "server/access/line_budget.h"
 
 namespace telepalp::access {
@@ -56,7 +57,8 @@ class AuditLog {
   /// Opens `file` and continues its chain. `anchored`: a position that the log has had (AuditAnchors); nullopt:
   /// unknown. When the log has it no longer, alarm() gives a text. A file whose chain is broken is renamed to
   /// FILE.damaged-N; the new FILE continues at the last line before the damage and says so in its first lines; alarm()
-  /// then gives a text. Error: the broken file cannot be renamed, `file` cannot be written, or it is no regular file.
+  /// then gives a text. Error: another server writes `file`, the broken file cannot be renamed, `file` cannot be
+  /// written, or it is no regular file.
   [[nodiscard]] static Result<std::unique_ptr<AuditLog>> open(const std::filesystem::path& file, const Say& say,
                                                               std::uintmax_t most_bytes = kMostBytes,
                                                               const std::optional<keys::AuditAnchor>& anchored = {});
@@ -83,7 +85,7 @@ class AuditLog {
   AuditLog(std::filesystem::path file, std::uintmax_t most_bytes, Say say)
       : file_(std::move(file)), most_bytes_(most_bytes), say_(std::move(say)) {}
   [[nodiscard]] Result<void> read_end(const std::optional<keys::AuditAnchor>& anchored);
-  [[nodiscard]] Result<void> put_aside(const Error& why);
+  [[nodiscard]] Result<void> put_aside(const std::filesystem::path& broken, const Error& why);
   [[nodiscard]] Result<void> is_cut(const keys::AuditAnchor& anchored);
   [[nodiscard]] bool open_file();
   void begin_file(keys::WallTime now);
@@ -95,6 +97,7 @@ class AuditLog {
   std::filesystem::path file_;
   std::uintmax_t most_bytes_;
   Say say_;
+  FileLock lock_;
   std::ofstream stream_;
   keys::AuditPosition position_;
   std::string last_time_;          // the field `time` of the last line

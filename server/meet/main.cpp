@@ -56,12 +56,15 @@ class LookedAtEachSecond {
 
  private:
   void read_if_changed() {
-    if (!file_.has_changed() || !std::filesystem::exists(file_.file())) return;
-    if (const Result<void> read = file_.read(); !read)
-      log_line("the last good list of revoked keys holds: " + to_string(read.error()));
+    if (!file_.has_changed()) return;
+    const Result<void> read = file_.read();
+    std::string problem = read ? std::string() : to_string(read.error());
+    if (!problem.empty() && problem != said_) log_line("the last good list of revoked keys holds: " + problem);
+    said_ = std::move(problem);
   }
 
   access::RevokedFile file_;
+  std::string said_;  // of the last look; a missing file is said once, and not each second
   std::chrono::steady_clock::time_point looked_{};
 };
 
@@ -100,8 +103,7 @@ Result<void> read_keys(const program::Arguments& arguments, meet::Meet::Options&
   const std::filesystem::path beside = key->path.parent_path() / "revoked.crl";
   access::RevokedFile revoked(arguments.has("revoked") ? std::filesystem::path(arguments.text("revoked")) : beside,
                               key->authority);
-  if (arguments.has("revoked") || std::filesystem::exists(beside))
-    if (const Result<void> read = revoked.read(); !read) return read.error();
+  if (const Result<void> read = revoked.read(); !read) return read.error();
   options.key = std::move(key).value();
   options.is_revoked = [look = LookedAtEachSecond(std::move(revoked))](const keys::Identity& who) mutable {
     return look.contains(who.serial);

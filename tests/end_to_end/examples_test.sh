@@ -4,7 +4,8 @@
 # rules, which the test prints when it uses one:
 #   bounded  --seconds N becomes --seconds 2: so that the test ends
 #   ctrl-c   what runs until Ctrl-C gets one after 6 s, and must end well
-#   started  a benchmark takes minutes and its figures depend on the machine: it must run for 5 s, or end without an error
+#   started  a benchmark (and a scene's bill, which is one) takes minutes and its figures depend on the machine: it must run
+#            for 5 s, or end without an error
 #   refused  telepalp-station rearm must say that there is no fault, and hand-over that nobody holds the touch: the test makes
 #            no fault and has no keys
 #   differs  telepalp-replay diff must name the first message in which two sessions differ: the test has no two equal ones
@@ -53,7 +54,7 @@ mapfile -t examples < <({ helps; documents; } | awk '!seen[$0]++')
 
 # The files that examples name.
 ln -s "$source_dir/deploy" "$source_dir/tests" "$source_dir/haptic_station" .
-mkdir -p docs build/release out "$HOME/.local/state/telepalp"
+mkdir -p docs build/release out recordings "$HOME/.local/state/telepalp"
 ln -s "$bin" build/release/bin
 cp "$source_dir/deploy/demo_data/calibration/pairs.csv" pairs.csv
 cp "$source_dir/deploy/demo_data/oni/3dj_test.oni" recording.oni
@@ -93,7 +94,7 @@ run() { # EXAMPLE
       say "exists: $line"
       [ -x "${line%% *}" ] || failed "$line: no such file"
       return ;;
-    telepalp-bench*)
+    telepalp-bench* | "telepalp-station scene bill"*)
       say "started: $line"
       timeout 5 bash -c "$line" >"$work/log" 2>&1 </dev/null
       code=$?

@@ -212,7 +212,8 @@ test('a page of an allowed origin sees patient and hand by Foxglove\'s own types
 const RIBS = fileURLToPath(new URL('../../haptic_station/scenes/ribs-ultrasound.scene.textproto', import.meta.url));
 
 /** Topics with messages only on occasions: while a viewer holds or asks for the hand, at events of the station, and when somebody marks a moment. */
-const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events', '/session/notes'];
+const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events', '/session/notes', '/station/window',
+  '/camera/depth/window'];
 
 test('each advertised topic is received by a page of an allowed origin, and decoded by the schema that comes along', async () => {
   const workplace = new Workplace('foxglove_topics');

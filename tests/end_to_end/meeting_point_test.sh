@@ -53,7 +53,7 @@ while IFS=$'\t' read -r -u 3 kind line; do
     *) fail "the page has a block of the kind '$kind'" ;;
   esac
 done 3< <(blocks)
-[ "$ran" -ge 14 ] || fail "only $ran steps were found in the page"
+[ "$ran" -ge 15 ] || fail "only $ran steps were found in the page"
 
 # What the page promises.
 ip netns exec "$doctor" timeout 3 bash -c 'exec 3<>/dev/tcp/10.0.1.5/7400' 2>/dev/null && fail "the two networks reach each other: nothing is proved"

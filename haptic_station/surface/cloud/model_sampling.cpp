@@ -92,9 +92,9 @@ SampledMesh refined(const Sampler& sampler) {
 SampledMesh denser_at_walls(const Sampler& sampler, SampledMesh sampled) {
   constexpr double kLeast_m = 0.0002;
   constexpr double kCoarser = 1.2;
-  const std::vector<CloudPoint>& points = sampled.snapshot->cloud();
+  WallSpacing spacing(sampled.snapshot->cloud(), sampled.spacing_m);
   for (double least_m = kLeast_m; least_m < sampled.spacing_m; least_m *= kCoarser) {
-    const WallSpacing spacing(points, sampled.spacing_m, least_m);
+    spacing.choose(least_m);
     if (!spacing.differs()) break;
     if (spacing.samples() <= static_cast<double>(kMostSamples))
       return sampler.denser_at_walls(sampled, spacing, least_m);

@@ -16,14 +16,24 @@ constexpr int kSweeps = 12;  // each one passes a spacing on to the nearest neig
 
 }  // namespace
 
-WallSpacing::WallSpacing(const std::vector<CloudPoint>& points, double most_m, double least_m)
-    : points_(points), most_m_(most_m) {
+WallSpacing::WallSpacing(const std::vector<CloudPoint>& points, double most_m)
+    : points_(points), most_m_(most_m), spacing_m_(points.size(), most_m) {
   IndexedPoints positions;
   for (const CloudPoint& point : points_) positions.at_m.push_back(point.at_m);
   index_ = make_nanoflann_index(positions);
-  for (const CloudPoint& point : points_)
-    spacing_m_.push_back(std::clamp(wall_m(point) / kWallPerSpacing, least_m, most_m));
-  grade();
+  std::array<Neighbor, 16> found;
+  for (const CloudPoint& point : points_) {
+    wall_m_.push_back(wall_m(point));
+    const std::size_t count = index_->within(point.at_m, static_cast<float>(3.0 * most_m_), found);
+    near_.insert(near_.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    near_end_.push_back(near_.size());
+  }
+}
+
+void WallSpacing::choose(double least_m) {
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    spacing_m_[i] = std::clamp(wall_m_[i] / kWallPerSpacing, least_m, most_m_);
+  for (int sweep = 0; sweep < kSweeps && grade(); ++sweep) continue;
 }
 
 /// The distance through the body from a point to the samples of the opposite side, along the point's normal; infinite
@@ -44,19 +54,21 @@ double WallSpacing::wall_m(const CloudPoint& point) const {
   return thinnest_m;
 }
 
-/// Reduces spacings until each exceeds those of its neighbours by at most kGrade times the distance.
-void WallSpacing::grade() {
-  std::array<Neighbor, 16> found;
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (spacing_m_[i] >= most_m_) continue;  // too wide to reduce a neighbour's
-      const std::size_t count = index_->within(points_[i].at_m, static_cast<float>(3.0 * most_m_), found);
-      for (std::size_t k = 0; k < count; ++k) {
-        const double away_m = std::sqrt(static_cast<double>(found[k].squared_m2));
-        double& other_m = spacing_m_[found[k].index];
-        other_m = std::min(other_m, spacing_m_[i] + kGrade * away_m);
-      }
+/// Reduces spacings so that each exceeds those of its nearest neighbours by at most kGrade times the distance. False if
+/// none was reduced.
+bool WallSpacing::grade() {
+  bool reduced = false;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (spacing_m_[i] >= most_m_) continue;  // too wide to reduce a neighbour's
+    for (std::size_t at = i == 0 ? 0 : near_end_[i - 1]; at < near_end_[i]; ++at) {
+      const double most_m = spacing_m_[i] + kGrade * std::sqrt(static_cast<double>(near_[at].squared_m2));
+      double& other_m = spacing_m_[near_[at].index];
+      if (other_m <= most_m) continue;
+      other_m = most_m;
+      reduced = true;
     }
+  }
+  return reduced;
 }
 
 /// Each sample's spacing is used unchanged as far as the next sample, because a wall is thin between two samples of a

@@ -12,9 +12,12 @@ namespace telepalp::surface {
 /// the spacing changes slowly enough for supports of kSupportGrade.
 class WallSpacing {
  public:
-  /// `points`: samples of the mesh `most_m` apart, with normals out of the body. Spacings are between `least_m` and
-  /// `most_m`.
-  WallSpacing(const std::vector<CloudPoint>& points, double most_m, double least_m);
+  /// Measures the walls. `points`: samples of the mesh `most_m` apart, with normals out of the body. The spacing is
+  /// `most_m` everywhere until choose().
+  WallSpacing(const std::vector<CloudPoint>& points, double most_m);
+
+  /// Chooses the spacings, between `least_m` and the widest one.
+  void choose(double least_m);
 
   /// The spacing at a place of the mesh [m].
   [[nodiscard]] double at_m(const Eigen::Vector3f& place) const;
@@ -25,12 +28,15 @@ class WallSpacing {
 
  private:
   [[nodiscard]] double wall_m(const CloudPoint& point) const;
-  void grade();
+  [[nodiscard]] bool grade();
 
   const std::vector<CloudPoint>& points_;  // owned by the caller
   double most_m_;
   std::shared_ptr<const NeighborIndex> index_;
-  std::vector<double> spacing_m_;  ///< at each of the points
+  std::vector<double> wall_m_;         ///< at each of the points; infinite: thick enough
+  std::vector<Neighbor> near_;         ///< the nearest neighbours of all points, one point's after the other's
+  std::vector<std::size_t> near_end_;  ///< of each point in near_
+  std::vector<double> spacing_m_;      ///< at each of the points
 };
 
 }  // namespace telepalp::surface

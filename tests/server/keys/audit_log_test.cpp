@@ -105,6 +105,23 @@ TEST(AuditLog, AServerThatEndedBetweenTwoFilesContinuesTheChain) {
   }
 }
 
+TEST(AuditLog, TwoServersCannotWriteOneLog) {
+  const KeyRing ring;
+  const fs::path file = ring.folder.path() / "audit.log";
+  {
+    const auto first = access::AuditLog::open(file, no_words, 2000);
+    ASSERT_TRUE(first.ok());
+    const auto second = access::AuditLog::open(file, no_words);
+    ASSERT_FALSE(second.ok());
+    EXPECT_EQ(second.error().what, "another server writes this audit log");
+    for (int line = 0; line < 25; ++line) (*first)->note(AuditEvent::Joined, "07", "who=viewer vera", ring.now);
+    ASSERT_GE(keys::audit_files(file).size(), 2u);
+    EXPECT_FALSE(access::AuditLog::open(file, no_words).ok()) << "the next file of the log is locked, too";
+  }
+  EXPECT_TRUE(access::AuditLog::open(file, no_words).ok()) << "the lock ends with its owner";
+  EXPECT_EQ(flaw_of(ring), "");
+}
+
 TEST(AuditLog, APersonsNameCannotImitateALineThatContinuesAnotherFile) {
   keys::AuditPosition elsewhere{.lines = 7, .hash = std::string(64, 'a')};
   const std::string forged =
