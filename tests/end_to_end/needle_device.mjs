@@ -1,6 +1,7 @@
 // A device with six degrees of freedom for tests: it speaks version 2 of the UDP protocol (UDP_DEVICE.md), and keeps the
 // last wrench that it was commanded. Its positions follow the commands, not the clock, so that a slow machine sees no
-// jumps.
+// jumps. It does not tell which command it has heard, because beside a browser it answers late, and the station would
+// make the patient too soft to be felt.
 import {createSocket} from 'node:dgram';
 
 import {poseOf, stepTowards} from './udp_pose.mjs';
@@ -46,7 +47,7 @@ export class NeedleDevice {
     const {at, arrives} = stepTowards(this.#at_m, this.#to_m, STEP_M);
     this.#at_m = at;
     if (arrives) this.#arrived();
-    const pose = poseOf({version: 2, flags: ATTITUDE_MEASURED, sequence: ++this.#sequence, command},
+    const pose = poseOf({version: 2, flags: ATTITUDE_MEASURED, sequence: ++this.#sequence, command, heard: 0},
                         [...at, 0, 0, 0, ...this.attitude_xyzw, 0, 0, 0, PEAK_N, PEAK_N_M]);
     this.#socket.send(pose, from.port, from.address);
   }

@@ -12,8 +12,11 @@ function adler32(bytes) {
   return ((b << 16) | a) >>> 0;
 }
 
-/** A pose with these numbers from the end-effector's place on, in answer to `command`. */
-export function poseOf({version = 1, flags = 0, sequence, command}, numbers) {
+/**
+ * A pose with these numbers from the end-effector's place on, in answer to `command`. `heard`: the number of the newest
+ * command that the device has received; 0: the device does not tell, and its loop's delay is not measured.
+ */
+export function poseOf({version = 1, flags = 0, sequence, command, heard = command.readUInt32LE(12)}, numbers) {
   const pose = Buffer.alloc(FIRST_NUMBER_AT + NUMBER_BYTES * numbers.length + CHECKSUM_BYTES);
   pose.write('TTPU');
   pose.writeUInt16LE(version, 4);
@@ -21,7 +24,7 @@ export function poseOf({version = 1, flags = 0, sequence, command}, numbers) {
   pose.writeUInt32LE(4711, 8);
   pose.writeUInt32LE(sequence, 12);
   pose.writeBigUInt64LE(process.hrtime.bigint() / 1000n, 16);
-  pose.writeUInt32LE(command.readUInt32LE(12), 24);
+  pose.writeUInt32LE(heard, 24);
   numbers.forEach((number, i) => pose.writeDoubleLE(number, FIRST_NUMBER_AT + NUMBER_BYTES * i));
   pose.writeUInt32LE(adler32(pose.subarray(0, pose.length - CHECKSUM_BYTES)), pose.length - CHECKSUM_BYTES);
   return pose;

@@ -74,7 +74,8 @@ test('the doctor sees the recorded station, and what it compensated', async () =
 
 test('the technician sees the state of the picture, and the depth under the pointer', async () => {
   await page.keyboard.press('2');
-  assert.deepEqual(await cardTitles(), ['Picture', 'Depth', 'Network', 'Subscribers']);
+  await until('the source can be chosen', async () => (await cardTitles()).includes('Source'));
+  assert.deepEqual(await cardTitles(), ['Picture', 'Source', 'Depth', 'Network', 'Subscribers']);
   await until('the distance is measured', async () => /Distance0\.\d+ m/.test(await text('picture-problems')));
   await until('light is measured', async () => /Light(good|too)/.test(await text('picture-problems')));
   await until('rates come', async () => /Mbit\/s/.test(await text('network')));
