@@ -19,9 +19,9 @@
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/child_process.h"
 #include "tools/export_tool/deidentify/color_mosaic.h"
-#include "tools/export_tool/deidentify/deidentify_command.h"
 #include "tools/export_tool/deidentify/plain_jpeg.h"
 #include "tools/export_tool/deidentify/text_rules.h"
+#include "tools/export_tool/deidentify_command.h"
 #include "where.h"
 
 namespace telepalp::export_tool {
@@ -128,7 +128,8 @@ class Deidentify : public testing::Test {
         "telepalp.recording", {{"gaps", "2"}, {"depth", "temporal, lossless"}, {"note", "Annabel"}}}));
     ASSERT_TRUE(add_foreign(*writer));
     ASSERT_TRUE(writer->close());
-    std::ofstream(in("session.mcap.notes.json")) << R"({"notes":[{"atS":1,"text":"diabetes","who":"Annabel","number":1}]})";
+    std::ofstream(in("session.mcap.notes.json"))
+        << R"({"notes":[{"atS":1,"text":"diabetes","who":"Annabel","number":1}]})";
   }
 
   /// A message of each topic with all its texts planted, and images and forces over time.

@@ -14,7 +14,7 @@
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "tools/export_tool/cloud_file.h"
-#include "tools/export_tool/deidentify/deidentify_command.h"
+#include "tools/export_tool/deidentify_command.h"
 #include "tools/export_tool/foxglove_command.h"
 #include "tools/export_tool/frames.h"
 #include "tools/export_tool/image_folder.h"

@@ -1,4 +1,4 @@
-#include "tools/export_tool/deidentify/deidentify_command.h"
+#include "tools/export_tool/deidentify_command.h"
 
 #include "proto/words/counted.h"
 #include "support/program/log.h"
