@@ -95,16 +95,17 @@ std::optional<std::string> ContentChoice::step(const Site& site) {
 /// All stations that take whole depth images get the same ones, which shrink for the line that has the least room.
 std::optional<std::string> ContentChoice::choose_level(const Site& site, double span_s) {
   image_rate_B_per_s_ += kSmooth * (std::exchange(bytes_, 0.0) / span_s - image_rate_B_per_s_);
-  link::ContentLevel::Line line{.demand_B_per_s = image_rate_B_per_s_};
-  std::optional<double>& share = line.share_B_per_s;
+  std::optional<double> share;
+  double dropped = 0.0;
   for (const hub::PeerListener::PeerLine& peer : site.peers) {
     if (peer.kind != hub::PlaceKind::Station || site.hub.takes(peer.subscriber, wire::kCameraDepthWindow.name))
       continue;
-    if (peer.share_B_per_s) share = std::min(share.value_or(*peer.share_B_per_s), *peer.share_B_per_s);
-    line.dropped = std::max(line.dropped, peer.dropped);
+    const double left = peer.share_B_per_s.value_or(0.0);
+    if (peer.share_B_per_s) share = share ? std::min(*share, left) : left;
+    dropped = std::max(dropped, peer.dropped);
   }
   const std::size_t before = level_.level();
-  level_.step(line, site.now);
+  level_.step({.share_B_per_s = share, .demand_B_per_s = image_rate_B_per_s_, .dropped = dropped}, site.now);
   if (level_.level() == before) return std::nullopt;
   if (before == 0 && !share)
     return "the line of a station has no room for all images: they are made smaller, so that more arrive";

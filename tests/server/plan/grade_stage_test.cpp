@@ -33,6 +33,7 @@ struct Stage {
   wire::SessionClock clock = wire::SessionClock::anchored_to_wall_clock();
   std::vector<Image> images;
   int pictures = 0;
+  codec::DepthReader reader;
   GradeStage stage{{.depth = {.mode = codec::DepthMode::Fast}}, clock, [this](const wire::Message& message) {
                      take(message);
                      return true;
@@ -43,10 +44,9 @@ struct Stage {
     if (message.topic.name != wire::kCameraDepth.name && message.topic.name != wire::kCameraDepthWindow.name) return;
     Image image{.topic = message.topic.name, .message = {}, .decoded = {}};
     EXPECT_TRUE(image.message.ParseFromString(*message.payload));
-    codec::DepthReader reader;
     const auto decoded = reader.read(std::as_bytes(std::span(image.message.data())));
-    EXPECT_TRUE(decoded);
-    if (decoded) image.decoded = *decoded;
+    ASSERT_TRUE(decoded);
+    image.decoded = *decoded;
     images.push_back(std::move(image));
   }
   void run(int frames, const GradeWanted& wanted) {
