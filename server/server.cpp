@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "messages/camera.pb.h"
 #include "messages/clock.pb.h"
-#include "proto/wire/camera/color_message.h"
 #include "proto/wire/camera/depth_window_message.h"
 #include "server/hub/server_stats.h"
 
@@ -20,7 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kContentEvery = 200ms;
-constexpr double kSmooth = 0.3;  ///< of a new rate; the rest is the rate before
 
 const Error kAnEdge{.what = "this server is an edge, which shows what another server publishes, and takes no stations",
                     .where = {},
@@ -84,13 +81,16 @@ void Server::run_origin(std::unique_ptr<origin::Origin> origin) {
                       [this, is_present](wire::Message message) {
                         if (is_present()) publish(std::move(message));
                       },
+                  .on_graded =
+                      [this, is_present](wire::Message message, plan::Grade grade) {
+                        if (is_present()) publish(std::move(message), grade);
+                      },
                   .on_end =
                       [this, is_present] {
                         if (is_present()) on_end_();
                       },
                   .is_wanted = [this](std::string_view topic) { return hub_.is_wanted(topic); }});
   if (origin_->chooses_prediction()) origin_->let_predict(predicts_);
-  origin_->shrink(content_.level());
 }
 
 void Server::replace(std::unique_ptr<origin::Origin> origin) {
@@ -109,7 +109,7 @@ void Server::stop(const std::string& reason) {
   listener_->close(reason);
 }
 
-void Server::publish(wire::Message message) {
+void Server::publish(wire::Message message, plan::Grade grade) {
   if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
   const bool is_depth =
@@ -118,15 +118,26 @@ void Server::publish(wire::Message message) {
     last_depth_ = std::chrono::steady_clock::now();
     tell_origin_what_is_wanted();
   }
-  if (is_depth || wire::carries_color(message.topic)) image_B_ += static_cast<double>(message.payload->size());
-  hub_.publish(std::move(message));
+  content_.published(message, grade);
+  hub_.publish(std::move(message), grade);
 }
 
 void Server::tell_origin_what_is_wanted() {
-  const auto wants = [this](const wire::Topic& topic) { return hub_.is_wanted(topic.name); };
-  origin_->want({.color = {.pictures = wants(wire::kCameraColor), .video = wants(wire::kCameraColorVideo)},
-                 .depth = {.whole = wants(wire::kCameraDepth), .window = wants(wire::kCameraDepthWindow)},
-                 .window = window_.at(clock_.now())});
+  const plan::RatePlan& plan = content_.plan();
+  const auto wanted = [&](plan::Grade grade) {
+    const auto wants = [&](const wire::Topic& topic) { return hub_.is_wanted(topic.name, grade); };
+    return pipeline::GradeWanted{
+        .color = {.pictures = wants(wire::kCameraColor), .video = wants(wire::kCameraColorVideo)},
+        .depth = {.whole = wants(wire::kCameraDepth), .window = wants(wire::kCameraDepthWindow)},
+        .settings = plan.settings[plan::index_of(grade)]};
+  };
+  const pipeline::GradeWanted full = wanted(plan::Grade::Full);
+  origin_->want({.color = full.color,
+                 .depth = full.depth,
+                 .window = window_.at(clock_.now()),
+                 .touch = wanted(plan::Grade::Touch),
+                 .view = wanted(plan::Grade::View),
+                 .given_up = plan.said});
 }
 
 void Server::follow_window(const msg::WindowRequest& request) {
@@ -191,25 +202,17 @@ void Server::choose_content_often() {
   });
 }
 
-/// All subscribers get the same encoding, so images shrink for the line that has the least room.
 void Server::choose_content() {
   const SessionTime now = clock_.now();
-  const double span_s = std::max(1e-3, to_seconds(now - std::exchange(image_B_since_, now)));
-  image_rate_B_per_s_ += kSmooth * (std::exchange(image_B_, 0.0) / span_s - image_rate_B_per_s_);
-  const std::optional<double> share = listener_->least_share_B_per_s();
-  const std::size_t before = content_.level();
-  content_.step({.share_B_per_s = share, .demand_B_per_s = image_rate_B_per_s_, .dropped = listener_->most_dropped()},
-                now);
-  if (content_.level() == before) return;
-  origin_->shrink(content_.level());
-  if (before == 0 && !share)
-    log("the line of a subscriber has no room for all images: they are made smaller, so that more arrive");
-  else if (before == 0)
-    log("something else uses the line of a subscriber, and leaves " +
-        std::to_string(std::lround(share.value_or(0.0) * 8e-3)) +
-        " kbit/s: images are made smaller, so that as many arrive");
-  else if (content_.level() == 0)
-    log("images are again as large as before: the line of each subscriber has room for them");
+  const std::optional<std::string> said = content_.step({.hub = hub_,
+                                                         .peers = listener_->lines(),
+                                                         .followed = window_.followed(now),
+                                                         .images = origin_->images(),
+                                                         .chooses_content = origin_->chooses_content(),
+                                                         .now = now});
+  if (said) log(*said);
+  for (const hub::SubscriberId id : hub_.subscribers()) hub_.give(id, content_.plan().grade_of(id));
+  tell_origin_what_is_wanted();
 }
 
 /// The C library keeps freed memory for later use. After a backlog, this call returns it to the operating system.

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
-#include "proto/link/datagram_link.h"
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
+#include "server/content_choice.h"
 #include "server/hub/hub.h"
 #include "server/hub/peer_listener.h"
 #include "server/origin/origin.h"
@@ -65,7 +65,7 @@ class Server {
  private:
   Server(boost::asio::io_context& io, Options options);
   void run_origin(std::unique_ptr<origin::Origin> origin);
-  void publish(wire::Message message);
+  void publish(wire::Message message, plan::Grade grade = plan::Grade::Full);
   void tell_origin_what_is_wanted();
   void follow_window(const msg::WindowRequest& request);
   void publish_every_second();
@@ -87,10 +87,7 @@ class Server {
   std::unique_ptr<hub::PeerListener> listener_;
   boost::asio::steady_timer second_;
   boost::asio::steady_timer content_timer_;
-  link::ContentLevel content_;
-  double image_B_ = 0.0;             // published since image_B_since_
-  double image_rate_B_per_s_ = 0.0;  // smoothed
-  SessionTime image_B_since_{};
+  ContentChoice content_;
   bool stopped_ = false;  // checked by timer handlers: a timer that has expired cannot be cancelled
   std::chrono::steady_clock::time_point last_depth_{};
   std::string last_state_;              // last logged state

@@ -7,6 +7,7 @@
 #include "haptic_station/station/rigs/scene_rig.h"
 #include "haptic_station/station/threads/bill.h"
 #include "haptic_station/station/threads/timer_check.h"
+#include "messages/camera.pb.h"
 #include "proto/wire/camera/calibration_message.h"
 #include "proto/wire/vector_message.h"
 #include "proto/wire/viewer/viewer_hand.h"
@@ -35,6 +36,7 @@ std::vector<std::string> subscriptions(const StationOptions& options, const Dept
   if (!options.model) {
     names = depth.topics();
     names.emplace_back(wire::kCameraInfo.name);
+    if (depth.asks_window()) names.emplace_back(wire::kCameraStatus.name);
   }
   if (takes_viewer_hand) names.emplace_back(wire::kViewerHand.name);
   return names;
@@ -217,7 +219,18 @@ void Station::on_datagrams(const std::string& detail) {
 void Station::on_message(const wire::Message& message) {
   choose_depth(message);
   if (message.topic.name == wire::kCameraInfo.name) on_camera_info(message);
+  if (message.topic.name == wire::kCameraStatus.name) on_camera_status(message);
   if (message.topic.name == wire::kViewerHand.name) on_viewer_hand(message);
+}
+
+/// The server says in this text what it gives up for a thin line. The first text is about the camera alone.
+void Station::on_camera_status(const wire::Message& message) {
+  msg::CaptureStatus status;
+  if (!status.ParseFromString(*message.payload)) return;
+  const std::string before = std::exchange(camera_detail_, status.detail());
+  if (before.empty() || before == camera_detail_) return;
+  say(camera_detail_);
+  telemetry_.publish_event(now(), msg::EVENT_KIND_LINK, camera_detail_);
 }
 
 void Station::on_camera_info(const wire::Message& message) {

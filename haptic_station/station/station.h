@@ -89,6 +89,7 @@ class Station {
   };
 
   void on_message(const wire::Message& message);
+  void on_camera_status(const wire::Message& message);
   void on_camera_info(const wire::Message& message);
   void on_depth(const wire::Message& message);
   void choose_depth(const wire::Message& message);
@@ -124,6 +125,7 @@ class Station {
   StationSignals& signals_;
   Timers timers_;
   DepthChoice depth_choice_;
+  std::string camera_detail_;  // newest CaptureStatus::detail
   StationLink link_;
   CoreThreads core_;
   TelemetryPublisher telemetry_;

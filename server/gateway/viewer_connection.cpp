@@ -200,6 +200,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   void greet() {
     if (!socket().is_open()) return;  // the gateway was closed meanwhile; the hub may be destroyed
     subscriber_ = hub().join(std::string(kSubscriberName), name_, [this] { write_next(); });
+    hub().note_shows_images(*subscriber_);
     number_ = *subscriber_;
     if (visitor_)
       stream_number_ = context()->options.access->enter(visitor_->who, "browser", name_,

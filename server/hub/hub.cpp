@@ -18,6 +18,15 @@ bool matches(std::string_view wanted, std::string_view topic) noexcept {
   return wanted == topic;
 }
 
+/// True for camera images. A playback's images are all of Grade::Full.
+bool has_grades(const wire::Topic& topic) noexcept {
+  return topic.has_deadline() && topic.publisher == wire::Publisher::Server;
+}
+
+plan::Grade grade_in(const wire::Topic& topic, plan::Grade subscriber) noexcept {
+  return has_grades(topic) ? subscriber : plan::Grade::Full;
+}
+
 bool wants(const std::vector<std::string>& topics, std::string_view topic) noexcept {
   return std::any_of(topics.begin(), topics.end(), [&](const std::string& wanted) { return matches(wanted, topic); });
 }
@@ -59,8 +68,9 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
   forget_unwanted(subscriber);
   for (const auto& [name, message] : latched_)
     if (wants(topics, name) && !wants(before, name)) offer(subscriber, message);
-  for (const auto& [name, state] : key_frames_)
-    if (state.in_groups && wants(topics, name) && !wants(before, name)) request_from_publisher(name);
+  for (const wire::Topic& topic : wire::kTopics)
+    if (wants(topics, topic.name) && !wants(before, topic.name) && stream_for(subscriber, topic).keys.in_groups)
+      request_from_publisher(subscriber, topic);
 }
 
 /// Drops queued messages of topics that the subscriber no longer wants. A viewer that lost its reference frame
@@ -68,27 +78,70 @@ void Hub::subscribe(SubscriberId id, const std::vector<std::string>& topics) {
 void Hub::forget_unwanted(Subscriber& subscriber) {
   remove_waiting(subscriber,
                  [&](const wire::Message& message) { return !wants(subscriber.topics, message.topic.name); });
-  std::erase_if(subscriber.positions, [&](const auto& entry) { return !wants(subscriber.topics, entry.first); });
+  for (auto& [name, position] : subscriber.positions)
+    if (!wants(subscriber.topics, name)) position.group = {};
 }
 
-void Hub::publish(wire::Message message) {
+void Hub::publish(wire::Message message, plan::Grade grade) {
   TopicCount& count = topics_[message.topic.name];
   const std::uint64_t number = message.sequence;
+  Stream& stream = streams_[{message.topic.name, grade}];
   ++count.published;
-  if (!keeps_numbers_ || number == 0) message.sequence = count.published;
+  ++stream.published;
+  if (!keeps_numbers_ || number == 0) message.sequence = stream.published;
   count.bytes += message.payload->size();
-  wire::KeyFrameState& state = key_frames_[message.topic.name];
-  if (lacks_reference(state, number, message.key_frame)) forget_references(message.topic.name);
-  state = after_publishing(state, message.key_frame, message.published, number);
+  if (lacks_reference(stream.keys, number, message.key_frame)) forget_references(message.topic.name, grade);
+  stream.keys = after_publishing(stream.keys, message.key_frame, message.published, number);
   if (message.topic.latched()) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
-    if (wants(subscriber.topics, message.topic.name)) offer(subscriber, message);
+    if (grade_in(message.topic, subscriber.count.grade) == grade && wants(subscriber.topics, message.topic.name))
+      offer(subscriber, message);
   drop_beyond_the_bound();
 }
 
+void Hub::give(SubscriberId id, plan::Grade grade) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end() || std::exchange(found->second.count.grade, grade) == grade) return;
+  Subscriber& subscriber = found->second;
+  for (const wire::Topic& topic : wire::kTopics) {
+    if (!has_grades(topic)) continue;
+    Position& position = subscriber.positions[topic.name];
+    position.group = {};
+    position.is_new_grade = true;
+    if (wants(subscriber.topics, topic.name) && stream_for(subscriber, topic).keys.in_groups)
+      request_from_publisher(subscriber, topic);
+  }
+}
+
+void Hub::note_shows_images(SubscriberId id) {
+  if (const auto found = subscribers_.find(id); found != subscribers_.end()) found->second.count.shows_images = true;
+}
+
+Hub::Stream& Hub::stream_for(const Subscriber& subscriber, const wire::Topic& topic) {
+  return streams_[{topic.name, grade_in(topic, subscriber.count.grade)}];
+}
+
 /// The subscribers lack the reference frame of the next predicted message of `topic`, as the hub does.
-void Hub::forget_references(std::string_view topic) {
-  for (auto& [id, subscriber] : subscribers_) subscriber.positions[topic] = {};
+void Hub::forget_references(std::string_view topic, plan::Grade grade) {
+  for (auto& [id, subscriber] : subscribers_)
+    if (subscriber.count.grade == grade) subscriber.positions[topic].group = {};
+}
+
+bool Hub::is_wanted(std::string_view topic, plan::Grade grade) const {
+  return std::any_of(subscribers_.begin(), subscribers_.end(), [&](const auto& subscriber) {
+    return subscriber.second.count.grade == grade && wants(subscriber.second.topics, topic);
+  });
+}
+
+bool Hub::takes(SubscriberId id, std::string_view topic) const {
+  const auto found = subscribers_.find(id);
+  return found != subscribers_.end() && wants(found->second.topics, topic);
+}
+
+std::vector<SubscriberId> Hub::subscribers() const {
+  std::vector<SubscriberId> ids;
+  for (const auto& [id, subscriber] : subscribers_) ids.push_back(id);
+  return ids;
 }
 
 bool Hub::is_wanted(std::string_view topic) const {
@@ -134,22 +187,22 @@ bool Hub::is_taken(std::string_view topic, std::string_view other_than) const no
 void Hub::request_key_frame(SubscriberId id, const wire::Topic& topic, SessionTime undecodable) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end() || !wants(found->second.topics, topic.name)) return;
-  const wire::KeyFrameState& state = key_frames_[topic.name];
-  if (!state.in_groups || !still_needs_key_frame(state, undecodable)) return;
+  const wire::KeyFrameState& keys = stream_for(found->second, topic).keys;
+  if (!keys.in_groups || !still_needs_key_frame(keys, undecodable)) return;
   start_anew(found->second, topic);
 }
 
 void Hub::restart_group(SubscriberId id, const wire::Topic& topic) {
   const auto found = subscribers_.find(id);
-  if (found == subscribers_.end() || !key_frames_[topic.name].in_groups) return;
+  if (found == subscribers_.end() || !stream_for(found->second, topic).keys.in_groups) return;
   start_anew(found->second, topic);
 }
 
 /// The next message of `topic` to the subscriber is a key frame.
 void Hub::start_anew(Subscriber& subscriber, const wire::Topic& topic) {
-  subscriber.positions[topic.name] = {};
+  subscriber.positions[topic.name].group = {};
   remove_waiting(subscriber, [&](const wire::Message& message) { return message.topic.name == topic.name; });
-  if (wants(subscriber.topics, topic.name)) request_from_publisher(topic.name);
+  if (wants(subscriber.topics, topic.name)) request_from_publisher(subscriber, topic);
 }
 
 Hub::TopicCount Hub::topic_count(SubscriberId id, std::string_view topic) const {
@@ -180,14 +233,14 @@ std::optional<wire::Message> Hub::next_for_datagram(SubscriberId id) {
   if (found == subscribers_.end()) return std::nullopt;
   std::vector<wire::Message> gone;
   std::optional<wire::Message> message = found->second.queue.pop_newest(gone);
-  for (const wire::Message& older : gone) drop(found->second.count, older);
+  for (const wire::Message& older : gone) crowd_out(found->second.count, older);
   if (message) count_sent(found->second, *message);
   return message;
 }
 
-void Hub::request_from_publisher(std::string_view topic) {
-  if (std::exchange(key_frames_[topic].requested, true)) return;
-  if (key_frame_requested_) key_frame_requested_(topic);
+void Hub::request_from_publisher(const Subscriber& subscriber, const wire::Topic& topic) {
+  if (std::exchange(stream_for(subscriber, topic).keys.requested, true)) return;
+  if (key_frame_requested_) key_frame_requested_(topic.name);
 }
 
 void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
@@ -195,17 +248,32 @@ void Hub::drop(SubscriberCount& subscriber, const wire::Message& message) {
   ++topics_[message.topic.name].dropped;
 }
 
-void Hub::offer(Subscriber& subscriber, const wire::Message& message) {
+/// Drops a message that the subscriber could have decoded, because its line has no room.
+void Hub::crowd_out(SubscriberCount& subscriber, const wire::Message& message) {
+  if (has_grades(message.topic)) ++subscriber.crowded_out;
+  drop(subscriber, message);
+}
+
+void Hub::offer(Subscriber& subscriber, wire::Message message) {
   ++subscriber.count.topics[message.topic.name].published;
-  wire::GroupPosition& position = subscriber.positions[message.topic.name];
+  Position& position = subscriber.positions[message.topic.name];
+  if (std::exchange(position.is_new_grade, false))
+    position.shift = static_cast<std::int64_t>(position.offered + 1 - message.sequence);
+  message.sequence += static_cast<std::uint64_t>(position.shift);
+  position.offered = message.sequence;
   const bool was_empty = subscriber.queue.empty() ||
                          subscriber.count.by_datagram;  // TCP may wait while datagrams are sent, and the reverse
-  const bool usable = can_decode(position, message.sequence, message.key_frame);
+  const bool usable = can_decode(position.group, message.sequence, message.key_frame);
   const std::vector<wire::Message> gone = usable ? put_in_queue(subscriber, message) : std::vector{message};
-  for (const wire::Message& lost : gone) drop(subscriber.count, lost);
+  if (usable && has_grades(message.topic)) ++subscriber.count.images;
+  for (const wire::Message& lost : gone)
+    if (usable)
+      crowd_out(subscriber.count, lost);
+    else
+      drop(subscriber.count, lost);
   const bool queued = gone.empty() || gone.back().sequence != message.sequence;
-  position = {.last = queued ? message.sequence : 0};
-  if (!queued && subscriber.queue.waiting(message.topic) == 0) request_from_publisher(message.topic.name);
+  position.group = {.last = queued ? message.sequence : 0};
+  if (!queued && subscriber.queue.waiting(message.topic) == 0) request_from_publisher(subscriber, message.topic);
   if (queued && was_empty) subscriber.wake();
 }
 
@@ -226,7 +294,7 @@ void Hub::count_sent(Subscriber& subscriber, const wire::Message& message) {
   ++topics_[message.topic.name].sent;
   // A subscriber whose queue was full needs a key frame. The hub requests the key frame only when the subscriber reads
   // again, because a subscriber that reads nothing would cause one key frame after another.
-  if (subscriber.positions[message.topic.name].last == 0) request_from_publisher(message.topic.name);
+  if (subscriber.positions[message.topic.name].group.last == 0) request_from_publisher(subscriber, message.topic);
 }
 
 std::uint64_t Hub::SubscriberCount::sent() const noexcept {

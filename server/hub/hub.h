@@ -13,6 +13,7 @@
 #include "proto/wire/key_frame_request.h"
 #include "proto/wire/message.h"
 #include "proto/wire/send_queue.h"
+#include "server/plan/grade.h"
 
 namespace telepalp::hub {
 
@@ -22,8 +23,8 @@ using SubscriberId = std::uint64_t;
 /// share one payload. A slow subscriber loses its own oldest messages, topic by topic; other subscribers are not
 /// affected. A new subscriber gets the last message of each latched topic (wire::Topic). A predicted frame goes only to
 /// subscribers that have its reference frame. A subscriber that missed a frame gets no message of that topic until the
-/// next key frame, which the hub requests from the publisher. Owner: the server's network thread; no locks, no sockets,
-/// no clock.
+/// next key frame, which the hub requests from the publisher. Camera images may come in several grades (plan::Grade); a
+/// subscriber gets one of them. Owner: the server's network thread; no locks, no sockets, no clock.
 class Hub {
  public:
   /// Limit of the bytes that wait for TCP on all topics of Lane::Others, over all subscribers. A payload that is
@@ -44,7 +45,13 @@ class Hub {
   /// Gives `message` the topic's next sequence number and offers it to the subscribers, which see dropped messages as
   /// gaps. A message that has a number already comes through a connection: if it is predicted and the number before it
   /// is missing, its reference frame is lost, and it is offered to nobody.
-  void publish(wire::Message message);
+  /// `grade`: of a camera image, which goes only to the subscribers that get this grade; Full for other topics.
+  void publish(wire::Message message, plan::Grade grade = plan::Grade::Full);
+  /// From now on, the subscriber gets the camera images of `grade`; a newcomer gets Full. The numbers of its messages
+  /// go on without a gap, and the first predicted one comes after a key frame.
+  void give(SubscriberId subscriber, plan::Grade grade);
+  /// Notes for subscriber_counts() that the subscriber shows images to a person.
+  void note_shows_images(SubscriberId subscriber);
   /// From now on, numbered messages keep their numbers: those of the server upstream, of which this one is an edge.
   void keep_numbers() noexcept { keeps_numbers_ = true; }
 
@@ -77,6 +84,8 @@ class Hub {
 
   /// True when at least one subscriber has subscribed to `topic`.
   [[nodiscard]] bool is_wanted(std::string_view topic) const;
+  /// True when at least one subscriber that gets `grade` has subscribed to `topic`.
+  [[nodiscard]] bool is_wanted(std::string_view topic, plan::Grade grade) const;
 
   /// True when a subscriber to `topic` has not been offered a message of it yet.
   [[nodiscard]] bool is_missed(std::string_view topic) const;
@@ -97,39 +106,64 @@ class Hub {
     std::uint32_t sender = 0;
     bool by_datagram = false;               ///< datagrams carry the deadline topics, TCP the others
     std::optional<double> share_B_per_s{};  ///< what other flows leave of its line; nullopt: none was noticed
+    plan::Grade grade = plan::Grade::Full;
+    bool shows_images = false;      ///< to a person, who may get less than Full
+    std::uint64_t images = 0;       ///< camera images that it was offered and can decode
+    std::uint64_t crowded_out = 0;  ///< those of them that its line had no room for
     TopicCounts topics;
     [[nodiscard]] std::uint64_t sent() const noexcept;
     [[nodiscard]] std::uint64_t dropped() const noexcept;
   };
   [[nodiscard]] const TopicCounts& topic_counts() const noexcept { return topics_; }
   [[nodiscard]] std::vector<SubscriberCount> subscriber_counts() const;
+  /// True when the subscriber has subscribed to `topic`.
+  [[nodiscard]] bool takes(SubscriberId subscriber, std::string_view topic) const;
+  [[nodiscard]] std::vector<SubscriberId> subscribers() const;
+  /// The counts of one of subscribers().
+  [[nodiscard]] const SubscriberCount& count_of(SubscriberId subscriber) const {
+    return subscribers_.at(subscriber).count;
+  }
   /// The subscriber's counts of `topic`; zeros if it is unknown.
   [[nodiscard]] TopicCount topic_count(SubscriberId subscriber, std::string_view topic) const;
 
  private:
+  /// The messages of one topic in one grade.
+  struct Stream {
+    std::uint64_t published = 0;
+    wire::KeyFrameState keys;
+  };
+  /// Where a subscriber is in a topic.
+  struct Position {
+    wire::GroupPosition group;
+    std::uint64_t offered = 0;  ///< number of the newest message that it was offered
+    std::int64_t shift = 0;     ///< its number of a message, less the stream's
+    bool is_new_grade = false;  ///< no message came since its grade changed
+  };
   struct Subscriber {
     SubscriberCount count;
     std::vector<std::string> topics;
     wire::SendQueue queue;
-    std::map<std::string_view, wire::GroupPosition> positions;  // by topic
+    std::map<std::string_view, Position> positions;  // by topic
     std::function<void()> wake;
   };
   void drop(SubscriberCount& subscriber, const wire::Message& message);
+  void crowd_out(SubscriberCount& subscriber, const wire::Message& message);
   void count_sent(Subscriber& subscriber, const wire::Message& message);
-  void offer(Subscriber& subscriber, const wire::Message& message);
+  void offer(Subscriber& subscriber, wire::Message message);
   std::vector<wire::Message> put_in_queue(Subscriber& subscriber, const wire::Message& message);
   void drop_beyond_the_bound();
   template <class Matches>
   void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
   void start_anew(Subscriber& subscriber, const wire::Topic& topic);
-  void forget_references(std::string_view topic);
+  void forget_references(std::string_view topic, plan::Grade grade);
+  Stream& stream_for(const Subscriber& subscriber, const wire::Topic& topic);
   void forget_unwanted(Subscriber& subscriber);
-  void request_from_publisher(std::string_view topic);
+  void request_from_publisher(const Subscriber& subscriber, const wire::Topic& topic);
 
   std::map<SubscriberId, Subscriber> subscribers_;
   TopicCounts topics_;
   std::map<std::string_view, wire::Message> latched_;
-  std::map<std::string_view, wire::KeyFrameState> key_frames_;  // by topic
+  std::map<std::pair<std::string_view, plan::Grade>, Stream> streams_;
   std::function<void(std::string_view)> key_frame_requested_;
   bool keeps_numbers_ = false;
   SubscriberId last_id_ = 0;

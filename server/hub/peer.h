@@ -77,6 +77,9 @@ class Peer : private wire::ConnectionOwner {
   [[nodiscard]] std::optional<double> share_B_per_s() const noexcept {
     return datagrams_ ? datagrams_->share_B_per_s() : std::nullopt;
   }
+  [[nodiscard]] SubscriberId subscriber() const noexcept { return subscriber_; }  ///< 0: not in the hub
+  /// Standing queue of the path of the datagrams; 0 while TCP carries the images.
+  [[nodiscard]] Nanoseconds queue() const noexcept { return datagrams_ ? datagrams_->queue() : Nanoseconds{0}; }
   /// Share of the last depth images that the peer's line had no room for.
   [[nodiscard]] double dropped() noexcept;
   /// Tells the hub share_B_per_s(), for /server/stats.

@@ -69,6 +69,10 @@ std::optional<double> PeerDatagrams::share_B_per_s() const noexcept {
   return end_->link().path().share_B_per_s();
 }
 
+Nanoseconds PeerDatagrams::queue() const noexcept {
+  return end_->phase() == wire::DatagramPhase::Up ? end_->link().path().queue_delay() : Nanoseconds{0};
+}
+
 /// Only the newest authenticated datagram may change the address: a replayed one must not redirect the stream.
 void PeerDatagrams::received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) {
   if (end_->received(datagram).value_or(false)) prove(from, datagram.size());

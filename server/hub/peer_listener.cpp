@@ -128,24 +128,17 @@ bool PeerListener::references_arrive() const noexcept {
   return std::ranges::all_of(peers_, [](const auto& peer) { return peer.second->references_arrive(); });
 }
 
-std::optional<double> PeerListener::least_share_B_per_s() const noexcept {
-  const bool touched = stations() > 0;
-  std::optional<double> least;
-  for (const auto& [number, peer] : peers_) {
-    if (touched && peer->place() != PlaceKind::Station) continue;
-    if (const std::optional<double> share = peer->share_B_per_s()) least = std::min(least.value_or(*share), *share);
-  }
-  return least;
-}
-
-double PeerListener::most_dropped() noexcept {
-  const bool touched = stations() > 0;
-  double most = 0.0;
-  for (const auto& [number, peer] : peers_) {
-    const double dropped = peer->dropped();
-    if (!touched || peer->place() == PlaceKind::Station) most = std::max(most, dropped);
-  }
-  return most;
+std::vector<PeerListener::PeerLine> PeerListener::lines() {
+  std::vector<PeerLine> lines;
+  for (const auto& [number, peer] : peers_)
+    if (peer->subscriber() != 0 && peer->place())
+      lines.push_back({.subscriber = peer->subscriber(),
+                       .sender = peer->sender(),
+                       .kind = *peer->place(),
+                       .share_B_per_s = peer->share_B_per_s(),
+                       .queue = peer->queue(),
+                       .dropped = peer->dropped()});
+  return lines;
 }
 
 void PeerListener::note_shares() {

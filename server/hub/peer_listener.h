@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "messages/station.pb.h"
 #include "proto/wire/connection/connection.h"
@@ -70,12 +71,16 @@ class PeerListener {
   /// True if depth images may depend on each other: each peer gets them over TCP, or by a path that loses hardly any
   /// datagram or repairs lost ones in time.
   [[nodiscard]] bool references_arrive() const noexcept;
-  /// The least share that a path still carries beside other flows [B/s]: of the stations' paths, or without a station
-  /// of all; nullopt: no other flow was noticed.
-  [[nodiscard]] std::optional<double> least_share_B_per_s() const noexcept;
-  /// The largest share of the last depth images that a peer's line had no room for. Counts the stations' lines alone;
-  /// without a station, the lines of all peers.
-  [[nodiscard]] double most_dropped() noexcept;
+  /// One peer in the hub, and what is known of its line.
+  struct PeerLine {
+    SubscriberId subscriber = 0;
+    std::uint32_t sender = 0;
+    PlaceKind kind = PlaceKind::Viewer;
+    std::optional<double> share_B_per_s{};  ///< rate that other flows leave; nullopt: none was noticed
+    Nanoseconds queue{0};                   ///< standing queue; 0 over TCP
+    double dropped = 0.0;                   ///< share of the last depth images that the line had no room for
+  };
+  [[nodiscard]] std::vector<PeerLine> lines();
   /// Tells the hub what other flows leave of each peer's line.
   void note_shares();
 

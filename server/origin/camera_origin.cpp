@@ -82,7 +82,14 @@ class CameraOrigin final : public Origin {
     thread_ = std::make_unique<pipeline::CaptureThread>(
         network_, std::move(source_), source_name_, encode_, clock_,
         pipeline::CaptureThread::Handlers{
-            .on_message = std::move(handlers.on_message),
+            .on_message =
+                [all = std::move(handlers.on_message), graded = std::move(handlers.on_graded)](wire::Message message,
+                                                                                               plan::Grade grade) {
+                  if (grade == plan::Grade::Full)
+                    all(std::move(message));
+                  else if (graded)
+                    graded(std::move(message), grade);
+                },
             .on_end = std::move(handlers.on_end),
             .on_exposure = [this](pipeline::ExposureReport report) { exposure_ = std::move(report); }});
   }
@@ -103,9 +110,7 @@ class CameraOrigin final : public Origin {
   void let_predict(bool may) override {
     if (thread_) thread_->let_predict(may);
   }
-  void shrink(std::size_t level) override {
-    if (thread_) thread_->shrink(level);
-  }
+  [[nodiscard]] bool chooses_content() const override { return true; }
   [[nodiscard]] std::uint64_t images() const override { return thread_ ? thread_->frames() : 0; }
   [[nodiscard]] std::string in_words(const msg::CaptureStatus& status) const override {
     return "camera " + std::string(word_for(status.state())) + ": " + status.detail();

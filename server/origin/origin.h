@@ -32,7 +32,9 @@ struct Offer {
 class Origin {
  public:
   struct Handlers {
-    std::function<void(wire::Message)> on_message;          ///< on the network thread
+    std::function<void(wire::Message)> on_message;  ///< on the network thread
+    /// The same, for a camera image of a grade other than Full; only of an origin that chooses_content().
+    std::function<void(wire::Message, plan::Grade)> on_graded{};
     std::function<void()> on_end;                           ///< on the network thread, once, when no more comes
     std::function<bool(std::string_view topic)> is_wanted;  ///< whether somebody has subscribed to the topic
   };
@@ -59,10 +61,9 @@ class Origin {
   /// True if this origin's depth images can be predicted from earlier ones, or not, as let_predict() says.
   [[nodiscard]] virtual bool chooses_prediction() const = 0;
   virtual void let_predict(bool may) = 0;
-  /// Makes images smaller, so that their rate need not fall: link::ContentLevel::level(). An origin whose images are as
-  /// they were recorded ignores it.
-  virtual void shrink(std::size_t level) { (void)level; }
-  /// In which codings subscribers want images. An origin whose images are as they were recorded ignores it.
+  /// True if images are made as want() says; false: they are as they were recorded, and of Grade::Full.
+  [[nodiscard]] virtual bool chooses_content() const { return false; }
+  /// In which codings and grades subscribers want images. Ignored unless chooses_content().
   virtual void want(const pipeline::Wanted& wanted) { (void)wanted; }
 
   /// Number of depth images so far.

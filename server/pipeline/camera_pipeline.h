@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -7,40 +8,27 @@
 #include <string>
 #include <string_view>
 
-#include "codec/depth_stream.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
 #include "server/capture/capture_source.h"
-#include "server/pipeline/paced_encoder.h"
-#include "server/pipeline/video_stage.h"
+#include "server/pipeline/encode_options.h"
+#include "server/pipeline/grade_stage.h"
 #include "server/pipeline/wanted.h"
-#include "server/pipeline/window_stage.h"
 
 namespace telepalp::pipeline {
-
-struct EncodeOptions {
-  codec::DepthStreamSettings depth{.mode = codec::DepthMode::Fast, .key_every = 12};
-  int jpeg_quality = 85;
-  int video_kbit_per_s = 800;  ///< target rate of colour as video
-};
-
-/// `asked`, made smaller for a line that other flows use (link::ContentLevel). Level 1: fast depth becomes intra, which
-/// is as exact, and colour loses quality, as pictures and as video. From level 2: colour loses more, and near-lossless
-/// depth has twice the bound.
-[[nodiscard]] EncodeOptions shrunk(EncodeOptions asked, std::size_t level) noexcept;
 
 /// Turns the frames of a capture source into the messages of /camera/…. Depth is published before colour, because touch
 /// needs it first. Owner: the capture thread; the handlers are called on it.
 class CameraPipeline {
  public:
   struct Handlers {
-    std::function<bool(wire::Message)> publish;  ///< passes a message on; false: it was dropped
+    /// Passes a message on; false: it was dropped. The grade is Full for what is no image.
+    std::function<bool(wire::Message, plan::Grade)> publish;
     /// True if a key frame of `topic` was requested since the last call for it.
     std::function<bool(std::string_view topic)> take_key_frame_request;
     /// False: a lost image cannot be repaired in time, so that each depth image must be a key frame. Empty: always
     /// true.
     std::function<bool()> may_predict{};
-    std::function<std::size_t()> content_level{};  ///< for shrunk(); empty: always 0
     std::function<Wanted()> wanted{};  ///< called once for each image; empty: pictures and whole depth images
   };
   CameraPipeline(capture::CaptureSource& source, std::string source_name, EncodeOptions options,
@@ -57,26 +45,17 @@ class CameraPipeline {
   void publish_calibration_when_due(const RgbdFrame& frame);
   void publish_status_when_due();
   void measure_rate(SessionTime now);
-  void publish_depth(const RgbdFrame& frame, const Wanted& wanted);
-  void publish_whole(const RgbdFrame& frame);
-  void publish_window(const RgbdFrame& frame, const std::optional<DepthWindow>& window);
-  bool publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded);
-  void publish_color(const RgbdFrame& frame, ColorWanted wanted);
-  void publish_video(const RgbdFrame& frame);
-  void shrink_when_asked();
-  bool publish(wire::Message message);
-  [[nodiscard]] bool must_not_predict() const;
+  void publish_images(const RgbdFrame& frame);
+  void pass_key_frame_requests_on();
+  bool publish(wire::Message message, plan::Grade grade = plan::Grade::Full);
+  [[nodiscard]] GradeStage stage_of(plan::Grade grade, const EncodeOptions& options);
 
   capture::CaptureSource& source_;
   std::string source_name_;
-  EncodeOptions asked_;
-  EncodeOptions options_;  ///< shrunk(asked_, level_)
-  std::size_t level_ = 0;
   wire::SessionClock clock_;
   Handlers handlers_;
-  PacedEncoder<codec::DepthEncoder> whole_;  // of /camera/depth
-  VideoStage video_;
-  WindowStage window_;
+  std::array<GradeStage, 3> stages_;  // in the order in which they are published: the hand waits for its images
+  std::string given_up_;              // Wanted::given_up of the newest image
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was sent

@@ -30,10 +30,9 @@ void CaptureThread::stop() {
 void CaptureThread::run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock) {
   CameraPipeline pipeline(
       *source_, source_name, options, clock,
-      {.publish = [this](wire::Message message) { return hand_over(std::move(message)); },
+      {.publish = [this](wire::Message message, plan::Grade grade) { return hand_over(std::move(message), grade); },
        .take_key_frame_request = [this](std::string_view topic) { return key_frame_requests_.take(topic); },
        .may_predict = [this] { return may_predict_.load(); },
-       .content_level = [this] { return content_level_.load(); },
        .wanted =
            [this] {
              wanted_.take();
@@ -62,15 +61,15 @@ void CaptureThread::report_exposure(const std::string& problem) {
                                                              .problem = problem}] { handlers_.on_exposure(report); });
 }
 
-bool CaptureThread::hand_over(wire::Message message) {
+bool CaptureThread::hand_over(wire::Message message, plan::Grade grade) {
   if (on_the_way_ >= kMostOnTheWay) {
     ++dropped_;
     return false;
   }
   ++on_the_way_;
-  boost::asio::post(network_, [this, message = std::move(message)]() mutable {
+  boost::asio::post(network_, [this, message = std::move(message), grade]() mutable {
     --on_the_way_;
-    handlers_.on_message(std::move(message));
+    handlers_.on_message(std::move(message), grade);
   });
   return true;
 }

@@ -28,8 +28,8 @@ struct ExposureReport {
 class CaptureThread {
  public:
   struct Handlers {
-    std::function<void(wire::Message)> on_message;  ///< on the network thread
-    std::function<void()> on_end;                   ///< on the network thread, once, when the source has ended
+    std::function<void(wire::Message, plan::Grade)> on_message;  ///< on the network thread
+    std::function<void()> on_end;  ///< on the network thread, once, when the source has ended
     /// On the network thread: after the first image, and after each set_exposure().
     std::function<void(ExposureReport)> on_exposure{};
   };
@@ -46,8 +46,6 @@ class CaptureThread {
   void want(const Wanted& wanted) { wanted_.put(wanted); }
   /// False: from the next image on, each depth image is a key frame. Any thread.
   void let_predict(bool may) noexcept { may_predict_ = may; }
-  /// From the next image on, images are encoded as shrunk() says for `level`. Any thread.
-  void shrink(std::size_t level) noexcept { content_level_ = level; }
   void set_exposure(const capture::Exposure& exposure) { wanted_exposure_.put(exposure); }  ///< network thread
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   /// Messages dropped because the network thread was too far behind.
@@ -55,7 +53,7 @@ class CaptureThread {
 
  private:
   void run(const std::string& source_name, EncodeOptions options, wire::SessionClock clock);
-  [[nodiscard]] bool hand_over(wire::Message message);
+  [[nodiscard]] bool hand_over(wire::Message message, plan::Grade grade);
   void report_exposure(const std::string& problem);
   void set_wanted_exposure();
 
@@ -67,7 +65,6 @@ class CaptureThread {
   std::atomic<bool> stopping_{false};
   KeyFrameRequests key_frame_requests_;
   std::atomic<bool> may_predict_{true};
-  std::atomic<std::size_t> content_level_{0};
   std::atomic<int> on_the_way_{0};  // messages posted and not yet handled
   std::atomic<std::uint64_t> frames_{0};
   std::atomic<std::uint64_t> dropped_{0};

@@ -2,7 +2,10 @@
 
 #include <optional>
 
+#include <string>
+
 #include "proto/words/depth/depth_window.h"
+#include "server/plan/grade.h"
 
 namespace telepalp::pipeline {
 
@@ -13,6 +16,7 @@ struct ColorWanted {
   bool video = false;
 
   [[nodiscard]] bool makes_pictures() const noexcept { return pictures || !video; }
+  [[nodiscard]] bool any() const noexcept { return pictures || video; }
 };
 
 /// In which codings subscribers want depth images. Whole images are also made while nobody wants a window, so that a
@@ -22,13 +26,33 @@ struct DepthWanted {
   bool window = false;  ///< images that are exact in the window for the hand
 
   [[nodiscard]] bool makes_whole() const noexcept { return whole || !window; }
+  [[nodiscard]] bool any() const noexcept { return whole || window; }
+};
+
+/// In which codings the subscribers of one grade want images, and how these are coded.
+struct GradeWanted {
+  ColorWanted color{.pictures = false, .video = false};
+  DepthWanted depth{.whole = false, .window = false};
+  plan::ImageSettings settings{};
 };
 
 /// What subscribers want of the camera's images.
 struct Wanted {
-  ColorWanted color{};
+  ColorWanted color{};  ///< of Grade::Full, as `depth`
   DepthWanted depth{};
   std::optional<DepthWindow> window{};  ///< where depth with a window is exact; nullopt: everywhere
+  GradeWanted touch{};                  ///< of Grade::Touch
+  GradeWanted view{};                   ///< of Grade::View
+  std::string given_up{};               ///< for people: what is given up for lines that are too thin; empty: nothing
+
+  /// What is made of `grade`. Images of Full are also made for newcomers while nobody takes another grade.
+  [[nodiscard]] GradeWanted made(plan::Grade grade) const noexcept {
+    if (grade != plan::Grade::Full) return grade == plan::Grade::Touch ? touch : view;
+    GradeWanted full{.color = color, .depth = depth, .settings = {}};
+    if (!touch.color.any() && !view.color.any()) full.color.pictures = color.makes_pictures();
+    if (!touch.depth.any() && !view.depth.any()) full.depth.whole = depth.makes_whole();
+    return full;
+  }
 };
 
 }  // namespace telepalp::pipeline

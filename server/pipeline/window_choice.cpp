@@ -8,6 +8,10 @@ bool WindowChoice::ask(std::uint32_t sender, const DepthWindow& window, SessionT
   return true;
 }
 
+std::optional<std::uint32_t> WindowChoice::followed(SessionTime now) const noexcept {
+  return at(now) ? std::optional(asked_->sender) : std::nullopt;
+}
+
 std::optional<DepthWindow> WindowChoice::at(SessionTime now) const noexcept {
   return asked_ && now - asked_->at < kValid ? std::optional(asked_->window) : std::nullopt;
 }

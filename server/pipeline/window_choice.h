@@ -23,6 +23,9 @@ class WindowChoice {
   /// Station number `sender` asks for `window`. False: another station's window is followed.
   bool ask(std::uint32_t sender, const DepthWindow& window, SessionTime now) noexcept;
 
+  /// The station whose window the server follows at `now`; nullopt: none.
+  [[nodiscard]] std::optional<std::uint32_t> followed(SessionTime now) const noexcept;
+
   /// The window that the server follows at `now`; nullopt: no request is valid, so images are exact everywhere.
   [[nodiscard]] std::optional<DepthWindow> at(SessionTime now) const noexcept;
 

@@ -200,24 +200,32 @@ TEST(CameraPipeline, ImagesShrinkWhileALineIsSharedAndDepthStaysExact) {
   std::vector<std::size_t> color_B;
   std::size_t level = 0;
   const DepthImage truth = small_frame(1, {}).depth;
-  pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Fast}}, clock,
-                                    {.publish =
-                                         [&](const wire::Message& message) {
-                                           if (message.topic.name == wire::kCameraColor.name)
-                                             color_B.push_back(message.payload->size());
-                                           if (message.topic.name != wire::kCameraDepth.name) return true;
-                                           msg::DepthImage depth;
-                                           EXPECT_TRUE(depth.ParseFromString(*message.payload));
-                                           codec::DepthReader reader;
-                                           const auto decoded = reader.read(std::as_bytes(std::span(depth.data())));
-                                           EXPECT_TRUE(decoded);
-                                           if (!decoded) return true;
-                                           EXPECT_EQ(decoded->image.samples, truth.samples);
-                                           modes.push_back(decoded->mode);
-                                           return true;
-                                         },
-                                     .take_key_frame_request = [](std::string_view) { return false; },
-                                     .content_level = [&] { return level; }});
+  pipeline::CameraPipeline pipeline(
+      source, "still", {.depth = {.mode = codec::DepthMode::Fast}}, clock,
+      {.publish =
+           [&](const wire::Message& message, plan::Grade grade) {
+             if (message.topic.name != wire::kCameraColor.name && message.topic.name != wire::kCameraDepth.name)
+               return true;
+             EXPECT_EQ(grade, plan::Grade::Touch) << "nobody takes another grade";
+             if (message.topic.name == wire::kCameraColor.name) color_B.push_back(message.payload->size());
+             if (message.topic.name != wire::kCameraDepth.name) return true;
+             msg::DepthImage depth;
+             EXPECT_TRUE(depth.ParseFromString(*message.payload));
+             codec::DepthReader reader;
+             const auto decoded = reader.read(std::as_bytes(std::span(depth.data())));
+             EXPECT_TRUE(decoded);
+             if (!decoded) return true;
+             EXPECT_EQ(decoded->image.samples, truth.samples);
+             modes.push_back(decoded->mode);
+             return true;
+           },
+       .take_key_frame_request = [](std::string_view) { return false; },
+       .wanted =
+           [&] {
+             pipeline::Wanted wanted{.color = {.pictures = false}, .depth = {.whole = false}};
+             wanted.touch = {.color = {.pictures = true}, .depth = {.whole = true}, .settings = {.level = level}};
+             return wanted;
+           }});
   for (level = 0; level <= 2; ++level) (void)pipeline.step();
   EXPECT_EQ(modes, (std::vector{codec::DepthMode::Fast, codec::DepthMode::Intra, codec::DepthMode::Intra}));
   ASSERT_EQ(color_B.size(), 3u);
@@ -245,10 +253,11 @@ TEST(CameraPipeline, EachCodingOfColourIsMadeOnlyWhileSomebodyTakesIt) {
   StillSource source(100, 0ms, clock);
   ColorLog log;
   pipeline::ColorWanted wanted{};
-  pipeline::CameraPipeline pipeline(source, "still", {}, clock,
-                                    {.publish = [&](const wire::Message& message) { return log.publish(message); },
-                                     .take_key_frame_request = [](std::string_view) { return false; },
-                                     .wanted = [&] { return pipeline::Wanted{.color = wanted}; }});
+  pipeline::CameraPipeline pipeline(
+      source, "still", {}, clock,
+      {.publish = [&](const wire::Message& message, plan::Grade) { return log.publish(message); },
+       .take_key_frame_request = [](std::string_view) { return false; },
+       .wanted = [&] { return pipeline::Wanted{.color = wanted}; }});
   const auto after = [&](int images, pipeline::ColorWanted now) {
     wanted = now;
     log.letters.clear();
@@ -269,7 +278,7 @@ TEST(CameraPipeline, AKeyFrameOfVideoComesOnDemandAndAfterADroppedFrame) {
   int requests = 0;
   pipeline::CameraPipeline pipeline(
       source, "still", {}, clock,
-      {.publish = [&](const wire::Message& message) { return log.publish(message); },
+      {.publish = [&](const wire::Message& message, plan::Grade) { return log.publish(message); },
        .take_key_frame_request =
            [&](std::string_view topic) {
              return topic == wire::kCameraColorVideo.name && requests > 0 && requests-- > 0;
@@ -298,7 +307,7 @@ TEST(CameraPipeline, EachDepthImageIsAKeyFrameWhileALostOneCannotBeRepairedInTim
   pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 1000}},
                                     clock,
                                     {.publish =
-                                         [&](const wire::Message& message) {
+                                         [&](const wire::Message& message, plan::Grade) {
                                            if (message.topic.name == wire::kCameraDepth.name)
                                              is_key.push_back(message.key_frame);
                                            return true;

@@ -108,11 +108,11 @@ TEST(CameraPipeline, DepthWithAWindowIsMadeOnlyWhileSomebodyTakesIt) {
   DepthLog log;
   pipeline::DepthWanted wanted{};
   std::optional<DepthWindow> window;
-  pipeline::CameraPipeline pipeline(source, "still", {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 99}},
-                                    clock,
-                                    {.publish = [&](const wire::Message& message) { return log.publish(message); },
-                                     .take_key_frame_request = [](std::string_view) { return false; },
-                                     .wanted = [&] { return pipeline::Wanted{.depth = wanted, .window = window}; }});
+  pipeline::CameraPipeline pipeline(
+      source, "still", {.depth = {.mode = codec::DepthMode::Temporal, .key_every = 99}}, clock,
+      {.publish = [&](const wire::Message& message, plan::Grade) { return log.publish(message); },
+       .take_key_frame_request = [](std::string_view) { return false; },
+       .wanted = [&] { return pipeline::Wanted{.depth = wanted, .window = window}; }});
   const auto after = [&](int images, pipeline::DepthWanted now) {
     wanted = now;
     log.letters.clear();

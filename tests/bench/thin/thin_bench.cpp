@@ -12,6 +12,7 @@
 #include "server/pipeline/capture_thread.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
+#include "tests/bench/thin/live_rows.h"
 #include "tests/bench/thin/ssim.h"
 #include "tests/bench/thin/window_rows.h"
 #include "where.h"
@@ -182,15 +183,18 @@ Result<Report> run_thin(const program::Arguments& arguments) {
   Report report{.bench = "thin", .rows = {}, .notes = {}};
   const std::string part = arguments.text("part");
   const std::string input = arguments.text("input");
-  if (!part.empty() && part != "color" && part != "window")
-    return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color or window"};
+  if (!part.empty() && part != "color" && part != "window" && part != "live")
+    return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color, window or live"};
   if (part.empty() && !input.empty())
     return Error{.what = "the input belongs to one part, colour or depth",
                  .where = "--input",
-                 .fix = "add --part color for a --source of the server, or --part window for sets of depth"};
-  if (part != "window")
+                 .fix = "add --part color or live for a --source of the server, or --part window for sets of depth"};
+  const auto has = [&](std::string_view one) { return part.empty() || part == one; };
+  if (has("live"))
+    if (const auto added = add_live_rows(report, input); !added) return added.error();
+  if (has("color"))
     if (const auto added = add_color_rows(report, input); !added) return added.error();
-  if (part != "color")
+  if (has("window"))
     if (const auto added = add_window_rows(report, input); !added) return added.error();
   report.notes.emplace_back("times: processor time of one thread");
   return report;

@@ -6,8 +6,8 @@
 namespace telepalp::bench {
 
 /// Colour for a thin line: bytes and times of video (VP8), compared with pictures (JPEG) that are as similar to the
-/// camera's images; and depth that is exact in a window, compared with depth that is exact everywhere. --part color or
-/// window: only one of them.
+/// camera's images; depth that is exact in a window, compared with depth that is exact everywhere; and what arrives at
+/// a hand over a thin line, live. --part color, window or live: only one of them.
 [[nodiscard]] Result<Report> run_thin(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "codec/depth_stream.h"
+#include "proto/wire/message.h"
+#include "proto/wire/session_clock.h"
+#include "proto/words/rgbd_frame.h"
+#include "server/pipeline/encode_options.h"
+#include "server/pipeline/paced_encoder.h"
+#include "server/pipeline/video_stage.h"
+#include "server/pipeline/wanted.h"
+#include "server/pipeline/window_stage.h"
+
+namespace telepalp::pipeline {
+
+/// Encodes the images of one grade. Owner: the capture thread.
+class GradeStage {
+ public:
+  /// `publish` passes a message on; false: it was dropped. `asked`: the server's options.
+  GradeStage(const EncodeOptions& asked, const wire::SessionClock& clock, std::function<bool(wire::Message)> publish);
+
+  /// From the next image on, images are made as `wanted` says. Encoders that nobody needs are freed.
+  void want(const GradeWanted& wanted);
+  void request_key_frame(std::string_view topic) noexcept;
+  /// The next depth images are key frames: the last one must not be a reference.
+  void forget_depth() noexcept;
+
+  /// Publishes the depth of `frame`, the camera's image `number`, which is well formed. `window`: where depth with a
+  /// window is exact; nullopt: everywhere.
+  void publish_depth(const RgbdFrame& frame, std::uint64_t number, const std::optional<DepthWindow>& window);
+  void publish_color(const RgbdFrame& frame, std::uint64_t number);
+
+ private:
+  [[nodiscard]] bool leaves_out(double share, std::uint64_t number) const noexcept;
+  void publish_whole(const RgbdFrame& frame);
+  void publish_window(const RgbdFrame& frame, const std::optional<DepthWindow>& window);
+  bool publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded);
+  void publish_video(const RgbdFrame& frame);
+
+  EncodeOptions asked_;
+  EncodeOptions options_;  // with(asked_, wanted_.settings)
+  wire::SessionClock clock_;
+  std::function<bool(wire::Message)> publish_;
+  GradeWanted wanted_;
+  PacedEncoder<codec::DepthEncoder> whole_;  // of /camera/depth
+  VideoStage video_;
+  WindowStage window_;
+  std::uint64_t windows_ = 0;  // images with a window so far
+};
+
+}  // namespace telepalp::pipeline

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "codec/video.h"
+#include "haptic_station/core/surface_stage.h"
+#include "haptic_station/core/window/window_requests.h"
+#include "proto/wire/client/client_link.h"
+
+namespace telepalp::bench {
+
+/// What arrived at a hand. Times are since the start [s].
+struct HandRecord {
+  struct Touchable {
+    double captured_s = 0.0;
+    double at_s = 0.0;
+    bool inside = false;  ///< the hand was in the part that is exact
+  };
+  std::vector<Touchable> surfaces;
+  std::vector<double> color_s;    ///< when a colour image was decoded
+  std::vector<std::string> said;  ///< by the server, of what is given up
+  std::uint64_t unreadable = 0;   ///< depth and colour that could not be decoded
+};
+
+/// The receiving half of a station with a doctor's picture: it asks for exact depth around a hand that moves in a
+/// circle, makes touchable surfaces, and decodes colour as video. Network and surfaces have a thread each, as in the
+/// station.
+class LiveHand {
+ public:
+  /// `port`: of the server or of the link before it, on this machine.
+  explicit LiveHand(std::uint16_t port);
+  ~LiveHand();
+
+  [[nodiscard]] double now_s() const;
+  /// Ends both threads.
+  [[nodiscard]] HandRecord end();
+
+ private:
+  void on_message(const wire::Message& message);
+  void on_depth(const wire::Message& message);
+  void on_color(const wire::Message& message);
+  void ask_often();
+  void make_surfaces();
+  void keep(const core::SurfaceStage::Result& made);
+  [[nodiscard]] Point<DepthCamera> hand_at(double at_s) const;
+
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  boost::asio::io_context io_{1};
+  boost::asio::steady_timer ask_timer_{io_};
+  wire::ClientLink link_;
+  core::WindowRequests requests_;  // owned by the network thread, as link_ and video_
+  codec::ColorVideoDecoder video_;
+  std::uint64_t color_number_ = 0;
+  std::optional<Intrinsics> camera_;
+  core::SurfaceStage stage_;  // owned by the surface thread, but for admit()
+  std::mutex mutex_;          // guards the members below
+  std::condition_variable came_;
+  std::vector<core::ArrivedDepth> waiting_;
+  std::optional<wire::Message> unreadable_;
+  double distance_m_ = 1.0;  ///< of the skin in the middle of the image
+  double newest_captured_s_ = 0.0;
+  bool ended_ = false;
+  HandRecord record_;
+  std::thread network_, surfaces_;
+};
+
+}  // namespace telepalp::bench
