@@ -20,10 +20,11 @@ using namespace std::chrono_literals;
 constexpr double kCircle_m = 0.08;
 constexpr double kPeriod_s = 4.0;
 
-core::SurfaceStage surface_stage() {
+core::SurfaceStage surface_stage(core::SurfaceStage::OnImage on_image) {
   return {*surface::surface_settings("fast"),
           [](const DepthImage&, const Intrinsics&) { return Transform<HapticBase, DepthCamera>{}; },
-          {}};
+          {},
+          std::move(on_image)};
 }
 
 /// Depth of the first measured pixel from the middle of the image on; nullopt: none.
@@ -47,7 +48,8 @@ LiveHand::LiveHand(std::uint16_t port)
              .publishes = {wire::kStationWindow}},
             {.on_message = [this](const wire::Message& message) { on_message(message); },
              .on_state = [](wire::LinkState, const std::string&) {}}),
-      stage_(surface_stage()) {
+      stage_(surface_stage([this](const DepthImage& image, const Intrinsics&,
+                                  const Transform<HapticBase, DepthCamera>&) { look_at(image); })) {
   link_.start();
   ask_often();
   network_ = std::thread([this] { io_.run(); });
@@ -140,6 +142,13 @@ void LiveHand::ask_often() {
     }
     ask_often();
   });
+}
+
+/// The hand stays on the skin of the first image.
+void LiveHand::look_at(const DepthImage& image) {
+  if (std::exchange(has_looked_, true)) return;
+  const std::lock_guard lock(mutex_);
+  distance_m_ = middle_m(image).value_or(distance_m_);
 }
 
 void LiveHand::make_surfaces() {

@@ -48,6 +48,7 @@ class LiveHand {
   void on_color(const wire::Message& message);
   void ask_often();
   void make_surfaces();
+  void look_at(const DepthImage& image);
   void keep(const core::SurfaceStage::Result& made);
   [[nodiscard]] Point<DepthCamera> hand_at(double at_s) const;
 
@@ -60,7 +61,8 @@ class LiveHand {
   std::uint64_t color_number_ = 0;
   std::optional<Intrinsics> camera_;
   core::SurfaceStage stage_;  // owned by the surface thread, but for admit()
-  std::mutex mutex_;          // guards the members below
+  bool has_looked_ = false;
+  std::mutex mutex_;  // guards the members below
   std::condition_variable came_;
   std::vector<core::ArrivedDepth> waiting_;
   std::optional<wire::Message> unreadable_;
