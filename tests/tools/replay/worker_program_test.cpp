@@ -167,7 +167,7 @@ TEST_F(WorkerProgram, SweepAndWorkerOfAnotherVersionAreToldSo) {
 }
 
 TEST_F(WorkerProgram, AFullClusterIsSaidWithItsFix) {
-  start_cluster("max_file_store: 16384");
+  start_cluster("max_file_store: 2000");
   const auto sweep = start("telepalp-replay", sweep_words(), "sweep.log");
   EXPECT_EQ(sweep->wait(60s), 2);
   const std::string said = bytes_of(in("sweep.log"));
