@@ -7,7 +7,7 @@ set(TELEPALP_CLIENTS telepalp-view telepalp-record telepalp-report telepalp-expo
   telepalp-mixed)
 set(TELEPALP_SERVER telepalp-server telepalp-keys telepalp-meet)
 set(TELEPALP_STATION telepalp-station)
-set(TELEPALP_TOOLS telepalp-codec telepalp-probe telepalp-study)
+set(TELEPALP_TOOLS telepalp-codec telepalp-probe telepalp-study telepalp-worker)
 
 # A build directory elsewhere finds the repository's data by this file, not by a path within a program.
 file(WRITE ${PROJECT_BINARY_DIR}/telepalp_source.txt "${PROJECT_SOURCE_DIR}\n")
@@ -95,7 +95,7 @@ set(CPACK_COMPONENT_DATA_DESCRIPTION "telepalp: scenes, data of the demo, and do
 set(CPACK_COMPONENT_CLIENTS_DESCRIPTION "telepalp: view, record, report, export and replay sessions; impair a link")
 set(CPACK_COMPONENT_SERVER_DESCRIPTION "telepalp: server at the patient's site, its keys, and the web page")
 set(CPACK_COMPONENT_STATION_DESCRIPTION "telepalp: haptic station at the doctor's site")
-set(CPACK_COMPONENT_TOOLS_DESCRIPTION "telepalp: depth codec, and a probe of the surface that is felt")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "telepalp: depth codec, a probe of the surface that is felt, studies, and workers for sweeps")
 set(CPACK_COMPONENT_DEMO_DESCRIPTION "telepalp: examine a patient by touch, across a network; all programs and the demo")
 set(same_version "(= ${PROJECT_VERSION})")
 foreach(component clients server station tools)

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "server/relay/nats_connection.h"
 #include "server/relay/relay_origin.h"
+#include "support/nats/nats_connection.h"
 #include "support/program/address.h"
 
 namespace telepalp::server {
@@ -116,10 +116,8 @@ Findings check_others(asio::io_context& io, const Asked& asked) {
   }
   if (asked.relay.publishes) {
     const relay::RelayAddress& to = *asked.relay.publishes;
-    const auto cluster = relay::NatsConnection::open({.url = to.url,
-                                                      .credentials = to.credentials,
-                                                      .authority = to.authority,
-                                                      .name = std::string(kProgram) + " --check"});
+    const auto cluster =
+        nats::NatsConnection::open({.address = to.cluster, .name = std::string(kProgram) + " --check"});
     found.push_back(cluster ? good("cluster", relay::in_words(to) + " takes this server")
                             : problem("cluster", cluster.error()));
   }

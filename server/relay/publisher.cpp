@@ -65,36 +65,34 @@ class Publisher::Line : public std::enable_shared_from_this<Line> {
   std::atomic<std::size_t> taken_B_{0};
   std::atomic<std::uint64_t> published_{0};
   std::atomic<std::uint64_t> lost_{0};
-  std::unique_ptr<NatsConnection> nats_;
+  std::unique_ptr<nats::NatsConnection> nats_;
   std::thread writer_;
 };
 
 Result<void> Publisher::Line::start() {
   const std::string& site = options_.address.site;
-  auto nats = NatsConnection::open({.url = options_.address.url,
-                                    .credentials = options_.address.credentials,
-                                    .authority = options_.address.authority,
-                                    .name = "telepalp-server of " + site,
-                                    .on_change = [line = weak_from_this()](bool is_connected) {
-                                      if (const auto self = line.lock())
-                                        self->on_network_thread([is_connected](Line& on) {
-                                          on.options_.log(is_connected ? "connected to the cluster again"
-                                                                       : "the connection to the cluster is lost");
-                                          if (is_connected) on.show_again();
-                                        });
-                                    }});
+  auto nats = nats::NatsConnection::open({.address = options_.address.cluster,
+                                          .name = "telepalp-server of " + site,
+                                          .on_change = [line = weak_from_this()](bool is_connected) {
+                                            if (const auto self = line.lock())
+                                              self->on_network_thread([is_connected](Line& on) {
+                                                on.options_.log(is_connected ? "connected to the cluster again"
+                                                                             : "the connection to the cluster is lost");
+                                                if (is_connected) on.show_again();
+                                              });
+                                          }});
   if (!nats) return nats.error();
   nats_ = std::move(nats).value();
   if (nats_->ask(clock_subject(site), {}, kAnotherAnswersWithin))
     return Error{.what = "another server publishes the site '" + site + "' there",
                  .where = in_words(options_.address),
                  .fix = "stop it, or give this site another name: nats://HOST/SITE"};
-  const Result<void> clock = nats_->subscribe(clock_subject(site), [this](const NatsConnection::Note& note) {
+  const Result<void> clock = nats_->subscribe(clock_subject(site), [this](const nats::NatsConnection::Note& note) {
     if (!note.reply_to.empty())
       nats_->publish(std::string(note.reply_to), std::to_string(to_nanoseconds(clock_.now())));
   });
   if (!clock) return clock.error();
-  const Result<void> again = nats_->subscribe(again_subject(site), [this](const NatsConnection::Note&) {
+  const Result<void> again = nats_->subscribe(again_subject(site), [this](const nats::NatsConnection::Note&) {
     on_network_thread([](Line& line) { line.show_again(); });
   });
   if (!again) return again.error();

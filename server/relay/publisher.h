@@ -9,8 +9,8 @@
 #include "proto/wire/session_clock.h"
 #include "proto/words/result.h"
 #include "server/hub/hub.h"
-#include "server/relay/nats_connection.h"
 #include "server/relay/relay_address.h"
+#include "support/nats/nats_connection.h"
 
 namespace telepalp::relay {
 

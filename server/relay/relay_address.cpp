@@ -26,44 +26,24 @@ std::string with_dots(std::string_view topic) {
 
 }  // namespace
 
-bool is_relay(std::string_view source) noexcept {
-  return source.starts_with("nats://") || source.starts_with("tls://");
-}
-
 Result<RelayAddress> parse_relay(std::string_view text, std::string_view where) {
-  const std::size_t question = text.find('?');
-  std::string_view files = question == text.npos ? "" : text.substr(question + 1);
-  text = text.substr(0, question);
-  const std::size_t scheme = text.find("://");
-  const std::size_t slash = text.rfind('/');
-  if (!is_relay(text) || slash <= scheme + 3 || !is_site(text.substr(slash + 1)))
+  const std::string_view path = text.substr(0, text.find('?'));
+  const std::size_t scheme = path.find("://");
+  const std::size_t slash = path.rfind('/');
+  if (!nats::is_address(path) || slash <= scheme + 3 || !is_site(path.substr(slash + 1)))
     return Error{.what =
                      "the address of a relay has the form nats://HOST[:PORT]/SITE, where SITE is letters, digits, "
                      "'-' and '_'",
                  .where = std::string(where),
                  .fix = "give, for example, nats://cluster.example/ward3, or tls:// if the cluster asks for TLS"};
-  RelayAddress address{.url = std::string(text.substr(0, slash)), .site = std::string(text.substr(slash + 1))};
-  while (!files.empty()) {
-    const std::string_view one = files.substr(0, files.find('&'));
-    files.remove_prefix(std::min(files.size(), one.size() + 1));
-    if (one.starts_with("creds=") && one.size() > 6)
-      address.credentials = one.substr(6);
-    else if (one.starts_with("ca=") && one.size() > 3)
-      address.authority = one.substr(3);
-    else
-      return Error{.what = "'" + std::string(one.substr(0, 64)) + "' is neither creds=FILE nor ca=FILE",
-                   .where = std::string(where),
-                   .fix = "give, for example, tls://cluster.example/ward3?creds=site.creds&ca=cluster.crt"};
-  }
-  return address;
+  Result<nats::Address> cluster =
+      nats::parse_address(std::string(path.substr(0, slash)) + std::string(text.substr(path.size())), where);
+  if (!cluster) return cluster.error();
+  return RelayAddress{.cluster = *std::move(cluster), .site = std::string(path.substr(slash + 1))};
 }
 
-std::string in_words(const RelayAddress& address) { return without_password(address.url) + "/" + address.site; }
-
-std::string without_password(const std::string& url) {
-  const std::size_t host = url.find("://") + 3;
-  const std::size_t at = url.rfind('@');
-  return url.substr(0, host) + url.substr(at == std::string::npos ? host : at + 1);
+std::string in_words(const RelayAddress& address) {
+  return nats::without_password(address.cluster.url) + "/" + address.site;
 }
 
 std::string subject_of(const std::string& site, const wire::Topic& topic) {

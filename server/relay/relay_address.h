@@ -6,26 +6,19 @@
 
 #include "proto/wire/topics.h"
 #include "proto/words/result.h"
+#include "support/nats/nats_address.h"
 
 namespace telepalp::relay {
 
 /// Where a site's messages are in a cluster of NATS servers.
 struct RelayAddress {
-  std::string url;   ///< as NATS takes it: nats://[USER:PASSWORD@]HOST[:PORT], or tls://…; several, with commas
+  nats::Address cluster;
   std::string site;  ///< letters, digits, '-' and '_'
-  std::string credentials{};  ///< NATS's credentials file (.creds); empty: none
-  std::string authority{};    ///< file with the certificate of a tls:// server's authority; empty: the system's
 };
-
-/// True if `source` begins as an address of a relay does: nats:// or tls://.
-[[nodiscard]] bool is_relay(std::string_view source) noexcept;
 
 /// Reads `nats://HOST[:PORT]/SITE[?creds=FILE][&ca=FILE]`. `where`: the option's name, for errors.
 [[nodiscard]] Result<RelayAddress> parse_relay(std::string_view text, std::string_view where);
 
-/// `url` without names and passwords, for logs. Of several servers it keeps only those after the last password, because
-/// a password may contain a comma.
-[[nodiscard]] std::string without_password(const std::string& url);
 /// `address` without the password, for logs.
 [[nodiscard]] std::string in_words(const RelayAddress& address);
 

@@ -9,7 +9,7 @@ Result<RelayOptions> relay_options_of(const program::Arguments& arguments) {
     if (!address) return address.error();
     options.publishes = *address;
   }
-  if (is_relay(arguments.text("source"))) {
+  if (nats::is_address(arguments.text("source"))) {
     const Result<RelayAddress> address = parse_relay(arguments.text("source"), "--source");
     if (!address) return address.error();
     options.shows = *address;

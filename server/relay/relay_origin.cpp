@@ -25,7 +25,7 @@ struct ClockEstimate {
 };
 
 /// From the quickest of some probes.
-Result<ClockEstimate> estimate_clock(NatsConnection& nats, const std::string& site) {
+Result<ClockEstimate> estimate_clock(nats::NatsConnection& nats, const std::string& site) {
   ClockEstimate best;
   for (int probe = 0; probe < kClockProbes; ++probe) {
     const Nanoseconds asked = std::chrono::steady_clock::now().time_since_epoch();
@@ -60,7 +60,7 @@ class RelayOrigin final : public origin::Origin {
   void start(Handlers handlers) override {
     handlers_ = std::move(handlers);
     const Result<void> subscribed =
-        nats_->subscribe(all_subjects(site_), [this](const NatsConnection::Note& note) { post(note); });
+        nats_->subscribe(all_subjects(site_), [this](const nats::NatsConnection::Note& note) { post(note); });
     if (!subscribed) log_(to_string(subscribed.error()));
     ask_again();
   }
@@ -89,7 +89,7 @@ class RelayOrigin final : public origin::Origin {
     return "site " + site_ + ": " + status.detail();
   }
 
-  void take(std::unique_ptr<NatsConnection> nats) { nats_ = std::move(nats); }
+  void take(std::unique_ptr<nats::NatsConnection> nats) { nats_ = std::move(nats); }
   /// On a thread of the library.
   void changed(bool is_connected) {
     boost::asio::post(io_, while_running([this, is_connected] {
@@ -100,7 +100,7 @@ class RelayOrigin final : public origin::Origin {
 
  private:
   /// On a thread of the library.
-  void post(const NatsConnection::Note& note) {
+  void post(const nats::NatsConnection::Note& note) {
     const std::optional<wire::Topic> topic = topic_of(site_, note.subject);
     if (!topic || posted_B_ + note.payload.size() > kMostPosted_B) return;
     posted_B_ += note.payload.size();
@@ -126,19 +126,17 @@ class RelayOrigin final : public origin::Origin {
   boost::asio::steady_timer again_;
   std::chrono::steady_clock::time_point asked_{};
   std::atomic<std::size_t> posted_B_{0};
-  std::unique_ptr<NatsConnection> nats_;  // last: its handlers use the other members
+  std::unique_ptr<nats::NatsConnection> nats_;  // last: its handlers use the other members
 };
 
 }  // namespace
 
 Result<Upstream> connect_upstream(boost::asio::io_context& io, const UpstreamOptions& options) {
   auto origin = std::make_unique<RelayOrigin>(io, options.address.site, options.log);
-  auto nats =
-      NatsConnection::open({.url = options.address.url,
-                            .credentials = options.address.credentials,
-                            .authority = options.address.authority,
-                            .name = "edge of " + options.address.site,
-                            .on_change = [raw = origin.get()](bool is_connected) { raw->changed(is_connected); }});
+  auto nats = nats::NatsConnection::open(
+      {.address = options.address.cluster,
+       .name = "edge of " + options.address.site,
+       .on_change = [raw = origin.get()](bool is_connected) { raw->changed(is_connected); }});
   if (!nats) return nats.error();
   const Result<ClockEstimate> clock = estimate_clock(**nats, options.address.site);
   if (!clock) return clock.error();

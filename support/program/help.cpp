@@ -98,13 +98,16 @@ std::vector<Row> option_rows(const Usage& usage) {
 }  // namespace
 
 std::string help_text(const Usage& usage) {
-  std::string text = wrapped(std::string(usage.program) + ": " + std::string(usage.purpose), 0, 0) + "\n";
-  text += usage_lines(usage);
+  const std::string purpose = wrapped(std::string(usage.program) + ": " + std::string(usage.purpose), 0, 0);
+  std::string text = usage_lines(usage);
   if (!usage.commands.empty())
     text += table(
         has_own_help(usage) ? "commands (details: " + std::string(usage.program) + " COMMAND --help)" : "commands",
         command_rows(usage));
-  return text + table("options", option_rows(usage)) + "\nexample: " + std::string(usage.example) + "\n";
+  text += table("options", option_rows(usage)) + "\nexample: " + std::string(usage.example) + "\n";
+  // The longest help gives up the empty line after its first sentence, so that it still fits on a screen.
+  const auto lines = static_cast<std::size_t>(std::ranges::count(purpose + text, '\n'));
+  return purpose + (lines < kHelpLines ? "\n" : "") + text;
 }
 
 std::string version_text(std::string_view program) {

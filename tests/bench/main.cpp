@@ -33,7 +33,7 @@ using namespace telepalp;
 /// All benchmarks. A new one needs a file <name>_bench.cpp, a declaration and a row here.
 constexpr std::array kBenches{
     bench::Bench{"accuracy", "error against ground truth and computing time of each setting", bench::run_accuracy},
-    bench::Bench{"cluster", "a relay through NATS to an edge: delay, cost, a lost node", bench::run_cluster},
+    bench::Bench{"cluster", "relay through NATS to an edge; a lost node; sweeps by workers", bench::run_cluster},
     bench::Bench{"control", "the haptic controller: time of a tick, trials, force law, safety", bench::run_control},
     bench::Bench{"passivity", "energy balance and force error over bad networks, 1000 runs", bench::run_passivity},
     bench::Bench{"depth", "compression ratio and time of each depth mode and other codecs", bench::run_depth},
@@ -60,7 +60,7 @@ program::Usage usage() {
                        .positional = {},
                        .options = {{"json", "", "print JSON instead of a table"},
                                    {"input", "FILE|DIR", "depth, hand, needle, thin: data; link, pipeline: a --source"},
-                                   {"part", "NAME", "accuracy, mixed, needle, site, thin, users: only this part"},
+                                   {"part", "NAME", "accuracy, cluster, mixed, needle, site, thin, users: a part"},
                                    {"write", "DIR", "accuracy, hand: write accuracy.md or reached.tsv"},
                                    {"depth-mode", "MODE", "pipeline: how the server compresses depth", "fast"},
                                    {"row", "PART,PART…", "hand, site: only studies whose names contain a PART"},

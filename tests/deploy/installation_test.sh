@@ -9,7 +9,7 @@ fail() { echo "FAILED: $1" >&2; exit 1; }
 prefix=$work/prefix
 "$cmake" --install "$build" --prefix "$prefix" >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "cmake --install"; }
 
-programs="server station record report view export codec probe keys link replay mixed meet study demo"
+programs="server station record report view export codec probe keys link replay worker mixed meet study demo"
 for program in $programs; do
   [ -x "$prefix/bin/telepalp-$program" ] || fail "telepalp-$program is not installed"
   [ -s "$prefix/share/man/man1/telepalp-$program.1" ] || fail "telepalp-$program has no man page"
@@ -40,4 +40,4 @@ unset TELEPALP_HOME
 "$prefix/bin/telepalp-station" --check >"$work/check" 2>&1 || { cat "$work/check" >&2; fail "the station's default scene"; }
 timeout 30 "$prefix/bin/telepalp-server" --source synthetic --port 0 --http-port 0 --seconds 1 >"$work/server" 2>&1 ||
   { cat "$work/server" >&2; fail "the server with the synthetic patient and the viewer"; }
-echo "installation: 12 programs, man pages, completion, units, limits, data: found from /"
+echo "installation: all programs, man pages, completion, units, limits, data: found from /"

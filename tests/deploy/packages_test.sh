@@ -29,7 +29,7 @@ holds() { # PACKAGE PROGRAM...
 holds telepalp-clients view record report export replay link mixed
 holds telepalp-server server keys meet
 holds telepalp-station station
-holds telepalp-tools codec probe study
+holds telepalp-tools codec probe study worker
 holds telepalp demo
 files telepalp-server | grep -q 'telepalp/viewer/index.html' || fail "the server has no web page"
 

@@ -41,7 +41,7 @@ check() { # PROGRAM [COMMAND]
   [ $? = 2 ] || failed "$* takes an empty ${option% *}"
 }
 
-programs=(telepalp-server telepalp-meet telepalp-station telepalp-record telepalp-report telepalp-view telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-study telepalp-mixed telepalp-bench)
+programs=(telepalp-server telepalp-meet telepalp-station telepalp-record telepalp-report telepalp-view telepalp-export telepalp-codec telepalp-probe telepalp-keys telepalp-link telepalp-replay telepalp-worker telepalp-study telepalp-mixed telepalp-bench)
 for program in "${programs[@]}"; do
   check "$program"
   for command in $(commands_of "$program"); do check "$program" "$command"; done

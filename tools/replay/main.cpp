@@ -4,7 +4,7 @@
 #include "tools/replay/commands/journal_command.h"
 #include "tools/replay/commands/run_command.h"
 #include "tools/replay/commands/storm_command.h"
-#include "tools/replay/commands/sweep_command.h"
+#include "tools/replay/sweep/sweep_command.h"
 
 namespace {
 

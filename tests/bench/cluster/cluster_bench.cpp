@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "server/hub/hub.h"
-#include "server/relay/nats_connection.h"
 #include "server/relay/publisher.h"
+#include "support/nats/nats_connection.h"
+#include "tests/bench/choice.h"
 #include "tests/bench/cluster/nats_cluster.h"
+#include "tests/bench/cluster/sweep_rows.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
@@ -102,7 +104,7 @@ constexpr std::size_t kMessage_B = 90'000;  // a depth image of the synthetic pa
 
 /// Processor time of a bare NATS client that publishes kMessages payloads [us].
 Result<double> bare_publisher_cpu_us(const std::string& url) {
-  auto nats = relay::NatsConnection::open({.url = url, .credentials = {}, .authority = {}, .name = "bare"});
+  auto nats = nats::NatsConnection::open({.address = {.url = url}, .name = "bare"});
   if (!nats) return nats.error();
   const std::string payload(kMessage_B, 'x');
   const double before_us = process_us();
@@ -115,7 +117,7 @@ Result<double> publisher_cpu_us(const std::string& url) {
   boost::asio::io_context io(1);
   hub::Hub hub;
   auto publisher = relay::Publisher::open(io, hub, wire::SessionClock::anchored_to_wall_clock(),
-                                          {.address = {.url = url, .site = "cost"}});
+                                          {.address = {.cluster = {.url = url}, .site = "cost"}});
   if (!publisher) return publisher.error();
   const auto payload = std::make_shared<const std::string>(kMessage_B, 'x');
   constexpr std::size_t kInFlight = 16;  // less than the publisher takes, so that the hub drops none
@@ -214,17 +216,33 @@ Result<void> add_loss_of_a_node(const fs::path& scratch, bool is_killed, std::ve
   return {};
 }
 
+Result<void> add_lost_nodes(const fs::path& scratch, double, std::vector<Row>& rows) {
+  for (const bool is_killed : {true, false})
+    if (const Result<void> done = add_loss_of_a_node(scratch, is_killed, rows); !done) return done;
+  return {};
+}
+
+Result<void> add_sweeps(const fs::path& scratch, double, std::vector<Row>& rows) {
+  return add_sweep_rows(scratch, rows);
+}
+
+struct Section {
+  std::string_view name;
+  Result<void> (*add)(const fs::path& scratch, double seconds, std::vector<Row>& rows);
+};
+
 }  // namespace
 
 Result<Report> run_cluster(const program::Arguments& arguments) {
   const Result<double> seconds = arguments.number("seconds", 2.0, 600.0);
   if (!seconds) return seconds.error();
+  const std::vector<Section> all{{"relay", add_steady_rows}, {"nodes", add_lost_nodes}, {"sweep", add_sweeps}};
+  const Result<std::vector<Section>> chosen = chosen_sections(all, arguments, "cluster");
+  if (!chosen) return chosen.error();
   const support::TemporaryFolder scratch;
-  Report report{.bench = "cluster", .rows = {}, .notes = {"real nats-server and telepalp-server, on loopback"}};
-  if (const Result<void> done = add_steady_rows(scratch.path(), *seconds, report.rows); !done) return done.error();
-  for (const bool is_killed : {true, false})
-    if (const Result<void> done = add_loss_of_a_node(scratch.path(), is_killed, report.rows); !done)
-      return done.error();
+  Report report{.bench = "cluster", .rows = {}, .notes = {"real nats-server and programs, on loopback"}};
+  for (const Section& section : *chosen)
+    if (const Result<void> done = section.add(scratch.path(), *seconds, report.rows); !done) return done.error();
   return report;
 }
 

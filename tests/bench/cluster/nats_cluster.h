@@ -13,8 +13,10 @@ namespace telepalp::bench {
 /// A cluster of real NATS servers on loopback. They end with this object.
 class NatsCluster {
  public:
+  enum class Stores { Nothing, Files };  ///< with Files, each node has JetStream
   /// Error: nats-server is not installed, or does not start.
-  [[nodiscard]] static Result<NatsCluster> start(std::size_t nodes, const std::filesystem::path& scratch);
+  [[nodiscard]] static Result<NatsCluster> start(std::size_t nodes, const std::filesystem::path& scratch,
+                                                 Stores stores = Stores::Nothing);
 
   /// The address of one node: nats://HOST:PORT.
   [[nodiscard]] std::string url(std::size_t node) const;

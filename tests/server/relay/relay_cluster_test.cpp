@@ -56,7 +56,7 @@ class RelayCluster : public ::testing::Test {
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> keeps_running_{io_.get_executor()};
   hub::Hub site_;
   wire::SessionClock clock_{std::chrono::hours(1)};
-  relay::RelayAddress address_{.url = "nats://127.0.0.1:" + port_, .site = "ward"};
+  relay::RelayAddress address_{.cluster = {.url = "nats://127.0.0.1:" + port_}, .site = "ward"};
   std::string why_;
   std::uint64_t published_ = 0;
   std::map<std::uint64_t, wire::Message> sent_;  // by number
@@ -98,7 +98,7 @@ TEST_F(RelayCluster, ASiteIsPublishedByOneServerAndAnEdgeNeedsIt) {
   const auto second = relay::Publisher::open(io_, other, clock_, {.address = address_});
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().what.find("another server publishes"), std::string::npos) << second.error().what;
-  const auto edge = relay::connect_upstream(io_, {.address = {.url = address_.url, .site = "nobody"}});
+  const auto edge = relay::connect_upstream(io_, {.address = {.cluster = address_.cluster, .site = "nobody"}});
   ASSERT_FALSE(edge);
   EXPECT_NE(edge.error().fix.find("--publish"), std::string::npos) << edge.error().fix;
 }

@@ -102,7 +102,7 @@ TEST(RelayFrames, WhatNoRelaySendsIsRefused) {
 TEST(RelayAddress, NamesAClusterAndASite) {
   const auto address = parse_relay("nats://user:secret@a:4222,nats://b/ward_3-x", "--publish");
   ASSERT_TRUE(address);
-  EXPECT_EQ(address->url, "nats://user:secret@a:4222,nats://b");
+  EXPECT_EQ(address->cluster.url, "nats://user:secret@a:4222,nats://b");
   EXPECT_EQ(address->site, "ward_3-x");
   EXPECT_EQ(in_words(*parse_relay("nats://user:secret@a:4222/ward", "x")), "nats://a:4222/ward");
   for (const char* wrong : {"nats://", "nats://a", "nats:///ward", "nats://a/", "nats://a/w.x", "nats://a/*",

@@ -101,10 +101,7 @@ Result<void> read_source(const program::Arguments& arguments, Request& request) 
 
 /// Keeps the options that a run of the same result needs; those of outputs, checks and speed are left out.
 void keep_options(const program::Arguments& arguments, Request& request) {
-  std::vector<std::string_view> names{"scene", "hand", "depth-mode", "seconds"};
-  const std::vector<program::Option> network = network_options();
-  for (const program::Option& option : network) names.push_back(option.name);
-  for (const std::string_view name : names)
+  for (const std::string_view name : names_of_run_options())
     if (arguments.has(name)) request.options[std::string(name)] = arguments.text(name);
 }
 
@@ -217,7 +214,26 @@ Result<void> read_outputs(const program::Arguments& arguments, Request& request)
   return {};
 }
 
+Result<void> read_workers(const program::Arguments& arguments, Request& request) {
+  if (!arguments.has("workers")) return {};
+  if (!arguments.has("sweep"))
+    return Error{.what = "only the runs of a sweep are shared out among workers",
+                 .where = "--workers",
+                 .fix = "add --sweep, such as --sweep delay=0:50:300, or leave out --workers"};
+  Result<nats::Address> cluster = nats::parse_address(arguments.text("workers"), "--workers");
+  if (!cluster) return cluster.error();
+  request.workers = *std::move(cluster);
+  return {};
+}
+
 }  // namespace
+
+std::vector<std::string_view> names_of_run_options() {
+  std::vector<std::string_view> names{"scene", "hand", "depth-mode", "seconds"};
+  const std::vector<program::Option> network = network_options();
+  for (const program::Option& option : network) names.push_back(option.name);
+  return names;
+}
 
 program::Usage usage() {
   program::Usage usage{
@@ -234,6 +250,7 @@ program::Usage usage() {
                         {"seconds", "S", "length; 0: whole recording, 20 s if simulated", "0"},
                         {"threads", "N", "0: one per core; no influence on the results", "0"},
                         {"sweep", "AXIS=… AXIS=…", "run all combinations: delay=0:50:300 loss=0,1,5%"},
+                        {"workers", "nats://HOST", "telepalp-worker makes the runs of the sweep"},
                         {"storm", "SEEDS", "make this many random runs, and check each of them"},
                         {"journal", "FILE", "compute a live run again; fail if a force differs"},
                         {"check", "", "check force, energy and contact as --storm does"},
@@ -256,6 +273,7 @@ Result<Request> read_request(const program::Arguments& arguments) {
   if (const Result<void> read = read_source(arguments, request); !read) return read.error();
   if (const Result<void> read = read_outputs(arguments, request); !read) return read.error();
   if (const Result<void> read = read_baseline(arguments, request); !read) return read.error();
+  if (const Result<void> read = read_workers(arguments, request); !read) return read.error();
   keep_options(arguments, request);
   const Result<Scenario> scenario = read_scenario(arguments);
   if (!scenario) return scenario.error();

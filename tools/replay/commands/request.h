@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clients/report/compare/gate.h"
+#include "support/nats/nats_address.h"
 #include "support/program/options.h"
 #include "tools/replay/figures/assertion.h"
 #include "tools/replay/run/session_run.h"
@@ -40,10 +41,11 @@ struct Request {
   std::filesystem::path junit;     ///< empty: none
   std::filesystem::path baseline;  ///< session that the run is compared with; empty: none
   std::vector<report::Tolerance> tolerances;
-  std::vector<SweepAxis> axes;     ///< of a sweep; empty: one run
-  std::vector<SweepCell> cells;    ///< of the sweep
-  std::optional<int> storm_seeds;  ///< number of random cases to check (storm.h) instead of a run
-  bool check = false;              ///< check the invariants at each tick
+  std::vector<SweepAxis> axes;           ///< of a sweep; empty: one run
+  std::vector<SweepCell> cells;          ///< of the sweep
+  std::optional<nats::Address> workers;  ///< the cluster of the sweep's workers; nullopt: this program makes all cells
+  std::optional<int> storm_seeds;        ///< number of random cases to check (storm.h) instead of a run
+  bool check = false;                    ///< check the invariants at each tick
   bool json = false;
 
   [[nodiscard]] RunSettings run_settings(const std::atomic<bool>* stop = nullptr) const {
@@ -57,6 +59,9 @@ struct Request {
 };
 
 [[nodiscard]] program::Usage usage();
+
+/// The options on which the result of a run depends, beside its source.
+[[nodiscard]] std::vector<std::string_view> names_of_run_options();
 
 /// Reads the whole command line before anything runs. Error: an argument is misspelt, missing or out of range.
 [[nodiscard]] Result<Request> read_request(const program::Arguments& arguments);

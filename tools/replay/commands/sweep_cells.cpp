@@ -28,9 +28,7 @@ std::filesystem::path file_of(const Request& request, std::size_t cell) {
 }
 
 /// The figures in a cell's report; nullopt: no such report, or one of another identity.
-std::optional<Figures> read_figures(const std::filesystem::path& file, const std::string& identity) {
-  std::ifstream in(file);
-  const std::string json{std::istreambuf_iterator<char>(in), {}};
+std::optional<Figures> figures_in(const std::string& json, const std::string& identity) {
   google::protobuf::Struct report;
   if (!google::protobuf::util::JsonStringToMessage(json, &report).ok()) return std::nullopt;
   const auto& fields = report.fields();
@@ -57,12 +55,17 @@ RunOptions options_of(const Request& request, const SweepCell& cell) {
   return options;
 }
 
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 }  // namespace
 
 FinishedCells::FinishedCells(const Request& request) : request_(request), figures_(request.cells.size()) {
   if (request.out.empty()) return;
   for (std::size_t i = 0; i < figures_.size(); ++i)
-    figures_[i] = read_figures(file_of(request, i), identity_of(request, request.cells[i].scenario));
+    figures_[i] = figures_in(bytes_of(file_of(request, i)), identity_of(request, request.cells[i].scenario));
   kept_ = count();
 }
 
@@ -79,22 +82,38 @@ std::vector<std::size_t> FinishedCells::next(std::size_t most) const {
 }
 
 Result<void> FinishedCells::add(const std::vector<std::size_t>& batch, const RunResults& results) {
-  for (std::size_t i = 0; i < batch.size(); ++i) figures_[batch[i]] = results.runs[i + 1].figures;
-  if (request_.out.empty()) return {};
-  if (const Result<void> made = program::make_folder(request_.out / "cells", program::Readers::Group); !made)
-    return made;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const SweepCell& cell = request_.cells[batch[i]];
+    figures_[batch[i]] = results.runs[i + 1].figures;
     RunResults one{.runs = {results.runs.front(), results.runs[i + 1]},
                    .tape_costs = Stopwatch(),
                    .images = results.images,
                    .seconds = results.seconds};
-    const std::string report = report_json(request_, cell.scenario, options_of(request_, cell), one,
-                                           judge(request_.assertions, one.runs.back().figures));
-    const auto written = program::write_whole_file(file_of(request_, batch[i]), report, program::Readers::Group);
-    if (!written) return written;
+    const Result<void> kept = keep(batch[i], cell_report(request_, request_.cells[batch[i]], one));
+    if (!kept) return kept;
   }
   return {};
+}
+
+Result<void> FinishedCells::add(std::size_t cell, const std::string& report) {
+  const std::optional<Figures> figures = figures_in(report, identity_of(request_, request_.cells[cell].scenario));
+  if (!figures)
+    return Error{.what = "the report of a cell is not of this sweep",
+                 .where = "cell " + std::to_string(cell),
+                 .fix = "use workers of the version that this program has"};
+  figures_[cell] = *figures;
+  return keep(cell, report);
+}
+
+Result<void> FinishedCells::keep(std::size_t cell, const std::string& report) const {
+  if (request_.out.empty()) return {};
+  const Result<void> made = program::make_folder(request_.out / "cells", program::Readers::Group);
+  if (!made) return made;
+  return program::write_whole_file(file_of(request_, cell), report, program::Readers::Group);
+}
+
+std::string cell_report(const Request& request, const SweepCell& cell, const RunResults& results) {
+  return report_json(request, cell.scenario, options_of(request, cell), results,
+                     judge(request.assertions, results.runs.back().figures));
 }
 
 StopOnSignal::StopOnSignal() {

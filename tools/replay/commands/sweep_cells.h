@@ -26,11 +26,20 @@ class FinishedCells {
   /// be written.
   [[nodiscard]] Result<void> add(const std::vector<std::size_t>& batch, const RunResults& results);
 
+  /// Adds a cell that somebody else has made. `report`: cell_report(). Error: the report is not of this cell, or its
+  /// file cannot be written.
+  [[nodiscard]] Result<void> add(std::size_t cell, const std::string& report);
+
  private:
+  [[nodiscard]] Result<void> keep(std::size_t cell, const std::string& report) const;
+
   const Request& request_;
   std::vector<std::optional<Figures>> figures_;
   std::size_t kept_ = 0;
 };
+
+/// The text of a cell's file, cells/NNN.json. `results`: the unimpaired run, then the cell's.
+[[nodiscard]] std::string cell_report(const Request& request, const SweepCell& cell, const RunResults& results);
 
 /// While it lives, SIGINT and SIGTERM only set stopped().
 class StopOnSignal {

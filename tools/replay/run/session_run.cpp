@@ -8,41 +8,10 @@
 #include "haptic_station/station/rigs/placement.h"
 #include "proto/words/demand.h"
 #include "support/program/parallel.h"
+#include "tools/replay/run/running.h"
 
 namespace telepalp::replay {
 namespace {
-
-constexpr Nanoseconds kWindow{500'000'000};
-constexpr double kLongestStart_s = 10.0;  // of frames in which the scene cannot be placed
-
-/// One run with its cell, its figures and its recent ticks.
-struct Running {
-  Running(const StationSetup& setup, RunOrder& order, const Tape& tape)
-      : cell(setup, order.scenario, tape.settings(), tape.truth(), std::move(order.publish),
-             simulated_wires(order.scenario)),
-        on_ticks(std::move(order.on_ticks)) {}
-
-  void run_until(SessionTime until, const TapeFrames& frames) {
-    ticks.clear();
-    cell.run_until(until, frames, ticks);
-    if (on_ticks) on_ticks(ticks);
-  }
-  void sum_up(const std::vector<TickRecord>& unimpaired) {
-    sum.add(ticks, unimpaired);
-    sum.add(cell.touchable());
-  }
-
-  Cell cell;
-  std::function<void(const std::vector<TickRecord>&)> on_ticks;
-  std::vector<TickRecord> ticks;
-  FigureSum sum;
-};
-
-/// Frames of one window of session time.
-struct TapeWindow {
-  SessionTime until;
-  TapeFrames frames;
-};
 
 /// The work is a pipeline: in one step the tape reads window k + 1, the unimpaired run does window k, and all others do
 /// window k - 1, whose unimpaired ticks are known. No task reads what another task of the same step writes.
@@ -64,10 +33,7 @@ class Pipeline {
   }
 
  private:
-  [[nodiscard]] SessionTime end() const noexcept {
-    return settings_.seconds > 0.0 ? kBegin + from_seconds(settings_.seconds) : SessionTime::max();
-  }
-  Result<void> read_window();
+  Result<void> read_next();
   Result<void> start();
   void step();
   [[nodiscard]] RunResults results() const;
@@ -85,25 +51,23 @@ class Pipeline {
   std::optional<Error> failure_;
 };
 
-Result<void> Pipeline::read_window() {
-  if (tape_.ended() || read_until_ >= end()) return {};
-  const SessionTime until = std::min(read_until_ + kWindow, end());
-  Result<TapeFrames> frames = tape_.read_until(until);
-  if (!frames) return frames.error();
-  read_until_ = until;
-  next_.push_back({until, std::move(*frames)});
+Result<void> Pipeline::read_next() {
+  Result<std::optional<TapeWindow>> window = read_window(tape_, read_until_, end_of(settings_.seconds));
+  if (!window) return window.error();
+  if (*window) next_.push_back(std::move(**window));
   return {};
 }
 
 /// Reads up to the first frame in which the scene can be placed. All runs get this place, so that they differ by
 /// nothing but the network.
 Result<void> Pipeline::start() {
-  while (!tape_.ended() && to_seconds(read_until_ - kBegin) < kLongestStart_s && read_until_ < end()) {
-    if (const Result<void> read = read_window(); !read) return read.error();
+  while (!tape_.ended() && to_seconds(read_until_ - kBegin) < kLongestStart_s &&
+         read_until_ < end_of(settings_.seconds)) {
+    if (const Result<void> read = read_next(); !read) return read.error();
     const auto placed = first_placement(settings_.scene, next_.back().frames);
     if (!placed) continue;
     const StationSetup setup{settings_.scene, settings_.surface, *placed, settings_.recorded};
-    for (RunOrder& order : orders_) runs_.emplace_back(setup, order, tape_);
+    for (RunOrder& order : orders_) runs_.emplace_back(setup, std::move(order), tape_);
     return {};
   }
   return nowhere_to_place();
@@ -118,7 +82,7 @@ void Pipeline::step() {
   program::for_each_parallel(2 + others, settings_.threads, [this](int i) {
     if (i == 0) {
       if (next_.empty())
-        if (const Result<void> read = read_window(); !read) failure_ = read.error();
+        if (const Result<void> read = read_next(); !read) failure_ = read.error();
     } else if (i == 1) {
       if (current_) runs_.front().run_until(current_->until, current_->frames);
     } else if (previous_) {
@@ -138,11 +102,20 @@ void Pipeline::step() {
 RunResults Pipeline::results() const {
   RunResults results{
       .runs = {}, .tape_costs = tape_.costs(), .images = tape_.images(), .seconds = to_seconds(done_until_ - kBegin)};
-  for (const Running& run : runs_) results.runs.push_back({run.sum.figures(run.cell), run.cell.costs()});
+  for (const Running& run : runs_) results.runs.push_back(run.result());
   return results;
 }
 
 }  // namespace
+
+Result<std::optional<TapeWindow>> read_window(Tape& tape, SessionTime& read_until, SessionTime end) {
+  if (tape.ended() || read_until >= end) return std::optional<TapeWindow>();
+  const SessionTime until = std::min(read_until + kWindow, end);
+  Result<TapeFrames> frames = tape.read_until(until);
+  if (!frames) return frames.error();
+  read_until = until;
+  return std::optional(TapeWindow{until, std::move(*frames)});
+}
 
 std::optional<Transform<HapticBase, DepthCamera>> first_placement(const scenes::Scene& scene,
                                                                   const TapeFrames& frames) {

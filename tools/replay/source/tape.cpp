@@ -14,15 +14,6 @@ using namespace std::chrono_literals;
 
 constexpr std::string_view kSynthetic = "synthetic";
 
-/// `source` with the kind that a file's ending tells.
-std::string with_kind(const std::string& source) {
-  if (source.find(':') != std::string::npos) return source;
-  if (source.ends_with(".mcap")) return "session:" + source;
-  if (source.ends_with(".oni")) return "oni:" + source;
-  if (source.ends_with(".pcd")) return "pcd:" + source;
-  return source;
-}
-
 bool is_synthetic(std::string_view spec) {
   return spec == kSynthetic || spec.starts_with(std::string(kSynthetic) + ":");
 }
@@ -39,6 +30,14 @@ void count(ImageFacts& facts, const RgbdFrame& frame) {
 }
 
 }  // namespace
+
+std::string with_kind(const std::string& source) {
+  if (source.find(':') != std::string::npos) return source;
+  if (source.ends_with(".mcap")) return "session:" + source;
+  if (source.ends_with(".oni")) return "oni:" + source;
+  if (source.ends_with(".pcd")) return "pcd:" + source;
+  return source;
+}
 
 std::string session_file_of(const std::string& source) {
   constexpr std::string_view kSession = "session:";

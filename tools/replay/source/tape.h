@@ -84,6 +84,9 @@ class Tape {
   std::unique_ptr<State> state_;
 };
 
+/// `source` with the kind that a file's ending tells: "session:a.mcap" for "a.mcap".
+[[nodiscard]] std::string with_kind(const std::string& source);
+
 /// The file of a recorded session that `source` names; empty for any other source.
 [[nodiscard]] std::string session_file_of(const std::string& source);
 

@@ -1,8 +1,9 @@
-#include "tools/replay/commands/sweep_command.h"
+#include "tools/replay/sweep/sweep_command.h"
 
 #include <array>
 #include <cstdio>
 
+#include "proto/words/counted.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
 #include "tools/replay/commands/progress_bar.h"
@@ -10,6 +11,7 @@
 #include "tools/replay/commands/run_command.h"
 #include "tools/replay/commands/sweep_cells.h"
 #include "tools/replay/commands/sweep_tables.h"
+#include "tools/replay/workers/shared_sweep.h"
 
 namespace telepalp::replay {
 namespace {
@@ -103,6 +105,21 @@ void say_stopped(const Request& request, const FinishedCells& finished) {
   std::fprintf(stderr, "%s, and printed; no file keeps them, because --out is not given\n", cells.c_str());
 }
 
+/// Lets workers make the cells. Returns no runs: their costs are those of other computers.
+Result<RunResults> let_workers_make_cells(const Request& request, FinishedCells& finished) {
+  const Result<SharedOutcome> outcome = share_sweep(request, finished, StopOnSignal::stopped());
+  if (!outcome) return outcome.error();
+  if (outcome->ordered > 0)
+    std::fprintf(stderr, "workers go on with %zu runs; the same command takes their results, for seven days\n",
+                 outcome->ordered);
+  if (!outcome->refused.empty())
+    return Error{.what = counted(outcome->refused.size(), "run was", "runs were") + " given up by the workers, first " +
+                         program::escaped(outcome->refused.front()),
+                 .where = "--workers",
+                 .fix = "remove the cause, and give the same command again: it makes the missing runs only"};
+  return RunResults{.runs = {}, .tape_costs = Stopwatch()};
+}
+
 }  // namespace
 
 Result<bool> run_sweep(const Request& request) {
@@ -112,7 +129,8 @@ Result<bool> run_sweep(const Request& request) {
     program::log("telepalp-replay", std::to_string(finished.kept()) + " of " + std::to_string(request.cells.size()) +
                                         " runs of the sweep were finished before, and are not made again");
   const std::int64_t began_ns = steady_ns();
-  const Result<RunResults> made = make_cells(request, finished);
+  const Result<RunResults> made =
+      request.workers ? let_workers_make_cells(request, finished) : make_cells(request, finished);
   if (!made) return made.error();
   if (finished.count() < request.cells.size()) {
     say_stopped(request, finished);

@@ -2,25 +2,23 @@
 
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "proto/words/result.h"
+#include "support/nats/nats_address.h"
 
-namespace telepalp::relay {
+namespace telepalp::nats {
 
 /// A connection to a cluster of NATS servers. When it is lost, it connects again by itself, after at most half a
 /// second, to another server of the cluster if there is one. Any thread.
 class NatsConnection {
  public:
   struct Options {
-    std::string url;                    ///< nats://[USER:PASSWORD@]HOST[:PORT], or tls://…; several, with commas
-    std::filesystem::path credentials;  ///< NATS's credentials file (.creds); empty: none
-    std::filesystem::path authority;    ///< certificate of the authority of a tls:// server; empty: the system's
-    std::string name;                   ///< that the NATS server's monitoring shows
+    Address address;
+    std::string name;                                    ///< that the NATS server's monitoring shows
     std::function<void(bool is_connected)> on_change{};  ///< lost, or connected again; on a thread of the library
   };
   struct Note {
@@ -51,9 +49,11 @@ class NatsConnection {
   [[nodiscard]] std::size_t most_payload_B() const;
 
  private:
+  friend class Streams;
   struct Parts;
+  [[nodiscard]] void* library_connection() const noexcept;  ///< a natsConnection
   explicit NatsConnection(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace telepalp::relay
+}  // namespace telepalp::nats

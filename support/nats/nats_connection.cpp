@@ -1,15 +1,16 @@
-#include "server/relay/nats_connection.h"
+#include "support/nats/nats_connection.h"
 
 #include <nats/nats.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <utility>
 #include <vector>
 
-#include "server/relay/relay_address.h"
+#include "support/nats/library_status.h"
 
-namespace telepalp::relay {
+namespace telepalp::nats {
 namespace {
 
 using namespace std::chrono_literals;
@@ -27,19 +28,6 @@ struct FreeOptions {
   void operator()(natsOptions* options) const noexcept { natsOptions_Destroy(options); }
 };
 using NatsOptions = std::unique_ptr<natsOptions, FreeOptions>;
-
-/// What libnats adds to the text of `status`, without the place in its own source, "(conn.c:2088): ", which means
-/// nothing to a user.
-std::string detail_of(natsStatus status) {
-  const char* const last = nats_GetLastError(nullptr);
-  std::string_view text = last == nullptr ? "" : last;
-  if (const std::size_t end = text.find("): "); text.starts_with("(") && end != text.npos) text.remove_prefix(end + 3);
-  return text.empty() || text == natsStatus_GetText(status) ? "" : ": " + std::string(text);
-}
-
-Error refused(natsStatus status, const std::string& where, const char* fix) {
-  return {.what = natsStatus_GetText(status) + detail_of(status), .where = where, .fix = fix};
-}
 
 std::vector<std::string> split_at_commas(std::string_view list) {
   std::vector<std::string> parts;
@@ -98,8 +86,10 @@ struct NatsConnection::Parts {
   std::vector<std::pair<natsSubscription*, std::shared_ptr<Handler>>> subscriptions{};
 
   LastCall closed;
+  std::atomic<bool> ends{false};  // a connection that this object closes is not lost
 
   ~Parts() {
+    ends = true;
     for (auto& [subscription, handler] : subscriptions) {
       natsSubscription_Unsubscribe(subscription);
       handler->last_call.wait();
@@ -115,14 +105,14 @@ struct NatsConnection::Parts {
   static void found(natsConnection*, void* closure) { static_cast<Parts*>(closure)->changed(true); }
   static void over(natsConnection*, void* closure) { static_cast<Parts*>(closure)->closed.came(); }
   void changed(bool is_connected) const {
-    if (options.on_change) options.on_change(is_connected);
+    if (options.on_change && !ends) options.on_change(is_connected);
   }
   [[nodiscard]] natsStatus set(natsOptions* to);
 };
 
 natsStatus NatsConnection::Parts::set(natsOptions* to) {
   const auto ms = [](std::chrono::milliseconds time) { return static_cast<std::int64_t>(time.count()); };
-  const std::vector<std::string> urls = split_at_commas(options.url);
+  const std::vector<std::string> urls = split_at_commas(options.address.url);
   std::vector<const char*> servers;
   for (const std::string& url : urls) servers.push_back(url.c_str());
   natsStatus status = natsOptions_SetServers(to, servers.data(), static_cast<int>(servers.size()));
@@ -142,15 +132,17 @@ natsStatus NatsConnection::Parts::set(natsOptions* to) {
   then(natsOptions_SetDisconnectedCB(to, &Parts::lost, this));
   then(natsOptions_SetReconnectedCB(to, &Parts::found, this));
   then(natsOptions_SetClosedCB(to, &Parts::over, this));
-  if (options.url.starts_with("tls://")) then(natsOptions_SetSecure(to, true));
-  if (!options.authority.empty()) then(natsOptions_LoadCATrustedCertificates(to, options.authority.c_str()));
-  if (!options.credentials.empty())
-    then(natsOptions_SetUserCredentialsFromFiles(to, options.credentials.c_str(), nullptr));
+  if (options.address.url.starts_with("tls://")) then(natsOptions_SetSecure(to, true));
+  if (!options.address.authority.empty())
+    then(natsOptions_LoadCATrustedCertificates(to, options.address.authority.c_str()));
+  if (!options.address.credentials.empty())
+    then(natsOptions_SetUserCredentialsFromFiles(to, options.address.credentials.c_str(), nullptr));
   return status;
 }
 
 NatsConnection::NatsConnection(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 NatsConnection::~NatsConnection() = default;
+void* NatsConnection::library_connection() const noexcept { return parts_->connection; }
 
 Result<std::unique_ptr<NatsConnection>> NatsConnection::open(Options options) {
   auto parts = std::make_unique<Parts>();
@@ -159,7 +151,7 @@ Result<std::unique_ptr<NatsConnection>> NatsConnection::open(Options options) {
   if (const natsStatus status = natsOptions_Create(&made); status != NATS_OK)
     return refused(status, "NATS", "give this computer more memory");
   const NatsOptions held(made);
-  const std::string where = without_password(parts->options.url);
+  const std::string where = without_password(parts->options.address.url);
   if (const natsStatus status = parts->set(made); status != NATS_OK)
     return refused(status, where, "check the address, the credentials file and the authority's certificate");
   if (const natsStatus status = natsConnection_Connect(&parts->connection, made); status != NATS_OK)
@@ -207,4 +199,4 @@ std::size_t NatsConnection::most_payload_B() const {
   return static_cast<std::size_t>(natsConnection_GetMaxPayload(parts_->connection));
 }
 
-}  // namespace telepalp::relay
+}  // namespace telepalp::nats
