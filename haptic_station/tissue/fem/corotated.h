@@ -26,9 +26,10 @@ enum class Curvature { Exact, Positive };
 /// greatest, so its own change adds nothing. Warped stiffness (Mueller and Gross 2004) has no energy, and ledgers drift
 /// with it.
 ///
-/// The linear corotational law has tr(R^T F - I)^2 in place of the last term, to which it is equal for small strains.
-/// There the energy has valleys with an edge, in which inverted elements stay; with det F, the "fixed" corotational
-/// energy of Stomakhin and others 2012, it has none.
+/// The linear corotational law has tr(R^T F - I)^2 in place of (det F - 1)^2, to which it is equal for small strains.
+/// There the energy has valleys with an edge, in which inverted elements stay. The "fixed" corotational energy with det F
+/// (Stomakhin and others 2012) has no such valley; a prism of some elements still has false minima
+/// (PrismTouch::move()).
 ///
 /// R comes from the singular value decomposition with rotations on both sides, F = U diag(s) V^T, R = U V^T: an
 /// inverted element has a negative s3 of least magnitude (Irving, Teran, Fedkiw 2004), so no two stretches have a
