@@ -66,9 +66,11 @@ void CameraPipeline::publish_images(const RgbdFrame& frame) {
 
 /// A request does not say of which grade, so the next image of each becomes a key frame.
 void CameraPipeline::pass_key_frame_requests_on() {
-  for (const wire::Topic& topic : {wire::kCameraDepth, wire::kCameraDepthWindow, wire::kCameraColorVideo})
-    if (handlers_.take_key_frame_request(topic.name))
-      for (GradeStage& stage : stages_) stage.request_key_frame(topic.name);
+  const auto& take = handlers_.take_key_frame_request;
+  const RequestedKeyFrames requested{.whole = take(wire::kCameraDepth.name),
+                                     .window = take(wire::kCameraDepthWindow.name),
+                                     .video = take(wire::kCameraColorVideo.name)};
+  for (GradeStage& stage : stages_) stage.request_key_frames(requested);
 }
 
 void CameraPipeline::publish_calibration_when_due(const RgbdFrame& frame) {

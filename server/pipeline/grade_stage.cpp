@@ -44,10 +44,10 @@ void GradeStage::want(const GradeWanted& wanted) {
   if (!wanted_.color.video) video_.end();
 }
 
-void GradeStage::request_key_frame(std::string_view topic) noexcept {
-  if (topic == wire::kCameraDepth.name) whole_.request_key_frame();
-  if (topic == wire::kCameraDepthWindow.name) window_.request_key_frame();
-  if (topic == wire::kCameraColorVideo.name) video_.request_key_frame();
+void GradeStage::request_key_frames(const RequestedKeyFrames& requested) noexcept {
+  if (requested.whole) whole_.request_key_frame();
+  if (requested.window) window_.request_key_frame();
+  if (requested.video) video_.request_key_frame();
 }
 
 void GradeStage::forget_depth() noexcept {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
 
 #include "codec/depth_stream.h"
 #include "proto/wire/message.h"
@@ -17,6 +16,13 @@
 
 namespace telepalp::pipeline {
 
+/// The streams of images of which a subscriber requests a key frame.
+struct RequestedKeyFrames {
+  bool whole = false;
+  bool window = false;
+  bool video = false;
+};
+
 /// Encodes the images of one grade. Owner: the capture thread.
 class GradeStage {
  public:
@@ -25,7 +31,7 @@ class GradeStage {
 
   /// From the next image on, images are made as `wanted` says. Encoders that nobody needs are freed.
   void want(const GradeWanted& wanted);
-  void request_key_frame(std::string_view topic) noexcept;
+  void request_key_frames(const RequestedKeyFrames& requested) noexcept;
   /// The next depth images are key frames: the last one must not be a reference.
   void forget_depth() noexcept;
 

@@ -70,6 +70,7 @@ HandRecord LiveHand::end() {
   came_.notify_all();
   if (surfaces_.joinable()) surfaces_.join();
   boost::asio::post(io_, [this] {
+    stopped_ = true;
     ask_timer_.cancel();
     link_.stop();
   });
@@ -127,7 +128,7 @@ Point<DepthCamera> LiveHand::hand_at(double at_s) const {
 void LiveHand::ask_often() {
   ask_timer_.expires_after(5ms);
   ask_timer_.async_wait([this](const boost::system::error_code& stopped) {
-    if (stopped) return;
+    if (stopped || stopped_) return;  // a timer that has expired cannot be cancelled
     if (camera_ && link_.state() == wire::LinkState::Connected) {
       const SessionTime now = link_.clock().now();
       loop::TickSample tick;

@@ -60,6 +60,7 @@ class LiveHand {
   codec::ColorVideoDecoder video_;
   std::uint64_t color_number_ = 0;
   std::optional<Intrinsics> camera_;
+  bool stopped_ = false;
   core::SurfaceStage stage_;  // owned by the surface thread, but for admit()
   bool has_looked_ = false;
   std::mutex mutex_;  // guards the members below

@@ -199,7 +199,7 @@ Result<void> add_steady_rows(Report& report, const std::string& name, const std:
         measured(line + "longest gap between surfaces", longest_gap_ms(*run, kSettle_s, kUntil_s), "ms"));
     report.rows.push_back(measured(line + "use of the line", use, "%"));
   }
-  add_sentences(report, line, *run);
+  add_sentences(report, name + ", " + std::to_string(static_cast<int>(reach.Mbit_per_s)) + " Mbit/s", *run);
   return {};
 }
 
