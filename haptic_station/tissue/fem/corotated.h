@@ -27,8 +27,8 @@ enum class Curvature { Exact, Positive };
 /// with it.
 ///
 /// The linear corotational law has tr(R^T F - I)^2 in place of (det F - 1)^2, to which it is equal for small strains.
-/// There the energy has valleys with an edge, in which inverted elements stay. The "fixed" corotational energy with det F
-/// (Stomakhin and others 2012) has no such valley; a prism of some elements still has false minima
+/// There the energy has valleys with an edge, in which inverted elements stay. The "fixed" corotational energy with det
+/// F (Stomakhin and others 2012) has no such valley; a prism of some elements still has false minima
 /// (PrismTouch::move()).
 ///
 /// R comes from the singular value decomposition with rotations on both sides, F = U diag(s) V^T, R = U V^T: an

@@ -18,6 +18,7 @@ const std::vector<NeedleSection> kSections{
     {"energy", "energy of ruptures and of long paths", run_needle_energy_section},
     {"force", "steps of the force", run_needle_force_section},
     {"relaxation", "the force of a stopped needle", run_needle_relaxation_section},
+    {"fem", "a prism of finite elements: return to rest, stiffness, price", run_needle_fem_section},
 };
 
 }  // namespace
