@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "tests/server/plan/simulated_line.h"
@@ -148,6 +149,8 @@ struct Row {
   double use;        ///< at least
   double age_s;      ///< p95, at most
   bool too_thin = false;
+
+  friend void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 };
 constexpr Row kRows[] = {
     {"20 Mbit/s", 20.0, 12'000.0, 29.5, 29.5, 0.0, 0.05},
