@@ -8,7 +8,7 @@ import {sleep, until, Workplace} from '../../end_to_end/running_program.mjs';
 
 const [programs, viewer] = process.argv.slice(2);
 const IN_CONTACT = [1, 5, 6, 7], OUT_BODY = 3, FAULTED = 9;
-const CLEAR_MS = 3000;  // time for the device to fly over the patient after a sweep
+const CLEAR_MS = 5000;  // to fly over the patient after a sweep, the device takes up to 3.7 s of virtual time
 
 /** Ways over the page, as shares of the picture: from the bed over arm and trunk to the other side, and back. */
 const SWEEPS = [
