@@ -31,7 +31,10 @@ Result<ClockEstimate> estimate_clock(nats::NatsConnection& nats, const std::stri
     const Nanoseconds asked = std::chrono::steady_clock::now().time_since_epoch();
     const Result<std::string> answer = nats.ask(clock_subject(site), {}, kAnswersWithin);
     const Nanoseconds heard = std::chrono::steady_clock::now().time_since_epoch();
-    if (!answer) return answer.error();
+    if (!answer)
+      return Error{.what = answer.error().what,
+                   .where = answer.error().where,
+                   .fix = "start telepalp-server --publish for this site"};
     std::int64_t session_ns = 0;
     const auto read = std::from_chars(answer->data(), answer->data() + answer->size(), session_ns);
     if (read.ec != std::errc() || read.ptr != answer->data() + answer->size() || session_ns <= 0)

@@ -24,17 +24,18 @@ Result<Address> parse_address(std::string_view text, std::string_view where) {
     else if (one.starts_with("ca=") && one.size() > 3)
       address.authority = one.substr(3);
     else
-      return Error{.what = "'" + std::string(one.substr(0, 64)) + "' is neither creds=FILE nor ca=FILE",
+      // It is not repeated here, because a password with a '?' would be shown.
+      return Error{.what = "a part of the address after its '?' is neither creds=FILE nor ca=FILE",
                    .where = std::string(where),
-                   .fix = "give, for example, " + std::string(url) + "?creds=site.creds&ca=cluster.crt"};
+                   .fix = "end the address with, for example, ?creds=site.creds&ca=cluster.crt"};
   }
   return address;
 }
 
-std::string without_password(const std::string& url) {
-  const std::size_t host = url.find("://") + 3;
-  const std::size_t at = url.rfind('@');
-  return url.substr(0, host) + url.substr(at == std::string::npos ? host : at + 1);
+std::string without_password(const std::string& address) {
+  const std::size_t host = address.find("://") + 3;
+  const std::size_t at = address.substr(0, address.find('?')).rfind('@');
+  return address.substr(0, host) + address.substr(at == std::string::npos ? host : at + 1);
 }
 
 }  // namespace telepalp::nats

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/nats/library_status.h"
+#include "support/nats/refusal.h"
 
 namespace telepalp::nats {
 namespace {
@@ -38,7 +38,7 @@ std::vector<std::string> split_at_commas(std::string_view list) {
   return parts;
 }
 
-/// Lets a destructor wait until the library has made its last call back, which it makes on a thread of its own.
+/// Lets a destructor wait until the library has made its last callback, which comes on a thread of the library.
 class LastCall {
  public:
   void came() {
@@ -57,7 +57,6 @@ class LastCall {
   bool came_ = false;
 };
 
-/// What a subscription's handler runs.
 struct Handler {
   NatsConnection::OnNote on_note;
   LastCall last_call;
@@ -185,7 +184,8 @@ Result<std::string> NatsConnection::ask(const std::string& subject, std::string_
   natsMsg* answer = nullptr;
   const natsStatus status = natsConnection_Request(&answer, parts_->connection, subject.c_str(), payload.data(),
                                                    static_cast<int>(payload.size()), time.count());
-  if (status != NATS_OK) return refused(status, subject, "start telepalp-server --publish for this site");
+  if (status != NATS_OK)
+    return refused(status, subject, "start the program that answers this subject, and check the connection");
   std::string text(natsMsg_GetData(answer), static_cast<std::size_t>(natsMsg_GetDataLength(answer)));
   natsMsg_Destroy(answer);
   return text;

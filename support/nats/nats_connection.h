@@ -18,30 +18,31 @@ class NatsConnection {
  public:
   struct Options {
     Address address;
-    std::string name;                                    ///< that the NATS server's monitoring shows
-    std::function<void(bool is_connected)> on_change{};  ///< lost, or connected again; on a thread of the library
+    std::string name;                                    ///< which the NATS server's monitoring shows
+    std::function<void(bool is_connected)> on_change{};  ///< after a loss or a new connection; on a library's thread
   };
   struct Note {
     std::string_view subject;
     std::string_view payload;
-    std::string_view reply_to;  ///< subject for an answer; empty: none is asked for
+    std::string_view reply_to;  ///< subject for an answer; empty: the sender wants no answer
   };
   using OnNote = std::function<void(const Note&)>;
 
-  /// Connects. Error: no server of the cluster can be reached, or it refuses.
+  /// Connects. Error: no server of the cluster can be reached, or it refuses the credentials.
   [[nodiscard]] static Result<std::unique_ptr<NatsConnection>> open(Options options);
   /// No handler runs any more when the destructor returns.
   ~NatsConnection();
   NatsConnection(const NatsConnection&) = delete;
   NatsConnection& operator=(const NatsConnection&) = delete;
 
-  /// `on_note` is called on a thread of the library, for one note at a time. Notes beyond 64 MiB that wait are dropped.
+  /// `on_note` is called on a thread of the library, for one note at a time. At most 64 MiB of notes wait for it; more
+  /// are dropped.
   /// Error: the server does not permit this subject.
   [[nodiscard]] Result<void> subscribe(const std::string& subject, OnNote on_note);
   /// Blocks while the socket takes no bytes, up to the write deadline. False: there is no connection, and the payload
   /// is dropped.
   bool publish(const std::string& subject, std::string_view payload);
-  /// Asks, and waits for the answer for at most `time`.
+  /// Asks, and waits for the answer for at most `time`. Error: no answer came.
   [[nodiscard]] Result<std::string> ask(const std::string& subject, std::string_view payload,
                                         std::chrono::milliseconds time);
   [[nodiscard]] bool is_connected() const;
@@ -51,7 +52,8 @@ class NatsConnection {
  private:
   friend class Streams;
   struct Parts;
-  [[nodiscard]] void* library_connection() const noexcept;  ///< a natsConnection
+  [[nodiscard]] void* library_connection()
+      const noexcept;  ///< a natsConnection*; void keeps libnats out of this header
   explicit NatsConnection(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

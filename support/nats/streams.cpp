@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "support/nats/library_status.h"
+#include "support/nats/refusal.h"
 
 namespace telepalp::nats {
 namespace {
@@ -12,34 +12,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kAnswersWithin = 5s;
-
-/// What to do about a refusal of JetStream.
-std::string fix_of(natsStatus status, jsErrCode code) {
-  switch (code) {
-    case JSInsufficientResourcesErr:
-    case JSMemoryResourcesExceededErr:
-    case JSStorageResourcesExceededErr:
-    case JSAccountResourcesExceededErr:
-    case JSStreamStoreFailedErr:
-      return "JetStream is full: give it more room (max_file_store in the NATS server's configuration)";
-    case JSNotEnabledErr:
-    case JSNotEnabledForAccountErr:
-      return "start the NATS server with JetStream: nats-server -js, or jetstream {} in its configuration";
-    default:
-      break;
-  }
-  if (status == NATS_NO_RESPONDERS)
-    return "start the NATS server with JetStream: nats-server -js, or jetstream {} in its configuration";
-  if (status == NATS_TIMEOUT)
-    return "check that the NATS servers reach each other, and that this account may use JetStream ($JS.API.>)";
-  return "check the connection with the NATS server, and its log";
-}
-
-Error refused_by(const std::string& stream, natsStatus status, jsErrCode code) {
-  return refused(status, "JetStream, " + stream, fix_of(status, code));
-}
-
-std::int64_t ns(std::chrono::nanoseconds time) { return time.count(); }
 
 }  // namespace
 
@@ -56,10 +28,10 @@ Result<std::unique_ptr<Streams>> Streams::open(const NatsConnection& connection)
   auto parts = std::make_unique<Parts>();
   jsOptions options;
   jsOptions_Init(&options);
-  options.Wait = std::chrono::milliseconds(kAnswersWithin).count();
+  options.Wait = kAnswersWithin.count();
   auto* const library = static_cast<natsConnection*>(connection.library_connection());
   if (const natsStatus status = natsConnection_JetStream(&parts->context, library, &options); status != NATS_OK)
-    return refused_by("its context", status, jsErrCode{});
+    return refused_by_jetstream(status, jsErrCode{}, "its context");
   return std::unique_ptr<Streams>(new Streams(std::move(parts)));
 }
 
@@ -74,14 +46,14 @@ Result<void> Streams::keep(const StreamSettings& settings) {
   config.Retention = settings.is_work_queue ? js_WorkQueuePolicy : js_LimitsPolicy;
   config.Discard = js_DiscardNew;
   config.MaxMsgsPerSubject = 1;
-  config.MaxAge = ns(settings.longest_kept);
+  config.MaxAge = std::chrono::nanoseconds(settings.longest_kept).count();
   config.AllowDirect = true;
   jsErrCode code{};
   jsStreamInfo* info = nullptr;
   natsStatus status = js_GetStreamInfo(&info, parts_->context, settings.name.c_str(), nullptr, &code);
   jsStreamInfo_Destroy(info);
   if (status == NATS_NOT_FOUND) status = js_AddStream(nullptr, parts_->context, &config, nullptr, &code);
-  if (status != NATS_OK) return refused_by(settings.name, status, code);
+  if (status != NATS_OK) return refused_by_jetstream(status, code, settings.name);
   return {};
 }
 
@@ -89,7 +61,7 @@ Result<void> Streams::store(const std::string& subject, std::string_view payload
   jsErrCode code{};
   const natsStatus status = js_Publish(nullptr, parts_->context, subject.c_str(), payload.data(),
                                        static_cast<int>(payload.size()), nullptr, &code);
-  if (status != NATS_OK) return refused_by(subject, status, code);
+  if (status != NATS_OK) return refused_by_jetstream(status, code, subject);
   return {};
 }
 
@@ -100,7 +72,7 @@ Result<std::vector<std::string>> Streams::subjects(const std::string& stream, co
   jsStreamInfo* info = nullptr;
   jsErrCode code{};
   const natsStatus status = js_GetStreamInfo(&info, parts_->context, stream.c_str(), &options, &code);
-  if (status != NATS_OK) return refused_by(stream, status, code);
+  if (status != NATS_OK) return refused_by_jetstream(status, code, stream);
   const std::unique_ptr<jsStreamInfo, void (*)(jsStreamInfo*)> held(info, jsStreamInfo_Destroy);
   std::vector<std::string> found;
   if (info->State.Subjects != nullptr)
@@ -115,7 +87,7 @@ Result<std::optional<std::string>> Streams::newest(const std::string& stream, co
   natsMsg* message = nullptr;
   const natsStatus status = js_DirectGetMsg(&message, parts_->context, stream.c_str(), nullptr, &which);
   if (status == NATS_NOT_FOUND) return std::optional<std::string>();
-  if (status != NATS_OK) return refused_by(subject, status, jsErrCode{});
+  if (status != NATS_OK) return refused_by_jetstream(status, jsErrCode{}, subject);
   std::string payload(natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message)));
   natsMsg_Destroy(message);
   return std::optional(std::move(payload));
@@ -127,7 +99,7 @@ Result<void> Streams::erase(const std::string& stream, const std::string& filter
   options.Stream.Purge.Subject = filter.c_str();
   jsErrCode code{};
   const natsStatus status = js_PurgeStream(parts_->context, stream.c_str(), &options, &code);
-  if (status != NATS_OK) return refused_by(stream, status, code);
+  if (status != NATS_OK) return refused_by_jetstream(status, code, stream);
   return {};
 }
 

@@ -12,16 +12,17 @@
 
 namespace telepalp::nats {
 
-/// A stream that a cluster keeps in files (JetStream).
+/// A stream: messages that a cluster stores in files (JetStream).
 struct StreamSettings {
   std::string name;                   ///< letters, digits and '_'
-  std::vector<std::string> subjects;  ///< messages of these subjects are kept: "telepalp-sweep.cell.>"
-  bool is_work_queue;  ///< a message is removed once it is acknowledged; else the newest of each subject is kept
-  std::chrono::hours longest_kept;
+  std::vector<std::string> subjects;  ///< of the messages that are stored, such as "telepalp-sweep.cell.>"
+  bool is_work_queue;  ///< a message is removed when a consumer acknowledges it; otherwise it stays until a newer one
+                       ///< of its subject replaces it
+  std::chrono::hours longest_kept;  ///< then a message is removed in any case
 };
 
-/// The streams of the cluster to which a connection leads. A message that does not fit is refused; no older message
-/// makes room for it. Any thread.
+/// The streams of a cluster. A full stream refuses new messages; it does not remove old ones to make room. The
+/// connection must outlive this object. Any thread.
 class Streams {
  public:
   /// Error: the cluster has no JetStream.
@@ -30,13 +31,14 @@ class Streams {
   Streams(const Streams&) = delete;
   Streams& operator=(const Streams&) = delete;
 
-  /// Makes the stream if there is none of its name. Error: JetStream is not enabled or full, or the account may not.
+  /// Makes the stream unless there is one of this name. Error: JetStream is not enabled, it is full, or the account
+  /// lacks the permission.
   [[nodiscard]] Result<void> keep(const StreamSettings& settings);
-  /// Publishes, and waits until the message is stored. Error: no connection, or no room.
+  /// Publishes, and waits until the cluster has stored the message. Error: no connection, or no room.
   [[nodiscard]] Result<void> store(const std::string& subject, std::string_view payload);
   /// The subjects of the messages in `stream` that match `filter`, which may end with '*' or '>'.
   [[nodiscard]] Result<std::vector<std::string>> subjects(const std::string& stream, const std::string& filter);
-  /// The newest message of `subject`; nullopt: none is stored.
+  /// The payload of the newest message of `subject`; nullopt: none is stored.
   [[nodiscard]] Result<std::optional<std::string>> newest(const std::string& stream, const std::string& subject);
   /// Removes the messages that match `filter`.
   [[nodiscard]] Result<void> erase(const std::string& stream, const std::string& filter);
@@ -45,7 +47,7 @@ class Streams {
   friend class WorkQueue;
   struct Parts;
   explicit Streams(std::unique_ptr<Parts> parts);
-  [[nodiscard]] void* library_context() const noexcept;  ///< a jsCtx
+  [[nodiscard]] void* library_context() const noexcept;  ///< a jsCtx*; void keeps libnats out of this header
   std::unique_ptr<Parts> parts_;
 };
 

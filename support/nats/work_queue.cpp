@@ -2,19 +2,18 @@
 
 #include <nats/nats.h>
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
+#include <optional>
 #include <utility>
 
-#include "support/nats/library_status.h"
+#include "support/nats/refusal.h"
+#include "support/program/repeated_call.h"
 
 namespace telepalp::nats {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::milliseconds kTellsEvery = 3s;  // a third of kSilence: two may be lost
+constexpr std::chrono::milliseconds kReportsEvery = 3s;  // thrice within kSilence, so that two may be lost
 constexpr std::chrono::nanoseconds kIdleConsumerKept = std::chrono::hours(24 * 7);
 
 std::uint64_t deliveries_of(natsMsg* message) {
@@ -27,34 +26,25 @@ std::uint64_t deliveries_of(natsMsg* message) {
 
 }  // namespace
 
-/// The message, and the thread that tells the cluster of the work.
+/// The message, and the thread that reports progress on it.
 struct WorkItem::Parts {
-  explicit Parts(natsMsg* taken) : message(taken), teller([this] { tell(); }) {}
+  explicit Parts(natsMsg* taken) : message(taken) {}
   ~Parts() {
-    stop();
+    progress.reset();
     natsMsg_Destroy(message);
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  void tell() {
-    std::unique_lock lock(mutex);
-    while (!changed.wait_for(lock, kTellsEvery, [this] { return ends; })) natsMsg_InProgress(message, nullptr);
-  }
-  void stop() {
-    {
-      const std::scoped_lock lock(mutex);
-      ends = true;
-    }
-    changed.notify_all();
-    if (teller.joinable()) teller.join();
+  /// The message, for an answer: no report of progress comes after it.
+  [[nodiscard]] natsMsg* for_answer() {
+    progress.reset();
+    return message;
   }
 
   natsMsg* message;
-  std::mutex mutex;
-  std::condition_variable changed;
-  bool ends = false;   // guarded by mutex
-  std::thread teller;  // last: it uses the other members
+  std::optional<program::RepeatedCall> progress{std::in_place, kReportsEvery,
+                                                [this] { natsMsg_InProgress(message, nullptr); }};
 };
 
 WorkItem::WorkItem(std::unique_ptr<Parts> parts)
@@ -68,20 +58,13 @@ std::string_view WorkItem::payload() const noexcept {
   return {natsMsg_GetData(parts_->message), static_cast<std::size_t>(natsMsg_GetDataLength(parts_->message))};
 }
 
-bool WorkItem::finished() {
-  parts_->stop();
-  return natsMsg_AckSync(parts_->message, nullptr, nullptr) == NATS_OK;
-}
+bool WorkItem::finished() { return natsMsg_AckSync(parts_->for_answer(), nullptr, nullptr) == NATS_OK; }
 
 bool WorkItem::give_back(std::chrono::milliseconds after) {
-  parts_->stop();
-  return natsMsg_NakWithDelay(parts_->message, after.count(), nullptr) == NATS_OK;
+  return natsMsg_NakWithDelay(parts_->for_answer(), after.count(), nullptr) == NATS_OK;
 }
 
-bool WorkItem::remove_as_bad() {
-  parts_->stop();
-  return natsMsg_Term(parts_->message, nullptr) == NATS_OK;
-}
+bool WorkItem::remove_as_bad() { return natsMsg_Term(parts_->for_answer(), nullptr) == NATS_OK; }
 
 struct WorkQueue::Parts {
   std::string stream;
@@ -107,7 +90,7 @@ Result<std::unique_ptr<WorkQueue>> WorkQueue::open(const Streams& streams, const
   config.AckWait = std::chrono::nanoseconds(kSilence).count();
   config.InactiveThreshold = kIdleConsumerKept.count();
   jsErrCode code{};
-  // Adding a consumer that is there already, with the same settings, changes nothing.
+  // If the consumer exists with the same settings, this changes nothing.
   natsStatus status = js_AddConsumer(nullptr, context, stream.c_str(), &config, nullptr, &code);
   auto parts = std::make_unique<Parts>();
   parts->stream = stream;
@@ -117,9 +100,7 @@ Result<std::unique_ptr<WorkQueue>> WorkQueue::open(const Streams& streams, const
   bound.Consumer = consumer.c_str();
   if (status == NATS_OK)
     status = js_PullSubscribe(&parts->subscription, context, filter.c_str(), consumer.c_str(), nullptr, &bound, &code);
-  if (status != NATS_OK)
-    return refused(status, "JetStream, " + stream,
-                   "check the NATS server's log, and that this account may use $JS.API.>");
+  if (status != NATS_OK) return refused_by_jetstream(status, code, stream);
   return std::unique_ptr<WorkQueue>(new WorkQueue(std::move(parts)));
 }
 
@@ -128,8 +109,7 @@ Result<std::optional<WorkItem>> WorkQueue::take(std::chrono::milliseconds patien
   jsErrCode code{};
   const natsStatus status = natsSubscription_Fetch(&list, parts_->subscription, 1, patience.count(), &code);
   if (status == NATS_TIMEOUT) return std::optional<WorkItem>();
-  if (status != NATS_OK)
-    return refused(status, "JetStream, " + parts_->stream, "check the connection with the NATS server, and its log");
+  if (status != NATS_OK) return refused_by_jetstream(status, code, parts_->stream);
   natsMsg* const message = list.Count > 0 ? std::exchange(list.Msgs[0], nullptr) : nullptr;
   natsMsgList_Destroy(&list);
   if (message == nullptr) return std::optional<WorkItem>();

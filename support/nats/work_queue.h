@@ -11,8 +11,9 @@
 
 namespace telepalp::nats {
 
-/// An item of a work queue that this program works on. A thread tells the cluster so, until this object is answered or
-/// destroyed; the cluster delivers an item again, to anyone, when it has not heard of it for WorkQueue::kSilence.
+/// An item of a work queue, taken by this program. Until it is answered or destroyed, a thread reports to the cluster
+/// that the work goes on. After WorkQueue::kSilence without a report, the cluster delivers the item again, to any
+/// consumer.
 class WorkItem {
  public:
   struct Parts;
@@ -26,23 +27,23 @@ class WorkItem {
   /// How many times the cluster has delivered the item, this time included.
   [[nodiscard]] std::uint64_t deliveries() const noexcept { return deliveries_; }
 
-  // The answers. The first one counts. False: there is no connection, so the item will be delivered again.
+  // The answers: one per item. False: there is no connection, so the cluster will deliver the item again.
   bool finished();                                  ///< removes the item
-  bool give_back(std::chrono::milliseconds after);  ///< delivers it again, to anyone, after this time
-  bool remove_as_bad();                             ///< removes it unfinished, so that nobody gets it again
+  bool give_back(std::chrono::milliseconds after);  ///< delivers it again after this time, to any consumer
+  bool remove_as_bad();                             ///< removes it unfinished
 
  private:
   std::unique_ptr<Parts> parts_;
   std::uint64_t deliveries_ = 0;
 };
 
-/// The end of a work queue that takes items. All programs that open the same `consumer` share its items. Owner: one
-/// thread.
+/// Takes items of a work queue. Programs that open the same `consumer` share its items: each item goes to one of them.
+/// Owner: one thread.
 class WorkQueue {
  public:
-  static constexpr std::chrono::seconds kSilence{10};
+  static constexpr std::chrono::seconds kSilence{10};  ///< after it, an item counts as lost with its program
 
-  /// `filter`: subjects of the items that this consumer takes. Error: there is no such stream, or no JetStream.
+  /// `filter`: subjects of the consumer's items. Error: there is no such stream, or no JetStream.
   [[nodiscard]] static Result<std::unique_ptr<WorkQueue>> open(const Streams& streams, const std::string& stream,
                                                                const std::string& consumer, const std::string& filter);
   ~WorkQueue();

@@ -1,19 +1,9 @@
 #!/usr/bin/env bash
-# A site's messages through a real NATS server to an edge: viewers and recorders of the edge get what the site's have, an
-# edge takes no station, and it comes back after the cluster or the site was away: relay_test.sh BIN. Ends with 77
-# without nats-server.
+# A site's messages pass a real NATS server to an edge: viewers and recorders get the same from both, an edge takes no
+# station, and it comes back after the cluster was away: relay_test.sh BIN. Ends with 77 if nats-server is not installed.
 set -uo pipefail
-bin=$1
-export PATH=$bin:$PATH:/usr/sbin
-command -v nats-server >/dev/null || { echo "skipped: nats-server is not installed"; exit 77; }
-work=$(mktemp -d)
-background=()
-trap '[ ${#background[@]} = 0 ] || kill "${background[@]}" 2>/dev/null; wait; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-fail() { echo "FAILED: $1" >&2; [ -z "${2:-}" ] || tail -n 20 "$2" >&2; failures=$((failures + 1)); }
-wait_for() { for _ in $(seq 200); do grep -q "$3" "$2" 2>/dev/null && return; sleep 0.1; done; fail "$1" "$2"; }
-start() { local name=$1; shift; "$@" >"$name.log" 2>&1 & background+=($!); }
+# shellcheck source=tests/end_to_end/around_nats.sh
+. "$(dirname "$0")/around_nats.sh"
 port_of() { for _ in $(seq 100); do [ -s "$1.ready" ] && break; sleep 0.1; done; sed -n 's/^port=//p' "$1.ready"; }
 
 nats=$((20000 + $$ % 20000))

@@ -7,7 +7,7 @@ namespace telepalp::bench {
 
 /// A real server publishes to real NATS servers, and a real edge shows the same images. Measures the delay that the
 /// relay adds, the processor time of the edge and of publishing, and the gap after a node of the cluster is killed or
-/// frozen. Also makes a sweep with workers. --part: relay, nodes or sweep.
+/// frozen. Then real workers make a sweep. --part: relay, nodes or sweep.
 [[nodiscard]] Result<Report> run_cluster(const program::Arguments& arguments);
 
 }  // namespace telepalp::bench

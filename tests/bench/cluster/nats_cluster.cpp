@@ -52,8 +52,7 @@ Result<NatsCluster> NatsCluster::start(std::size_t nodes, const std::filesystem:
     const std::filesystem::path log = scratch / ("node" + std::to_string(i) + ".log");
     std::vector<std::string> arguments{"-a", "127.0.0.1", "-p", cluster.ports_[i]};
     if (stores == Stores::Files)
-      for (const std::string& more : {std::string("-js"), std::string("-sd"), (scratch / "store").string()})
-        arguments.push_back(more + (more.starts_with("-") ? "" : std::to_string(i)));
+      arguments.insert(arguments.end(), {"-js", "-sd", scratch / ("store" + std::to_string(i))});
     if (nodes > 1)
       for (const std::string& more : {std::string("--cluster_name"), std::string("bench"), std::string("--cluster"),
                                       "nats://127.0.0.1:" + among[i], std::string("--routes"), routes})

@@ -13,7 +13,7 @@ namespace telepalp::bench {
 /// A cluster of real NATS servers on loopback. They end with this object.
 class NatsCluster {
  public:
-  enum class Stores { Nothing, Files };  ///< with Files, each node has JetStream
+  enum class Stores { Nothing, Files };  ///< Files: each node has JetStream, and stores streams in `scratch`
   /// Error: nats-server is not installed, or does not start.
   [[nodiscard]] static Result<NatsCluster> start(std::size_t nodes, const std::filesystem::path& scratch,
                                                  Stores stores = Stores::Nothing);

@@ -31,7 +31,7 @@ std::string bytes_of(const fs::path& file) {
 }
 
 Error failed(const fs::path& log) {
-  return {.what = "a sweep or a worker did not do its work", .where = log.string(), .fix = "read this file"};
+  return {.what = "a sweep or a worker failed", .where = log.string(), .fix = "read the programs' output there"};
 }
 
 /// A sweep and its workers, in files of one folder.
@@ -53,7 +53,8 @@ class SweepRun {
   }
   support::ChildProcess& worker(std::size_t number) { return *workers_[number]; }
 
-  /// Runs the sweep to its end. `meanwhile`: called once a quarter of its cells are finished. nullopt: it fails.
+  /// Runs the sweep to its end, and returns how long it took. `meanwhile`: called when a quarter of the cells are
+  /// finished. nullopt: the sweep fails.
   std::optional<double> seconds(const std::function<void()>& meanwhile = {}) {
     std::vector<std::string> words{"synthetic:torso,motion=irregular,width=160",
                                    "--seconds",
@@ -77,7 +78,7 @@ class SweepRun {
   }
   [[nodiscard]] fs::path log() const { return folder_ / "sweep.log"; }
 
-  /// Files of the other run's results that this one has not, or has otherwise.
+  /// Number of result files of `other` that are missing here, or have other bytes here.
   [[nodiscard]] double files_that_differ_from(const SweepRun& other) const {
     double count = 0.0;
     for (const auto& entry : fs::recursive_directory_iterator(other.folder_ / "out")) {
@@ -101,7 +102,7 @@ class SweepRun {
   std::vector<std::unique_ptr<support::ChildProcess>> workers_;
 };
 
-/// How often the queue has delivered a cell to a worker since it was made; nullopt: the cluster does not say.
+/// Number of deliveries of orders to workers since the cluster started; nullopt: the cluster does not tell it.
 std::optional<double> deliveries(const std::string& url) {
   const auto nats = nats::NatsConnection::open({.address = {.url = url}, .name = "bench"});
   if (!nats) return std::nullopt;

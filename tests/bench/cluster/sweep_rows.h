@@ -8,8 +8,8 @@
 
 namespace telepalp::bench {
 
-/// A sweep by telepalp-replay alone, by one and by two telepalp-worker, and by two of which one is killed: adds rows of
-/// the speed, of files that differ, and of what the killed worker costs.
+/// Runs a sweep without workers, with one, with two, and with two of which one is killed. Adds rows for the times, the
+/// result files that differ, and the runs that the killed worker makes necessary again.
 [[nodiscard]] Result<void> add_sweep_rows(const std::filesystem::path& scratch, std::vector<Row>& rows);
 
 }  // namespace telepalp::bench

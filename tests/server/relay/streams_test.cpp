@@ -132,6 +132,10 @@ TEST(NatsAddress, HasFilesForTlsAndItsPasswordIsNotShown) {
   EXPECT_EQ(address->credentials, "a.creds");
   EXPECT_EQ(address->authority, "b.crt");
   EXPECT_EQ(nats::without_password(address->url), "tls://host:4222");
+  EXPECT_EQ(nats::without_password("nats://anna:secret@host?creds=a@b"), "nats://host?creds=a@b");
+  EXPECT_EQ(nats::without_password("nats://host:4222"), "nats://host:4222");
+  for (const char* refused : {"nats://anna:secret@host?x=1", "nats://anna:a?secret@host", "nats://anna:secret@host/"})
+    EXPECT_EQ(to_string(nats::parse_address(refused, "--workers").error()).find("secret"), std::string::npos);
   for (const char* wrong : {"", "host", "http://host", "nats://", "nats://host/", "nats://host/ward3",
                             "nats://host?x=1", "nats://host?ca="})
     EXPECT_FALSE(nats::parse_address(wrong, "--workers")) << wrong;

@@ -1,4 +1,4 @@
-// A source that is kept in memory against the same source read anew.
+// Runs of a source in memory, compared with runs that read the source again.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What sweeps and workers say to each other, and what a sweep knows of its cells: bytes in, values out.
+// The messages between sweeps and workers, and what a sweep knows of its cells: bytes in, values out.
 
 #include <gtest/gtest.h>
 #include <messages/sweep.pb.h>
@@ -6,15 +6,16 @@
 #include <functional>
 #include <limits>
 
+#include "tools/replay/commands/again.h"
 #include "tools/replay/commands/request.h"
 #include "tools/replay/workers/cell_answer.h"
 #include "tools/replay/workers/cell_maker.h"
 #include "tools/replay/workers/cell_order.h"
+#include "tools/replay/workers/inbox.h"
 #include "tools/replay/workers/present_workers.h"
 #include "tools/replay/workers/sweep_board.h"
 #include "tools/replay/workers/sweep_subjects.h"
 #include "tools/replay/workers/time_left.h"
-#include "tools/replay/workers/worker.h"
 
 namespace {
 
@@ -152,6 +153,35 @@ TEST(CellAnswer, ComesBackAndIsRefusedIfDamaged) {
   const Result<CellAnswer> damaged = parse_answer(message.SerializeAsString(), kBuild, sent.cell);
   ASSERT_FALSE(damaged);
   EXPECT_NE(damaged.error().what.find("digest"), std::string::npos);
+}
+
+TEST(SweepCommand, TheLineToResumeWithHasNoPassword) {
+  for (const std::vector<std::string>& workers :
+       {std::vector<std::string>{"--workers", "nats://anna:secret@host:4222?creds=a.creds"},
+        {"--workers=nats://anna:secret@host:4222?creds=a.creds"}}) {
+    std::vector<std::string> words{"synthetic", "--sweep", "delay=0:50:300"};
+    words.insert(words.end(), workers.begin(), workers.end());
+    std::vector<const char*> all{"telepalp-replay"};
+    for (const std::string& word : words) all.push_back(word.c_str());
+    const auto arguments = program::read_arguments(usage(), static_cast<int>(all.size()), all.data());
+    ASSERT_TRUE(arguments && *arguments);
+    const Result<Request> request = read_command_line(**arguments, words);
+    ASSERT_TRUE(request) << to_string(request.error());
+    EXPECT_EQ(request->command.find("anna"), std::string::npos) << request->command;
+    EXPECT_EQ(request->command.find("secret"), std::string::npos) << request->command;
+    EXPECT_NE(request->command.find("nats://host:4222?creds=a.creds"), std::string::npos) << request->command;
+    EXPECT_EQ(request->workers->url, "nats://anna:secret@host:4222");
+  }
+}
+
+TEST(Inbox, HoldsABoundedNumberOfBytes) {
+  Inbox inbox;
+  const std::string large(Inbox::kMost_B / 4, 'x');
+  for (int i = 0; i < 10; ++i) inbox.put({.subject = "s", .payload = large, .reply_to = ""});
+  EXPECT_EQ(inbox.take().size(), 3U);
+  EXPECT_TRUE(inbox.take().empty());
+  inbox.put({.subject = "s", .payload = large, .reply_to = ""});
+  EXPECT_EQ(inbox.take().size(), 1U) << "there is room again";
 }
 
 TEST(SweepSubjects, ThePlaceOfACellIsReadFromItsSubject) {

@@ -1,5 +1,4 @@
-// telepalp-replay --workers and telepalp-worker around a real NATS server, with orders and answers that somebody has
-// spoilt.
+// telepalp-replay --workers and telepalp-worker around a real NATS server, with bad orders and answers from others.
 
 #include <gtest/gtest.h>
 #include <messages/sweep.pb.h>

@@ -45,11 +45,20 @@ bool gives(const std::vector<std::string>& words, const std::string& name) {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is_option(word, name); });
 }
 
-/// `words` as a line to paste into a shell.
+/// `word`, of a command line, without user and password if it is the address of a cluster.
+std::string without_password(const std::string& word) {
+  constexpr std::string_view kWorkers = "--workers=";
+  const std::size_t begin = word.starts_with(kWorkers) ? kWorkers.size() : 0;
+  const std::string value = word.substr(begin);
+  return nats::is_address(value) ? word.substr(0, begin) + nats::without_password(value) : word;
+}
+
+/// `words` as a line to paste into a shell. It is shown, so it holds no password.
 std::string line_of(const std::vector<std::string>& words) {
   constexpr std::string_view kPlain = "_@%+=:,./-";
   std::string line = "telepalp-replay";
-  for (const std::string& word : words) {
+  for (const std::string& given : words) {
+    const std::string word = without_password(given);
     const bool plain = std::all_of(word.begin(), word.end(), [&](char letter) {
       return std::isalnum(static_cast<unsigned char>(letter)) != 0 || kPlain.find(letter) != std::string_view::npos;
     });

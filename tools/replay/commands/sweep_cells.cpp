@@ -27,7 +27,7 @@ std::filesystem::path file_of(const Request& request, std::size_t cell) {
   return request.out / name.data();
 }
 
-/// The figures in a cell's report; nullopt: no such report, or one of another identity.
+/// The figures in a cell's report; nullopt: `json` is not a report, or has another identity.
 std::optional<Figures> figures_in(const std::string& json, const std::string& identity) {
   google::protobuf::Struct report;
   if (!google::protobuf::util::JsonStringToMessage(json, &report).ok()) return std::nullopt;
@@ -97,7 +97,7 @@ Result<void> FinishedCells::add(const std::vector<std::size_t>& batch, const Run
 Result<void> FinishedCells::add(std::size_t cell, const std::string& report) {
   const std::optional<Figures> figures = figures_in(report, identity_of(request_, request_.cells[cell].scenario));
   if (!figures)
-    return Error{.what = "the report of a cell is not of this sweep",
+    return Error{.what = "the report has another identity than its cell",
                  .where = "cell " + std::to_string(cell),
                  .fix = "use workers of the version that this program has"};
   figures_[cell] = *figures;

@@ -11,7 +11,7 @@ Error stopped() {
 
 bool is_set(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
 
-/// Memory of a window, with the unimpaired ticks that belong to it.
+/// Memory of a window and its unimpaired ticks.
 std::size_t bytes_of(const TapeWindow& window) {
   std::size_t bytes = sizeof(TickRecord) * static_cast<std::size_t>(kWindow / kTick);
   for (const auto& taped : window.frames)
@@ -22,7 +22,7 @@ std::size_t bytes_of(const TapeWindow& window) {
 
 }  // namespace
 
-/// Reads on beyond the place of the scene only while all fits: a tape that does not fit is read once more, elsewhere.
+/// Reads the windows of the tape until they need more than `most_B`.
 Result<KeptSession::Windows> KeptSession::read_all(Tape& tape, const RunSettings& settings, std::size_t most_B) {
   Windows windows;
   SessionTime read_until = kBegin;

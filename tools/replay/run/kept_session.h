@@ -8,17 +8,17 @@
 
 namespace telepalp::replay {
 
-/// A source with its unimpaired run, kept in memory: a further network then costs its own run alone. Gives the results
-/// of run_session(). Owner: one thread.
+/// A source and its unimpaired run in memory, so that another network costs one run only. Gives the same results as
+/// run_session(). Owner: one thread.
 class KeptSession {
  public:
   /// Reads the whole tape and makes the unimpaired run. `settings`: its scene and hand must outlive this object.
-  /// nullopt: frames and ticks would need more than `most_B`. Error: as run_session().
+  /// nullopt if frames and ticks would need more than `most_B`. Error: as run_session().
   [[nodiscard]] static Result<std::optional<KeptSession>> make(Tape tape, const RunSettings& settings,
                                                                const Scenario& unimpaired, std::size_t most_B);
 
-  /// The results of run_session() for the unimpaired scenario and this one. `stop`: once true, the run ends with an
-  /// error; nullptr: it cannot be stopped.
+  /// As run_session() for the unimpaired scenario and this one. `stop`: once true, the run ends with an error; nullptr:
+  /// the run cannot be stopped.
   [[nodiscard]] Result<RunResults> run(const Scenario& scenario, const std::atomic<bool>* stop) const;
 
  private:
@@ -27,11 +27,10 @@ class KeptSession {
     TapeWindow tape;
     std::vector<TickRecord> unimpaired{};
   };
-  /// The windows of a tape, up to a bound.
   struct Windows {
     std::vector<Window> all{};
-    std::optional<StationSetup> setup{};
-    bool fits = true;
+    std::optional<StationSetup> setup{};  ///< with the place of the scene, from the first frame that shows one
+    bool fits = true;                     ///< false: the tape needs more memory, and was not read to its end
   };
   static Result<Windows> read_all(Tape& tape, const RunSettings& settings, std::size_t most_B);
   KeptSession(Tape tape, Windows windows)

@@ -10,9 +10,9 @@
 
 namespace telepalp::replay {
 
-/// Windows in which a tape is read and its runs go on.
+/// A tape is read, and its runs advance, in steps of this session time.
 inline constexpr Nanoseconds kWindow{500'000'000};
-inline constexpr double kLongestStart_s = 10.0;  ///< of frames in which the scene cannot be placed
+inline constexpr double kLongestStart_s = 10.0;  ///< the scene must find its place in the frames of this time
 
 /// Frames of one window of session time.
 struct TapeWindow {
@@ -20,12 +20,13 @@ struct TapeWindow {
   TapeFrames frames;
 };
 
-/// The session time at which a run of `seconds` ends; 0: when its source does.
+/// The session time at which a run of `seconds` ends; 0 s: at the end of its source.
 [[nodiscard]] inline SessionTime end_of(double seconds) noexcept {
   return seconds > 0.0 ? kBegin + from_seconds(seconds) : SessionTime::max();
 }
 
-/// Reads the window that begins at `read_until`, and moves `read_until` to its end. nullopt: the tape or the run ends.
+/// Reads the window that begins at `read_until`, and moves `read_until` to its end. nullopt: `tape` or `end` is
+/// reached.
 [[nodiscard]] Result<std::optional<TapeWindow>> read_window(Tape& tape, SessionTime& read_until, SessionTime end);
 
 /// One run with its cell, its figures and its recent ticks.

@@ -92,6 +92,8 @@ void say_stopped(const Request& request, const FinishedCells& finished) {
   if (!request.out.empty()) {
     std::fprintf(stderr, "%s, and kept in %s; resume with the same command:\n  %s\n", cells.c_str(),
                  (request.out / "cells").c_str(), request.command.c_str());
+    if (request.workers && request.workers->url != nats::without_password(request.workers->url))
+      std::fputs("add USER:PASSWORD@ to the address of --workers again: this line does not show them\n", stderr);
     return;
   }
   std::vector<SweepCell> done;
@@ -105,12 +107,12 @@ void say_stopped(const Request& request, const FinishedCells& finished) {
   std::fprintf(stderr, "%s, and printed; no file keeps them, because --out is not given\n", cells.c_str());
 }
 
-/// Lets workers make the cells. Returns no runs: their costs are those of other computers.
+/// Lets workers make the cells. The results hold no runs, so that no costs are printed: they arise on other computers.
 Result<RunResults> let_workers_make_cells(const Request& request, FinishedCells& finished) {
   const Result<SharedOutcome> outcome = share_sweep(request, finished, StopOnSignal::stopped());
   if (!outcome) return outcome.error();
   if (outcome->ordered > 0)
-    std::fprintf(stderr, "workers go on with %zu runs; the same command takes their results, for seven days\n",
+    std::fprintf(stderr, "workers go on with %zu runs; the same command takes their results within seven days\n",
                  outcome->ordered);
   if (!outcome->refused.empty())
     return Error{.what = counted(outcome->refused.size(), "run was", "runs were") + " given up by the workers, first " +

@@ -31,7 +31,7 @@ std::string encode(const CellAnswer& answer) {
 
 Result<CellAnswer> parse_answer(std::string_view bytes, const std::string& build, const std::string& cell) {
   msg::SweepAnswer message;
-  if (bytes.size() > kMostAnswer_B) return refused("it has " + std::to_string(bytes.size()) + " B");
+  if (bytes.size() > kMostAnswer_B) return refused("it has more than 512 KiB");
   if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return refused("its bytes are no answer");
   if (message.build() != build) return refused("it is of another build");
   if (message.cell() != cell) return refused("it is of another cell than its subject names");

@@ -47,12 +47,12 @@ Result<Request> read_command(const std::vector<std::string>& command) {
 
 }  // namespace
 
-/// A sweep, and what its cells share.
+/// The state that the cells of a sweep share.
 struct CellMaker::Kept {
   CellOrder sweep;
-  std::string source;  ///< that this program opens
+  std::string source;  ///< as this program opens it
   Request request;
-  std::optional<KeptSession> session;  ///< nullopt: needs too much memory
+  std::optional<KeptSession> session;  ///< nullopt: it would need too much memory
 
   [[nodiscard]] Result<RunResults> run(const Scenario& scenario, const std::atomic<bool>& stop) const {
     if (session) return session->run(scenario, &stop);

@@ -9,8 +9,8 @@
 
 namespace telepalp::replay {
 
-/// Makes the cells that orders describe. It keeps the source and the unimpaired run of the last sweep in memory, so
-/// that each further cell of this sweep costs its own run alone. Owner: one thread.
+/// Makes the cells that orders describe. The source and the unimpaired run of the last sweep stay in memory, so that
+/// another cell of this sweep costs one run only. Owner: one thread.
 class CellMaker {
  public:
   /// `scratch`: a folder for the scene's file. `most_B`: memory for a source and its unimpaired run; a source that
@@ -21,8 +21,8 @@ class CellMaker {
   CellMaker& operator=(const CellMaker&) = delete;
 
   /// The text of the cell's report, cell_report() in sweep_cells.h. `source`: the local file of the recording, or the
-  /// name of the synthetic source. Error: the settings are wrong, the scene names a file that is not telepalp's own,
-  /// the source cannot be read, the cell has another identity than the order states, or `stop` became true.
+  /// name of the synthetic source. Error: the settings are wrong, the scene names a file and is not of telepalp's
+  /// library, the source cannot be read, the cell has another identity than the order states, or `stop` became true.
   [[nodiscard]] Result<std::string> make(const CellOrder& order, const std::string& source,
                                          const std::atomic<bool>& stop);
 
@@ -34,13 +34,13 @@ class CellMaker {
 
   std::filesystem::path scratch_;
   std::size_t most_B_;
-  std::unique_ptr<Kept> kept_;  // of the last sweep; nullptr: none yet
+  std::unique_ptr<Kept> kept_;  // of the last sweep; nullptr: no cell was made, or the last sweep cannot be prepared
 };
 
-/// The file of telepalp's scene library that `order` names, if it has the order's text; nullopt: none.
+/// The file of the scene `name` in telepalp's library, if its content is `text`; otherwise nullopt.
 [[nodiscard]] std::optional<std::filesystem::path> scene_of_library(const std::string& name, const std::string& text);
 
-/// What the order of a cell says, without the cell: all but CellOrder::cell and at.
+/// `order` without CellOrder::cell and at, so that the orders of one sweep are equal.
 [[nodiscard]] CellOrder sweep_of(CellOrder order);
 
 }  // namespace telepalp::replay

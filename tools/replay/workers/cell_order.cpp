@@ -26,7 +26,7 @@ Error refused(const std::string& what) {
           .fix = "give the sweep's command again, with the telepalp-replay that came with this telepalp-worker"};
 }
 
-/// A text that a command line can hold.
+/// True if `text` can be a word of a command line.
 bool is_word(std::string_view text, std::size_t longest = kLongestText) noexcept {
   return text.size() <= longest &&
          std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
@@ -66,12 +66,13 @@ Result<void> check_words(const msg::SweepOrder& message, const OrderRules& rules
     return refused("a digest that is not 16 hexadecimal digits");
   if (!is_word(message.source()) || message.source().empty() || !is_word(message.assertions()) ||
       !is_word(message.source_digest(), kIdentityDigits))
-    return refused("a source, digest or assertion that is no line of text");
+    return refused("a source, digest or assertion that is empty, too long or has control characters");
   if (message.scene_text().size() > kLongestScene) return refused("a scene above 256 KiB");
   for (const auto& [name, value] : message.options()) {
     if (std::ranges::find(rules.options, name) == rules.options.end())
       return refused("the option '" + name.substr(0, 64) + "', which does not describe a run");
-    if (!is_word(value) || value.empty()) return refused("a value of --" + name + " that is no line of text");
+    if (!is_word(value) || value.empty())
+      return refused("a value of --" + name + " that is empty, too long or has control characters");
   }
   return {};
 }
@@ -122,7 +123,7 @@ bool names_a_file(const std::string& scene_text) {
     void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}
   } silent;
   parser.RecordErrorsTo(&silent);
-  // A scene that this reader does not take is refused as one that names a file: nobody knows what it names.
+  // A scene that cannot be parsed may name a file.
   return !parser.ParseFromString(scene_text, &scene) || has_field_of_a_file(scene);
 }
 
@@ -174,9 +175,10 @@ Result<CellOrder> parse_order(std::string_view bytes, const OrderRules& rules) {
   } else if (!is_plain_synthetic(order.source)) {
     return refused("its source is neither a recording with a digest nor a synthetic patient without a file");
   }
-  if (message.at_size() == 0 || message.at_size() > kMostAxes) return refused("it names no place on the sweep's axes");
+  if (message.at_size() == 0 || message.at_size() > kMostAxes) return refused("it has no axes, or more than 16");
   for (const msg::SweepValue& at : message.at()) {
-    if (!is_axis_name(at.axis()) || !std::isfinite(at.value())) return refused("a value on an axis is no number");
+    if (!is_axis_name(at.axis()) || !std::isfinite(at.value()))
+      return refused("an axis is misnamed, or its value is not finite");
     order.at.emplace_back(at.axis(), at.value());
   }
   return order;

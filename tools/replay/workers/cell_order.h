@@ -36,46 +36,46 @@ inline constexpr std::size_t kMostOrder_B = std::size_t{512} << 10U;
 
 /// One cell of a sweep, for a worker to make.
 struct CellOrder {
-  std::string build{};  ///< version and commit of the program that ordered it
-  std::string sweep{};  ///< identity of the sweep's unimpaired scenario, 16 hexadecimal digits
-  std::string cell{};   ///< identity of the cell's result, 16 hexadecimal digits
-  std::string source{};
+  std::string build{};   ///< version and commit of the program that ordered it
+  std::string sweep{};   ///< identity of the sweep's unimpaired scenario, 16 hexadecimal digits
+  std::string cell{};    ///< identity of the cell's result, 16 hexadecimal digits
+  std::string source{};  ///< as the user named it, for reports; a worker opens it only if it is synthetic
   std::string source_digest{};
   std::optional<Recording> recording{};  ///< nullopt: a synthetic source
   std::string scene_text{};
-  std::map<std::string, std::string> options{};      ///< of the sweep, by name without dashes
+  std::map<std::string, std::string> options{};      ///< of the sweep's command line, by name without dashes
   std::string assertions{};                          ///< of --assert; empty: none
-  std::vector<std::pair<std::string, double>> at{};  ///< a value on each axis
+  std::vector<std::pair<std::string, double>> at{};  ///< name of each axis, and the cell's value on it
 
   bool operator==(const CellOrder&) const = default;
 };
 
 [[nodiscard]] std::string encode(const CellOrder& order);
 
-/// What a worker takes.
+/// The orders that a worker accepts.
 struct OrderRules {
-  std::string build;                      ///< of the worker
-  std::vector<std::string_view> options;  ///< names of the options on which a run's result depends
+  std::string build;                      ///< of the worker; orders of another build are refused
+  std::vector<std::string_view> options;  ///< names_of_run_options() of request.h; orders with another are refused
 };
 
-/// Reads an order, of which nothing is trusted. Error: not an order, one of another build, or one with a value out of
-/// its bounds: a digest that is none, a recording above kMostRecording_B, an option that does not describe a run, a
-/// control character, or a source that names a file of the worker.
+/// Reads an order that anybody may have sent. Error: `bytes` are not an order, the order is of another build, a digest
+/// is malformed, the recording is above kMostRecording_B, an option is not of `rules.options`, a text has a control
+/// character, or the source names a file of the worker.
 [[nodiscard]] Result<CellOrder> parse_order(std::string_view bytes, const OrderRules& rules);
 
-/// The command line of telepalp-replay for the order's sweep, without its axes. `source`: the local file of the
-/// recording, or the name of the synthetic source. `scene`: a local file with the order's scene.
+/// The command line of telepalp-replay that describes the order's sweep, without its axes. `source`: the local file of
+/// the recording, or the name of the synthetic source. `scene`: a local file with the order's scene.
 [[nodiscard]] std::vector<std::string> command_of(const CellOrder& order, const std::string& source,
                                                   const std::string& scene);
 
-/// The axes of a sweep that has only the order's cell, as words of a command line: {"delay=50", "loss=0.5"}. Each
-/// number is the order's, to the last bit.
+/// The order's cell as axes of one value each, in words of a command line: {"delay=50", "loss=0.5"}. The numbers have
+/// enough digits to be read back to the last bit.
 [[nodiscard]] std::vector<std::string> axes_of(const CellOrder& order);
 
-/// True if `source` is a synthetic patient that no file describes.
+/// True if `source` is a synthetic patient whose shape comes from no file.
 [[nodiscard]] bool is_plain_synthetic(std::string_view source) noexcept;
 
-/// True if `scene_text`, the text of a scene, names a file, such as a mesh.
+/// True if `scene_text`, the text of a scene, names a file, such as a mesh, or cannot be parsed.
 [[nodiscard]] bool names_a_file(const std::string& scene_text);
 
 /// True if `text` is `digits` lower-case hexadecimal digits.

@@ -9,12 +9,12 @@
 
 namespace telepalp::replay {
 
-/// The workers that have said lately that they are there. Pure: the caller gives the time. Owner: one thread.
+/// The workers whose Presence came lately. Pure: the caller gives the time. Owner: one thread.
 class PresentWorkers {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// Returns true if the worker is new.
+  /// Takes a worker's presence. Returns true if the worker is new.
   bool hear(const Presence& worker, TimePoint now) {
     constexpr std::size_t kMost = 10'000;
     const auto known = workers_.find(worker.name);
@@ -22,10 +22,12 @@ class PresentWorkers {
     workers_.insert_or_assign(worker.name, Seen{worker.build, now});
     return known == workers_.end();
   }
-  /// Forgets those of which nothing was heard for 7 s: three times what a worker lets pass.
+  /// Forgets each worker that has been silent for 7 s: three of its presences were lost.
   void forget_silent(TimePoint now) {
-    std::erase_if(workers_, [now](const auto& one) { return now - one.second.at > std::chrono::seconds(7); });
+    constexpr auto kLongestSilence = 3 * kPresenceEvery + std::chrono::seconds(1);
+    std::erase_if(workers_, [now](const auto& one) { return now - one.second.heard > kLongestSilence; });
   }
+  /// Workers of this build.
   [[nodiscard]] std::size_t count(const std::string& build) const {
     std::size_t count = 0;
     for (const auto& [name, seen] : workers_) count += seen.build == build ? 1U : 0U;
@@ -35,7 +37,7 @@ class PresentWorkers {
  private:
   struct Seen {
     std::string build;
-    TimePoint at;
+    TimePoint heard;
   };
   std::map<std::string, Seen> workers_;  // by name
 };

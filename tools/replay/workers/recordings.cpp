@@ -36,18 +36,19 @@ std::string chunk_subject(const Recording& recording, const std::string& number)
 }
 
 Error cannot_be_sent(const std::string& source) {
-  return {.what =
-              "workers cannot be sent this source: only a session, an .oni or a .pcd file, or a synthetic patient "
-              "without a file of its own",
-          .where = source,
-          .fix = "record the source as a session (telepalp-record), or leave out --workers"};
+  return {
+      .what =
+          "this source cannot be sent to workers: it must be a session, an .oni or a .pcd file of at most 16 GiB, or "
+          "a synthetic patient without a file of its own",
+      .where = source,
+      .fix = "record the source as a session (telepalp-record), or leave out --workers"};
 }
 
 bool is_cached_name(const std::string& name) {
   return name.size() > 64 && is_digest(std::string_view(name).substr(0, 64), 64);
 }
 
-/// Fills `chunk` from the place of this number.
+/// Reads the chunk of this number into `chunk`.
 bool read_chunk(std::ifstream& in, const Recording& recording, std::uint64_t number, std::string& chunk) {
   chunk.resize(recording.size_of_chunk(number));
   in.seekg(static_cast<std::streamoff>(number * recording.chunk_B));
@@ -110,6 +111,12 @@ Result<void> RecordingCache::make_room(std::uint64_t bytes) const {
     fs::file_time_type used;
     std::uint64_t size_B;
   };
+  const auto no_room = [&](const std::string& what, const std::string& fix) {
+    return Error{.what = what, .where = folder_.string(), .fix = fix};
+  };
+  if (bytes > most_B_)
+    return no_room("the recording has " + std::to_string(bytes >> 20U) + " MiB, more than the cache may hold",
+                   "start the worker with a larger --cache-GB");
   std::vector<Cached> all;
   std::uint64_t sum_B = bytes;
   std::error_code failed;
@@ -129,9 +136,7 @@ Result<void> RecordingCache::make_room(std::uint64_t bytes) const {
     if (fs::remove(one.file, failed)) sum_B -= one.size_B;
   }
   if (sum_B <= most_B_) return {};
-  return Error{.what = "the recording has " + std::to_string(bytes >> 20U) + " MiB, more than the cache may hold",
-               .where = folder_.string(),
-               .fix = "start the worker with a larger --cache-GB"};
+  return no_room("old recordings in the cache cannot be removed", "let this user write to the folder");
 }
 
 Result<void> RecordingCache::write_chunks(nats::Streams& streams, const Recording& recording, const fs::path& file,
@@ -178,9 +183,14 @@ Result<fs::path> RecordingCache::fetch(nats::Streams& streams, const Recording& 
   const fs::path part = folder_ / (recording.sha256 + "." + std::to_string(::getpid()) + ".part");
   const Result<void> written = write_chunks(streams, recording, part, stop);
   const bool right = written && is_right(part);
-  if (right) fs::rename(part, file, failed);
-  if (!right || failed) fs::remove(part, failed);
+  std::error_code not_renamed;
+  if (right) fs::rename(part, file, not_renamed);
+  if (!right || not_renamed) fs::remove(part, failed);
   if (!written) return written.error();
+  if (not_renamed)
+    return Error{.what = "the recording cannot be kept: " + not_renamed.message(),
+                 .where = file.string(),
+                 .fix = "remove this file, or give another --cache"};
   if (!right)
     return Error{.what = "the recording has another digest than the order states",
                  .where = chunk_subject(recording, "*"),

@@ -26,22 +26,22 @@ struct LocalRecording {
 /// Removes the recording's chunks from the cluster, because they may be damaged.
 [[nodiscard]] Result<void> forget_recording(nats::Streams& streams, const Recording& recording);
 
-/// Stores the chunks that the cluster does not hold yet. `progress`: called with the bytes done. Error: the cluster has
-/// no room for a chunk, or the file has become shorter. When `stop` becomes true, some chunks are missing.
+/// Stores the chunks that are missing in the cluster, until `stop` becomes true. `progress`: called with the bytes that
+/// the cluster has. Error: the cluster has no room for a chunk, or the file has become shorter.
 [[nodiscard]] Result<void> store_recording(nats::Streams& streams, const LocalRecording& recording,
                                            const std::atomic<bool>& stop,
                                            const std::function<void(std::uint64_t bytes)>& progress);
 
-/// Recordings from the cluster, in files of a folder that are named by their digest alone. Several programs may share
-/// the folder. Owner: one thread.
+/// A folder of recordings that were fetched from the cluster; each file's name is the SHA-256 of its content. Several
+/// programs may share the folder. Owner: one thread.
 class RecordingCache {
  public:
-  /// `most_B`: of all recordings together. The one that was used longest ago is removed to make room.
+  /// `most_B`: size of all recordings together. To make room, the least recently used ones are removed.
   RecordingCache(std::filesystem::path folder, std::uint64_t most_B) : folder_(std::move(folder)), most_B_(most_B) {}
 
-  /// The file of `recording`. It is fetched if the folder does not have it, and its digest is checked in either case.
-  /// Error: the cluster lacks a chunk, a chunk has another size, the digest is wrong, the recording is larger than the
-  /// cache, or the disk is full.
+  /// The file of `recording`, fetched if the folder does not have it. Its digest is checked when it is fetched, and
+  /// when this object uses it first. Error: the cluster lacks a chunk, a chunk has another size, the digest is wrong,
+  /// the recording is larger than the cache, the disk is full, or `stop` became true.
   [[nodiscard]] Result<std::filesystem::path> fetch(nats::Streams& streams, const Recording& recording,
                                                     const std::atomic<bool>& stop);
 
@@ -52,7 +52,7 @@ class RecordingCache {
 
   std::filesystem::path folder_;
   std::uint64_t most_B_;
-  std::string checked_;  // digest of the recording that was checked last
+  std::string checked_;  // SHA-256 of the recording that was checked last
 };
 
 }  // namespace telepalp::replay

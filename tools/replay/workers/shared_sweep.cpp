@@ -1,8 +1,8 @@
 #include "tools/replay/workers/shared_sweep.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
@@ -10,18 +10,17 @@
 
 #include "proto/words/counted.h"
 #include "proto/words/repeated_errors.h"
-#include "support/nats/streams.h"
 #include "support/program/log.h"
 #include "tools/replay/commands/progress_bar.h"
 #include "tools/replay/commands/settings.h"
 #include "tools/replay/workers/cell_answer.h"
 #include "tools/replay/workers/cell_maker.h"
-#include "tools/replay/workers/present_workers.h"
 #include "tools/replay/workers/recordings.h"
 #include "tools/replay/workers/sweep_board.h"
+#include "tools/replay/workers/sweep_cluster.h"
 #include "tools/replay/workers/sweep_subjects.h"
 #include "tools/replay/workers/time_left.h"
-#include "tools/replay/workers/worker.h"
+#include "tools/replay/workers/worker_watch.h"
 
 namespace telepalp::replay {
 namespace {
@@ -29,46 +28,14 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kHeader_B = 4096;  // room beside a chunk in the cluster's largest payload
-constexpr auto kLooksEvery = 100ms;
-constexpr auto kHereEvery = 2s;
+constexpr std::size_t kHeader_B = 4096;  // for subject and headers, within the largest payload of the cluster
+constexpr auto kPollsEvery = 100ms;
 constexpr auto kChecksEvery = 10s;
-constexpr auto kSaysEvery = 30s;  // where no progress bar can be drawn
-constexpr auto kNobodyAfter = 5s;
+constexpr auto kLogsEvery = 30s;  // where no progress bar can be drawn
 
 void log(const std::string& text) { program::log("telepalp-replay", text); }
 
 double now_s() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-
-/// What the library's threads heard, until the program's thread takes it.
-class Inbox {
- public:
-  struct Note {
-    std::string subject;
-    std::string payload;
-  };
-  void put(const nats::NatsConnection::Note& note) {
-    constexpr std::size_t kMostNotes = 20'000;  // what is dropped is found again in the stream
-    const std::scoped_lock lock(mutex_);
-    if (notes_.size() < kMostNotes) notes_.push_back({std::string(note.subject), std::string(note.payload)});
-  }
-  [[nodiscard]] std::vector<Note> take() {
-    const std::scoped_lock lock(mutex_);
-    return std::exchange(notes_, {});
-  }
-  void connection_changed(bool is_connected) {
-    log(is_connected ? "connected to the cluster again"
-                     : "the connection to the cluster is lost; trying to connect again");
-    if (is_connected) check_ = true;
-  }
-  /// True once after the connection came back: answers may have been missed.
-  [[nodiscard]] bool must_check() { return check_.exchange(false); }
-
- private:
-  std::mutex mutex_;
-  std::vector<Note> notes_;  // guarded by mutex_
-  std::atomic<bool> check_{false};
-};
 
 class SharedSweep {
  public:
@@ -96,7 +63,7 @@ class SharedSweep {
   [[nodiscard]] CellOrder order_of(std::size_t cell) const;
   [[nodiscard]] std::string in_words(std::size_t cell) const;
   [[nodiscard]] std::string progress() const;
-  void say_who_is_there(Clock::time_point now);
+  [[nodiscard]] std::uint64_t most_chunk_B() const;
 
   const Request& request_;
   FinishedCells& finished_;
@@ -108,14 +75,13 @@ class SharedSweep {
   std::optional<LocalRecording> recording_;
   std::map<std::string, std::string> reasons_;  // of refused cells
   RepeatedErrors errors_;
-  PresentWorkers workers_;
   std::set<std::string> served_by_;  // names of workers
-  bool was_refused_ = false;         // an earlier run of this command left refusals
-  bool said_nobody_ = false;
+  bool was_refused_ = false;         // the cluster held refusals for an earlier run of this command
   Clock::time_point began_ = Clock::now();
-  Inbox answers_, presences_;  // outlive the connection, whose threads fill them
-  std::unique_ptr<nats::NatsConnection> connection_;
-  std::unique_ptr<nats::Streams> streams_;
+  WorkerWatch watch_{this_build(), began_};
+  Inbox answers_;
+  std::atomic<bool> answers_missed_{false};  // while the connection was lost
+  SweepCluster cluster_;                     // last: its threads use the other members
 };
 
 std::vector<std::string> SharedSweep::missing_cells() {
@@ -128,36 +94,35 @@ std::vector<std::string> SharedSweep::missing_cells() {
 }
 
 Result<void> SharedSweep::connect() {
-  auto connection = nats::NatsConnection::open(
-      {.address = *request_.workers, .name = "telepalp-replay --sweep", .on_change = [this](bool is_connected) {
-         answers_.connection_changed(is_connected);
-       }});
-  if (!connection) return connection.error();
-  connection_ = *std::move(connection);
-  auto streams = nats::Streams::open(*connection_);
-  if (!streams) return streams.error();
-  streams_ = *std::move(streams);
-  if (const Result<void> kept = keep_streams(*streams_); !kept) return kept;
+  auto cluster = SweepCluster::join(*request_.workers, "telepalp-replay", "telepalp-replay --sweep",
+                                    [this] { answers_missed_ = true; });
+  if (!cluster) return cluster.error();
+  cluster_ = *std::move(cluster);
   const auto into = [](Inbox& inbox) { return [&inbox](const nats::NatsConnection::Note& note) { inbox.put(note); }; };
-  if (const Result<void> hears = connection_->subscribe(answer_subject(sweep_, "*"), into(answers_)); !hears)
-    return hears;
-  return connection_->subscribe(kWorkerIsHere, into(presences_));
+  const Result<void> subscribed = cluster_.connection->subscribe(answer_subject(sweep_, "*"), into(answers_));
+  if (!subscribed) return subscribed;
+  return cluster_.connection->subscribe(kWorkerIsHere, into(watch_.inbox()));
 }
 
-/// Makes the recording, if there is one, readable for workers.
+/// Room for a chunk in the cluster's largest payload [B].
+std::uint64_t SharedSweep::most_chunk_B() const {
+  return std::max(cluster_.connection->most_payload_B(), kHeader_B) - kHeader_B;
+}
+
+/// Stores the recording, if there is one, in the cluster.
 Result<void> SharedSweep::send_source() {
   if (was_refused_ && recording_)
-    if (const Result<void> done = forget_recording(*streams_, recording_->content); !done) return done;
+    if (const Result<void> done = forget_recording(*cluster_.streams, recording_->content); !done) return done;
   if (!recording_) return {};
   ProgressBar bar(1e-6 * static_cast<double>(recording_->content.size_B));
-  return store_recording(*streams_, *recording_, stop_,
+  return store_recording(*cluster_.streams, *recording_, stop_,
                          [&](std::uint64_t bytes) { bar.show(1e-6 * static_cast<double>(bytes), "MB sent"); });
 }
 
 Result<void> SharedSweep::take_answer(const std::string& subject, const std::string& payload) {
   const std::optional<CellPlace> place = place_of(subject);
   const auto cells = place ? cells_.find(place->cell) : cells_.end();
-  if (cells == cells_.end()) return {};  // of another grid over the same source
+  if (cells == cells_.end()) return {};  // of another grid of the same source
   const Result<CellAnswer> answer = parse_answer(payload, this_build(), place->cell);
   const auto ignored = [&](const Error& error) {
     if (const auto line = errors_.line("answer ignored", error, Clock::now())) log(*line);
@@ -181,27 +146,27 @@ Result<void> SharedSweep::take_answer(const std::string& subject, const std::str
   return {};
 }
 
-/// Takes the answers that the cluster has kept. `at_begin`: an earlier refusal is forgotten, so that the cell is tried
-/// again.
+/// Takes the answers that the cluster has stored. `at_begin`: erases the refusals of an earlier run of this command, so
+/// that these cells are tried again.
 Result<void> SharedSweep::take_stored(bool at_begin) {
-  const auto stored = streams_->subjects(kSweeps, answer_subject(sweep_, "*"));
+  const auto stored = cluster_.streams->subjects(kSweeps, answer_subject(sweep_, "*"));
   if (!stored) return stored.error();
   for (const std::string& subject : *stored) {
     const std::optional<CellPlace> place = place_of(subject);
     if (!place || !board_.phase(place->cell) || board_.phase(place->cell) == CellPhase::Finished) continue;
-    const auto payload = streams_->newest(kSweeps, subject);
+    const auto payload = cluster_.streams->newest(kSweeps, subject);
     if (!payload) return payload.error();
     if (!*payload) continue;
     if (const Result<void> taken = take_answer(subject, **payload); !taken) return taken;
     if (!at_begin || board_.phase(place->cell) == CellPhase::Finished) continue;
     was_refused_ = true;
-    if (const Result<void> erased = streams_->erase(kSweeps, subject); !erased) return erased;
+    if (const Result<void> erased = cluster_.streams->erase(kSweeps, subject); !erased) return erased;
   }
   return {};
 }
 
 Result<std::set<std::string>> SharedSweep::queued_cells() {
-  const auto subjects = streams_->subjects(kOrders, order_subject(this_build(), sweep_, "*"));
+  const auto subjects = cluster_.streams->subjects(kOrders, order_subject(this_build(), sweep_, "*"));
   if (!subjects) return subjects.error();
   std::set<std::string> queued;
   for (const std::string& subject : *subjects)
@@ -231,7 +196,7 @@ Result<void> SharedSweep::order_missing(const std::set<std::string>& queued) {
     if (stop_) return {};
     if (!queued.contains(cell)) {
       const std::string order = encode(order_of(cells_.at(cell).front()));
-      const Result<void> stored = streams_->store(order_subject(this_build(), sweep_, cell), order);
+      const Result<void> stored = cluster_.streams->store(order_subject(this_build(), sweep_, cell), order);
       if (!stored) return stored;
     }
     board_.on(cell, CellEvent::Order);
@@ -239,8 +204,8 @@ Result<void> SharedSweep::order_missing(const std::set<std::string>& queued) {
   return {};
 }
 
-/// Finds what a lost connection, or a lost queue, has kept from this program. The queue is read before the answers: a
-/// worker stores its answer before the order leaves the queue.
+/// Takes answers that were missed while the connection was lost, and orders cells again whose order the cluster has
+/// lost. It reads the queue before the answers, because a worker stores its answer before the order leaves the queue.
 Result<void> SharedSweep::check() {
   const Result<std::set<std::string>> queued = queued_cells();
   if (!queued) return queued.error();
@@ -260,61 +225,47 @@ std::string SharedSweep::in_words(std::size_t cell) const {
 std::string SharedSweep::progress() const {
   const std::size_t open = board_.count(CellPhase::Ordered) + board_.count(CellPhase::Missing);
   const std::optional<double> left_s = left_.left_s(open, now_s());
-  return "runs, " + counted(workers_.count(this_build()), "worker", "workers") +
+  return "runs, " + counted(watch_.count(), "worker", "workers") +
          (left_s ? ", about " + span_of_time(*left_s) + " left" : "");
-}
-
-/// Counts workers, names those of another build, and says when nobody works.
-void SharedSweep::say_who_is_there(Clock::time_point now) {
-  for (const Inbox::Note& note : presences_.take())
-    if (const Result<Presence> worker = parse_presence(note.payload))
-      if (workers_.hear(*worker, now) && worker->build != this_build())
-        log("the worker " + worker->name + " is of another version, " + worker->build + ", than this program, " +
-            this_build() + ", and makes none of its runs. fix: install the same version on both computers");
-  workers_.forget_silent(now);
-  const bool nobody = workers_.count(this_build()) == 0 && now - began_ > kNobodyAfter;
-  if (nobody && !said_nobody_)
-    log("no worker of this version is there. fix: start telepalp-worker --connect " +
-        nats::without_password(request_.workers->url));
-  said_nobody_ = nobody;
 }
 
 Result<void> SharedSweep::wait() {
   ProgressBar bar(static_cast<double>(request_.cells.size()));
   const bool is_drawn = bar.is_shown();
-  Clock::time_point here = Clock::now(), checks = here + kChecksEvery, says = here + kSaysEvery;
+  Clock::time_point here = Clock::now(), checks = here + kChecksEvery, logs = here + kLogsEvery;
   while (!stop_ && !board_.is_settled()) {
     const Clock::time_point now = Clock::now();
     for (const Inbox::Note& note : answers_.take())
       if (const Result<void> taken = take_answer(note.subject, note.payload); !taken) return taken;
-    say_who_is_there(now);
+    watch_.look(now, nats::without_password(request_.workers->url));
     if (now >= here) {
-      connection_->publish(kSweepIsHere,
-                           encode(Presence{.name = sweep_, .build = this_build(), .finished = finished_.count()}));
-      here = now + kHereEvery;
+      cluster_.connection->publish(
+          kSweepIsHere, encode(Presence{.name = sweep_, .build = this_build(), .finished = finished_.count()}));
+      here = now + kPresenceEvery;
     }
-    if ((now >= checks || answers_.must_check()) && connection_->is_connected()) {
+    if ((now >= checks || answers_missed_) && cluster_.connection->is_connected()) {
+      answers_missed_ = false;
       if (const Result<void> checked = check(); !checked)
-        if (const auto line = errors_.line("the cluster is not asked", checked.error(), now)) log(*line);
+        if (const auto line = errors_.line("the cluster cannot be asked for answers", checked.error(), now)) log(*line);
       checks = now + kChecksEvery;
     }
     bar.show(static_cast<double>(finished_.count()), progress().c_str());
-    if (!is_drawn && now >= says) {
+    if (!is_drawn && now >= logs) {
       log(std::to_string(finished_.count()) + " of " + std::to_string(request_.cells.size()) + " " + progress());
-      says = now + kSaysEvery;
+      logs = now + kLogsEvery;
     }
-    std::this_thread::sleep_for(kLooksEvery);
+    std::this_thread::sleep_for(kPollsEvery);
   }
   return {};
 }
 
-/// A sweep that has all its cells leaves no answers behind. Those of another grid over the same source stay.
+/// Erases the answers of this sweep's cells: all are finished. Answers for another grid of the same source stay.
 Result<void> SharedSweep::forget_answers() {
-  const auto stored = streams_->subjects(kSweeps, answer_subject(sweep_, "*"));
+  const auto stored = cluster_.streams->subjects(kSweeps, answer_subject(sweep_, "*"));
   if (!stored) return stored.error();
   for (const std::string& subject : *stored)
     if (const auto place = place_of(subject); place && board_.phase(place->cell) == CellPhase::Finished)
-      if (const Result<void> erased = streams_->erase(kSweeps, subject); !erased) return erased;
+      if (const Result<void> erased = cluster_.streams->erase(kSweeps, subject); !erased) return erased;
   return {};
 }
 
@@ -326,7 +277,7 @@ Result<SharedOutcome> SharedSweep::run() {
                  .where = request_.scene_file.string(),
                  .fix = "use a scene of telepalp's library, or one that names no file, or leave out --workers"};
   if (const Result<void> connected = connect(); !connected) return connected.error();
-  auto recording = local_recording(request_.source, connection_->most_payload_B() - kHeader_B);
+  auto recording = local_recording(request_.source, most_chunk_B());
   if (!recording) return recording.error();
   recording_ = *std::move(recording);
   if (const Result<void> taken = take_stored(true); !taken) return taken.error();

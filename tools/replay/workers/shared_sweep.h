@@ -9,15 +9,15 @@
 
 namespace telepalp::replay {
 
-/// What workers did with a sweep.
+/// The cells that workers did not finish.
 struct SharedOutcome {
-  std::vector<std::string> refused{};  ///< a line for each cell that no worker can make
+  std::vector<std::string> refused{};  ///< for each cell that no worker can make: its place in the grid, and the reason
   std::size_t ordered = 0;             ///< cells that are still in the queue, or with a worker
 };
 
-/// Lets workers make the cells of `request` that are not in `finished`, by the cluster that `request.workers` names.
-/// Shows progress and the time left on stderr. Returns when each cell is finished or refused, or when `stop` becomes
-/// true: the workers then go on, and the same command takes their results. Error: the cluster cannot be reached, has no
+/// Lets workers make the cells of `request` that are not in `finished`, through the cluster `request.workers`. Shows
+/// progress and the time left on stderr. Returns when each cell is finished or refused, or when `stop` becomes true:
+/// the workers then continue, and the same command takes their results. Error: the cluster cannot be reached, or has no
 /// JetStream or no room; the source or scene cannot be sent; or a file of a cell cannot be written.
 [[nodiscard]] Result<SharedOutcome> share_sweep(const Request& request, FinishedCells& finished,
                                                 const std::atomic<bool>& stop);

@@ -10,18 +10,18 @@
 
 namespace telepalp::replay {
 
-/// Where a cell of a sweep is, as the program that shares the sweep out among workers knows it.
+/// The phase of a cell of a sweep that workers make, as telepalp-replay knows it.
 enum class CellPhase {
   Missing,   ///< neither made nor ordered
-  Ordered,   ///< in the work queue, or with a worker
-  Finished,  ///< its report is here
+  Ordered,   ///< its order is in the work queue, or a worker makes it
+  Finished,  ///< telepalp-replay has its report
   Refused    ///< workers have given it up
 };
 enum class CellEvent {
-  Order,    ///< an order of the cell is in the work queue
-  Report,   ///< a worker has made it
-  Refusal,  ///< a worker has removed its order as bad
-  Vanished  ///< the work queue holds no order of it, and no answer came
+  Order,    ///< its order is in the work queue
+  Report,   ///< its report has come
+  Refusal,  ///< a worker has removed its order from the queue
+  Vanished  ///< the work queue has no order of it, though no answer came
 };
 inline constexpr std::size_t kCellPhases = 4;
 inline constexpr std::size_t kCellEvents = 4;
@@ -33,14 +33,14 @@ struct CellRow {
 };
 inline constexpr CellRow kCellTransitions[] = {
     {CellPhase::Missing, CellEvent::Order, CellPhase::Ordered},
-    {CellPhase::Missing, CellEvent::Report, CellPhase::Finished},  // made for an earlier run of the same command
+    {CellPhase::Missing, CellEvent::Report, CellPhase::Finished},  // made for an earlier run of the command
     {CellPhase::Ordered, CellEvent::Report, CellPhase::Finished},
     {CellPhase::Ordered, CellEvent::Refusal, CellPhase::Refused},
     {CellPhase::Ordered, CellEvent::Vanished, CellPhase::Missing},  // for instance, the queue's disk was lost
-    {CellPhase::Refused, CellEvent::Report, CellPhase::Finished},   // another worker had it at the same time
+    {CellPhase::Refused, CellEvent::Report, CellPhase::Finished},   // two workers made it, and only one failed
 };
-/// A pair that is not listed changes nothing: a refusal of an earlier run does not keep a missing cell from being
-/// ordered again, and a second report is that of the first.
+/// A pair that is not listed changes nothing. So a refusal of an earlier run leaves a cell Missing, to be ordered
+/// again, and a second report of a cell, which has the same bytes, is ignored.
 [[nodiscard]] constexpr CellPhase next(CellPhase phase, CellEvent event) noexcept {
   for (const CellRow& row : kCellTransitions)
     if (row.from == phase && row.on == event) return row.to;
@@ -52,11 +52,12 @@ inline constexpr CellRow kCellTransitions[] = {
 /// The phases of all cells of one sweep. Pure. Owner: one thread.
 class SweepBoard {
  public:
-  /// `cells`: the identity of each cell. Cells of one identity are one cell.
+  /// `cells`: identities. An identity that occurs twice is one cell.
   explicit SweepBoard(std::vector<std::string> cells);
 
-  /// Returns true if `event` changed the phase of the cell of this identity; false also if there is none.
+  /// Returns true if `event` changed the phase of the cell. False also if the sweep has no cell of this identity.
   bool on(const std::string& cell, CellEvent event);
+  /// nullopt: the sweep has no cell of this identity.
   [[nodiscard]] std::optional<CellPhase> phase(const std::string& cell) const;
   [[nodiscard]] std::size_t count(CellPhase phase) const noexcept { return counts_[static_cast<std::size_t>(phase)]; }
   [[nodiscard]] std::size_t size() const noexcept { return phases_.size(); }
@@ -64,7 +65,7 @@ class SweepBoard {
   [[nodiscard]] bool is_settled() const noexcept {
     return count(CellPhase::Missing) == 0 && count(CellPhase::Ordered) == 0;
   }
-  /// The identities of the cells in `phase`, in the order in which the sweep names them.
+  /// The identities of the cells in `phase`, in the order of the constructor's `cells`.
   [[nodiscard]] std::vector<std::string> in(CellPhase phase) const;
 
  private:

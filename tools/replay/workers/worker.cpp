@@ -1,7 +1,5 @@
 #include "tools/replay/workers/worker.h"
 
-#include <condition_variable>
-#include <mutex>
 #include <set>
 #include <thread>
 #include <utility>
@@ -9,11 +7,12 @@
 #include "proto/words/repeated_errors.h"
 #include "support/nats/work_queue.h"
 #include "support/program/log.h"
-#include "support/program/version.h"
+#include "support/program/repeated_call.h"
 #include "tools/replay/commands/request.h"
 #include "tools/replay/workers/cell_answer.h"
 #include "tools/replay/workers/cell_maker.h"
 #include "tools/replay/workers/recordings.h"
+#include "tools/replay/workers/sweep_cluster.h"
 #include "tools/replay/workers/sweep_subjects.h"
 
 namespace telepalp::replay {
@@ -23,15 +22,13 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view kProgram = "telepalp-worker";
-constexpr auto kKept = std::chrono::hours(24 * 7);
 constexpr auto kTakesWithin = 500ms;
-constexpr auto kHereEvery = 2s;
-constexpr auto kAgainAfter = 1s;  // times the deliveries: a cell that fails does not keep a queue busy
+constexpr auto kAgainAfter = 1s;  // times the deliveries, so that a failing cell leaves time for the others
 constexpr int kMostStoreTries = 5;
 
 void log(const std::string& text) { program::log(kProgram, text); }
 
-/// Names the builds of sweeps that this worker cannot serve, each once. Owner: the library's thread.
+/// Logs each other build of which a sweep waits for workers, once. Owner: the library's thread.
 class OtherBuilds {
  public:
   void hear(std::string_view bytes) {
@@ -45,40 +42,6 @@ class OtherBuilds {
 
  private:
   std::set<std::string> builds_;
-};
-
-/// Says that the worker is there. A thread of its own, because the worker's computes for long.
-class Herald {
- public:
-  Herald(nats::NatsConnection& connection, std::string name)
-      : connection_(connection), name_(std::move(name)), thread_([this] { tell(); }) {}
-  ~Herald() {
-    {
-      const std::scoped_lock lock(mutex_);
-      ends_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
-  }
-  Herald(const Herald&) = delete;
-  Herald& operator=(const Herald&) = delete;
-  void finished(std::uint64_t cells) { finished_ = cells; }
-
- private:
-  void tell() {
-    std::unique_lock lock(mutex_);
-    do
-      connection_.publish(kWorkerIsHere, encode(Presence{.name = name_, .build = this_build(), .finished = finished_}));
-    while (!changed_.wait_for(lock, kHereEvery, [this] { return ends_; }));
-  }
-
-  nats::NatsConnection& connection_;
-  std::string name_;
-  std::atomic<std::uint64_t> finished_{0};
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ends_ = false;   // guarded by mutex_
-  std::thread thread_;  // last: it uses the other members
 };
 
 class Worker {
@@ -130,7 +93,8 @@ Result<std::string> Worker::report_of(const CellOrder& order) {
   return maker_.make(order, source, stop_);
 }
 
-/// Waits while the cluster cannot be reached: what took minutes to compute is not thrown away at once.
+/// Stores the answer. While the cluster cannot be reached it tries again for some seconds, because the report may have
+/// taken minutes to compute.
 Result<void> Worker::answer(const CellPlace& place, CellAnswer answer) {
   answer.build = this_build();
   answer.cell = place.cell;
@@ -159,13 +123,13 @@ void Worker::give_back(nats::WorkItem& item, const std::string& why, std::chrono
 }
 
 void Worker::refuse(nats::WorkItem& item, const std::optional<CellPlace>& place, const std::string& why) {
-  ++counts_.refused;
   log("a run is removed from the queue, because it was delivered " + std::to_string(item.deliveries()) +
       " times: " + why);
   if (place)
     if (const Result<void> stored = answer(*place, {.refused = why}); !stored)
       return give_back(item, "the cluster does not take the refusal: " + to_string(stored.error()), 10s);
   item.remove_as_bad();
+  ++counts_.refused;
 }
 
 void Worker::work(nats::WorkItem item) {
@@ -182,14 +146,9 @@ void Worker::work(nats::WorkItem item) {
   give_back(item, to_string(report.error()), kAgainAfter * static_cast<int>(item.deliveries()));
 }
 
-void say_changes(bool is_connected) {
-  log(is_connected ? "connected to the cluster again"
-                   : "the connection to the cluster is lost; trying to connect again");
-}
-
-/// Takes cells until it is stopped, or idle for too long.
-void take_cells(nats::WorkQueue& queue, Worker& worker, Herald& herald, const WorkerOptions& options,
-                const std::atomic<bool>& stop) {
+/// Takes cells until it is stopped, or idle for too long. `finished`: receives the count of finished cells.
+void take_cells(nats::WorkQueue& queue, Worker& worker, std::atomic<std::uint64_t>& finished,
+                const WorkerOptions& options, const std::atomic<bool>& stop) {
   RepeatedErrors errors;
   Clock::time_point worked = Clock::now();
   while (!stop && (options.idle.count() <= 0.0 || Clock::now() - worked < options.idle)) {
@@ -199,7 +158,7 @@ void take_cells(nats::WorkQueue& queue, Worker& worker, Herald& herald, const Wo
       std::this_thread::sleep_for(kTakesWithin);
     } else if (*item) {
       worker.work(std::move(**item));
-      herald.finished(worker.counts().finished);
+      finished = worker.counts().finished;
       worked = Clock::now();
     }
   }
@@ -207,35 +166,27 @@ void take_cells(nats::WorkQueue& queue, Worker& worker, Herald& herald, const Wo
 
 }  // namespace
 
-std::string this_build() { return program::software("telepalp"); }
-
-Result<void> keep_streams(nats::Streams& streams) {
-  const Result<void> orders =
-      streams.keep({.name = kOrders, .subjects = {kOrderSubjects}, .is_work_queue = true, .longest_kept = kKept});
-  if (!orders) return orders;
-  return streams.keep(
-      {.name = kSweeps, .subjects = {kAnswerSubjects, kSourceSubjects}, .is_work_queue = false, .longest_kept = kKept});
-}
-
 Result<WorkerCounts> run_worker(const WorkerOptions& options, const std::atomic<bool>& stop) {
   OtherBuilds others;  // outlives the connection, whose thread calls it
-  auto connection = nats::NatsConnection::open(
-      {.address = options.cluster, .name = std::string(kProgram) + " " + options.name, .on_change = say_changes});
-  if (!connection) return connection.error();
-  auto streams = nats::Streams::open(**connection);
-  if (!streams) return streams.error();
-  if (const Result<void> kept = keep_streams(**streams); !kept) return kept.error();
-  auto queue =
-      nats::WorkQueue::open(**streams, kOrders, "workers-" + build_token(this_build()), orders_of_build(this_build()));
+  auto cluster = SweepCluster::join(options.cluster, kProgram, std::string(kProgram) + " " + options.name);
+  if (!cluster) return cluster.error();
+  nats::NatsConnection& connection = *cluster->connection;
+  auto queue = nats::WorkQueue::open(*cluster->streams, kOrders, "workers-" + build_token(this_build()),
+                                     orders_of_build(this_build()));
   if (!queue) return queue.error();
-  Worker worker(options, **streams, stop);
-  Herald herald(**connection, options.name);
-  const Result<void> hears = (*connection)->subscribe(kSweepIsHere, [&others](const nats::NatsConnection::Note& note) {
-    others.hear(note.payload);
-  });
-  if (!hears) return hears.error();
+  const Result<void> subscribed = connection.subscribe(
+      kSweepIsHere, [&others](const nats::NatsConnection::Note& note) { others.hear(note.payload); });
+  if (!subscribed) return subscribed.error();
+  std::atomic<std::uint64_t> finished{0};
+  const auto tell = [&] {
+    connection.publish(kWorkerIsHere,
+                       encode(Presence{.name = options.name, .build = this_build(), .finished = finished}));
+  };
+  tell();
+  const program::RepeatedCall tells(kPresenceEvery, tell);  // a thread of its own, because a cell takes long
+  Worker worker(options, *cluster->streams, stop);
   log("ready: makes runs of sweeps of " + this_build() + ", one at a time, as " + options.name);
-  take_cells(**queue, worker, herald, options, stop);
+  take_cells(**queue, worker, finished, options, stop);
   return worker.counts();
 }
 

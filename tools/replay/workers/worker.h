@@ -6,20 +6,21 @@
 #include <filesystem>
 #include <string>
 
-#include "support/nats/streams.h"
+#include "proto/words/result.h"
+#include "support/nats/nats_address.h"
 
 namespace telepalp::replay {
 
-/// A worker gives a cell that it cannot make back to others, until the cell has been delivered this often.
+/// A cell that cannot be made is tried this often, by any workers. Then it is removed from the queue.
 inline constexpr std::uint64_t kMostDeliveries = 3;
 
 struct WorkerOptions {
   nats::Address cluster;
-  std::string name;
-  std::filesystem::path cache;
-  std::uint64_t cache_B = 0;             ///< of recordings on the disk
-  std::size_t memory_B = 0;              ///< for the source of a sweep
-  std::chrono::duration<double> idle{};  ///< ends when no cell has come for so long; 0: never
+  std::string name;                      ///< in the sweep's log
+  std::filesystem::path cache;           ///< folder of recordings
+  std::uint64_t cache_B = 0;             ///< room for recordings in `cache`
+  std::size_t memory_B = 0;              ///< room for the images of a sweep's source
+  std::chrono::duration<double> idle{};  ///< the worker ends after so long without a cell; 0: it does not
 };
 
 struct WorkerCounts {
@@ -28,14 +29,8 @@ struct WorkerCounts {
   std::uint64_t refused = 0;     ///< removed as bad
 };
 
-/// Makes cells of sweeps that a cluster offers, one at a time, until `stop` becomes true: then the cell at hand is
-/// given back. Error: the cluster cannot be reached, or has no JetStream.
+/// Makes cells of the sweeps in a cluster, one at a time. When `stop` becomes true, it gives the unfinished cell back
+/// to the queue and returns. Error: as SweepCluster::join().
 [[nodiscard]] Result<WorkerCounts> run_worker(const WorkerOptions& options, const std::atomic<bool>& stop);
-
-/// The build of this program, on which all of its results depend: "telepalp 0.2.0, commit 1a2b3c4d".
-[[nodiscard]] std::string this_build();
-
-/// Makes the streams in which sweeps and workers meet, if the cluster does not have them.
-[[nodiscard]] Result<void> keep_streams(nats::Streams& streams);
 
 }  // namespace telepalp::replay

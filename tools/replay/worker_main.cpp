@@ -1,4 +1,5 @@
-// telepalp-worker: makes runs of sweeps that telepalp-replay --sweep … --workers shares out through a NATS cluster.
+// telepalp-worker: takes runs of a sweep from a NATS cluster, in which telepalp-replay --sweep … --workers has put
+// them, and makes them.
 
 #include <unistd.h>
 
@@ -17,14 +18,14 @@ using namespace telepalp;
 
 program::Usage usage() {
   return {.program = "telepalp-worker",
-          .purpose = "makes runs of the sweeps that telepalp-replay --workers offers in a NATS cluster",
+          .purpose = "makes the runs of sweeps that telepalp-replay --workers puts into a NATS cluster",
           .positional = "",
           .options = {{"connect", "nats://HOST[:PORT]", "the cluster; also tls://, ?creds=FILE&ca=FILE"},
-                      {"name", "NAME", "name in the log of the sweep [host and process number]"},
+                      {"name", "NAME", "unique name in the sweep's log [host name and process number]"},
                       {"cache", "DIR", "folder for recordings [~/.cache/telepalp-worker]"},
                       {"cache-GB", "N", "room for recordings in this folder, in GB", "8"},
-                      {"memory-MB", "N", "memory for the images of a source, in MB", "1024"},
-                      {"idle-s", "S", "end when no run has come for S s; 0: never", "0"}},
+                      {"memory-MB", "N", "memory for the images of a sweep's source, in MB", "1024"},
+                      {"idle-s", "S", "end after S s without a run; 0: never", "0"}},
           .example = "telepalp-worker --connect nats://127.0.0.1"};
 }
 
@@ -34,7 +35,7 @@ std::string own_name() {
   return std::string(host.data()) + "-" + std::to_string(::getpid());
 }
 
-/// Where programs of this user keep what they can fetch again.
+/// The folder for recordings: --cache, or one in the user's cache folder (XDG, systemd's CACHE_DIRECTORY, or HOME).
 Result<std::filesystem::path> cache_folder(const program::Arguments& arguments) {
   if (arguments.has("cache")) return std::filesystem::path(arguments.text("cache"));
   for (const auto& [variable, below] : {std::pair{"XDG_CACHE_HOME", ""}, {"CACHE_DIRECTORY", ""}, {"HOME", ".cache"}})
