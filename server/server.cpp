@@ -123,13 +123,12 @@ void Server::publish(wire::Message message, plan::Grade grade) {
 }
 
 void Server::tell_origin_what_is_wanted() {
-  const plan::RatePlan& plan = content_.plan();
   const auto wanted = [&](plan::Grade grade) {
     const auto wants = [&](const wire::Topic& topic) { return hub_.is_wanted(topic.name, grade); };
     return pipeline::GradeWanted{
         .color = {.pictures = wants(wire::kCameraColor), .video = wants(wire::kCameraColorVideo)},
         .depth = {.whole = wants(wire::kCameraDepth), .window = wants(wire::kCameraDepthWindow)},
-        .settings = plan.settings[plan::index_of(grade)]};
+        .settings = content_.plan().settings[plan::index_of(grade)]};
   };
   const pipeline::GradeWanted full = wanted(plan::Grade::Full);
   origin_->want({.color = full.color,
@@ -137,7 +136,7 @@ void Server::tell_origin_what_is_wanted() {
                  .window = window_.at(clock_.now()),
                  .touch = wanted(plan::Grade::Touch),
                  .view = wanted(plan::Grade::View),
-                 .given_up = plan.said});
+                 .given_up = content_.given_up()});
 }
 
 void Server::follow_window(const msg::WindowRequest& request) {
