@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "messages/camera.pb.h"
@@ -18,6 +19,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kContentEvery = 200ms;
+
+bool is_depth(std::string_view topic) {
+  return topic == wire::kCameraDepth.name || topic == wire::kCameraDepthWindow.name;
+}
 
 const Error kAnEdge{.what = "this server is an edge, which shows what another server publishes, and takes no stations",
                     .where = {},
@@ -112,9 +117,7 @@ void Server::stop(const std::string& reason) {
 void Server::publish(wire::Message message, plan::Grade grade) {
   if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
-  const bool is_depth =
-      message.topic.name == wire::kCameraDepth.name || message.topic.name == wire::kCameraDepthWindow.name;
-  if (is_depth) {
+  if (is_depth(message.topic.name)) {
     last_depth_ = std::chrono::steady_clock::now();
     tell_origin_what_is_wanted();
   }
@@ -236,8 +239,13 @@ void Server::log(const std::string& text) const {
 
 std::string Server::summary() const {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-  const auto found = hub_.topic_counts().find(wire::kCameraDepth.name);
-  const hub::Hub::TopicCount depth = found == hub_.topic_counts().end() ? hub::Hub::TopicCount{} : found->second;
+  hub::Hub::TopicCount depth;
+  for (const auto& [topic, count] : hub_.topic_counts()) {
+    if (!is_depth(topic)) continue;
+    depth.published += count.published;
+    depth.sent += count.sent;
+    depth.dropped += count.dropped;
+  }
   char line[200];
   std::snprintf(line, sizeof line,
                 "%.1f s; frames captured: %llu; depth images: %llu published, %llu sent to subscribers, %llu dropped",
