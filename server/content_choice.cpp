@@ -10,12 +10,12 @@
 namespace telepalp::server {
 namespace {
 
-constexpr double kSmooth = 0.3;  ///< of a new rate; the rest is the rate before
+constexpr double kSmooth = 0.3;  ///< weight of the newest step in a smoothed rate: a mean over about half a second
 
-/// `peer`: ADDRESS:PORT.
+/// `peer`: ADDRESS:PORT. An IPv6 address is in square brackets.
 bool is_loopback(const std::string& peer) {
   const std::string address = access::host_of(peer);
-  return address.starts_with("127.") || address == "::1" || address.starts_with("::ffff:127.");
+  return address.starts_with("127.") || address == "[::1]" || address.starts_with("[::ffff:127.");
 }
 
 std::uint64_t image_bytes(const hub::Hub::SubscriberCount& count) {
@@ -26,8 +26,7 @@ std::uint64_t image_bytes(const hub::Hub::SubscriberCount& count) {
   return bytes;
 }
 
-/// What is known of a subscriber before its peer is looked up. One that joined without a peer is a part of the server,
-/// or a browser, which shows images.
+/// The line of a subscriber that has no peer: of a browser, which shows images, or of a part of the server.
 plan::Line line_of(const hub::Hub& hub, hub::SubscriberId id, const hub::Hub::SubscriberCount& count, bool is_local) {
   return {.subscriber = id,
           .kind = count.shows_images && !is_local ? plan::Line::Kind::Viewer : plan::Line::Kind::Keeper,
@@ -43,14 +42,14 @@ plan::Line::Kind kind_of(hub::PlaceKind place, bool is_local) {
   return place == hub::PlaceKind::Viewer && !is_local ? plan::Line::Kind::Viewer : plan::Line::Kind::Keeper;
 }
 
-/// The lines of all subscribers. The hand is the station whose window is followed; until a station asks for a window,
-/// the first one that takes depth with a window.
+/// The lines of all subscribers. The hand is the station whose window is followed. Until a station asks for a window,
+/// it is the first station that takes depth with a window.
 std::vector<plan::Line> lines_of(const ContentChoice::Site& site) {
   std::vector<plan::Line> lines;
   bool has_hand = false;
   for (const hub::SubscriberId id : site.hub.subscribers()) {
     const hub::Hub::SubscriberCount& count = site.hub.count_of(id);
-    // Over a link that impairs the network for a test, datagrams on this machine cross a thin line, too.
+    // Datagrams from this machine may come through telepalp-link, which imitates a thin line.
     const bool is_local = is_loopback(count.address) && !count.by_datagram;
     plan::Line line = line_of(site.hub, id, count, is_local);
     const auto peer = std::ranges::find(site.peers, id, &hub::PeerListener::PeerLine::subscriber);
@@ -70,7 +69,7 @@ std::vector<plan::Line> lines_of(const ContentChoice::Site& site) {
 }  // namespace
 
 void ContentChoice::published(const wire::Message& message, plan::Grade grade) {
-  plan::Made& made = made_.made[plan::index_of(grade)];
+  plan::Made& made = made_[plan::index_of(grade)];
   plan::Made::Count* const count = message.topic.name == wire::kCameraDepthWindow.name ? &made.window
                                    : message.topic.name == wire::kCameraDepth.name     ? &made.whole
                                    : message.topic.name == wire::kCameraColor.name     ? &made.pictures
@@ -80,8 +79,7 @@ void ContentChoice::published(const wire::Message& message, plan::Grade grade) {
     ++count->images;
     count->bytes += bytes;
   }
-  const plan::Grade of_stations = level_.level() > 0 ? plan::Grade::Touch : plan::Grade::Full;
-  if (grade == of_stations && (count != nullptr || wire::carries_color(message.topic)))
+  if (grade == plan().grade_of_stations() && (count != nullptr || wire::carries_color(message.topic)))
     bytes_ += static_cast<double>(bytes);
 }
 
@@ -92,7 +90,7 @@ std::optional<std::string> ContentChoice::step(const Site& site) {
   return said;
 }
 
-/// All stations that take whole depth images get the same ones, which shrink for the line that has the least room.
+/// All stations that take whole depth images get the same ones, so these become smaller for the thinnest line.
 std::optional<std::string> ContentChoice::choose_level(const Site& site, double span_s) {
   image_rate_B_per_s_ += kSmooth * (std::exchange(bytes_, 0.0) / span_s - image_rate_B_per_s_);
   std::optional<double> share;
@@ -120,11 +118,10 @@ std::optional<std::string> ContentChoice::choose_level(const Site& site, double 
 void ContentChoice::plan_rates(const Site& site, double span_s) {
   const std::uint64_t before = std::exchange(images_, site.images);
   const double rate = site.images >= before ? static_cast<double>(site.images - before) / span_s : 0.0;
-  plan::PlanInput input = std::exchange(made_, {.images_per_s = made_.images_per_s});
-  made_.images_per_s += kSmooth * (rate - made_.images_per_s);
+  images_per_s_ += kSmooth * (rate - images_per_s_);
+  plan::PlanInput input{.made = std::exchange(made_, {}), .images_per_s = images_per_s_, .whole_level = level_.level()};
   if (site.chooses_content) input.lines = lines_of(site);
-  input.whole_level = level_.level();
-  (void)planner_.step(input, site.now);
+  notice_.step(planner_.step(input, site.now).sacrifice, site.now);
 }
 
 }  // namespace telepalp::server

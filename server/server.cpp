@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "messages/camera.pb.h"
@@ -18,6 +19,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kContentEvery = 200ms;
+
+bool is_depth(std::string_view topic) {
+  return topic == wire::kCameraDepth.name || topic == wire::kCameraDepthWindow.name;
+}
 
 const Error kAnEdge{.what = "this server is an edge, which shows what another server publishes, and takes no stations",
                     .where = {},
@@ -112,9 +117,7 @@ void Server::stop(const std::string& reason) {
 void Server::publish(wire::Message message, plan::Grade grade) {
   if (origin_->withholds(message.topic, listener_->stations())) return;
   if (message.topic.name == wire::kCameraStatus.name) log_state_changes(message);
-  const bool is_depth =
-      message.topic.name == wire::kCameraDepth.name || message.topic.name == wire::kCameraDepthWindow.name;
-  if (is_depth) {
+  if (is_depth(message.topic.name)) {
     last_depth_ = std::chrono::steady_clock::now();
     tell_origin_what_is_wanted();
   }
@@ -123,13 +126,12 @@ void Server::publish(wire::Message message, plan::Grade grade) {
 }
 
 void Server::tell_origin_what_is_wanted() {
-  const plan::RatePlan& plan = content_.plan();
   const auto wanted = [&](plan::Grade grade) {
     const auto wants = [&](const wire::Topic& topic) { return hub_.is_wanted(topic.name, grade); };
     return pipeline::GradeWanted{
         .color = {.pictures = wants(wire::kCameraColor), .video = wants(wire::kCameraColorVideo)},
         .depth = {.whole = wants(wire::kCameraDepth), .window = wants(wire::kCameraDepthWindow)},
-        .settings = plan.settings[plan::index_of(grade)]};
+        .settings = content_.plan().settings[plan::index_of(grade)]};
   };
   const pipeline::GradeWanted full = wanted(plan::Grade::Full);
   origin_->want({.color = full.color,
@@ -137,7 +139,7 @@ void Server::tell_origin_what_is_wanted() {
                  .window = window_.at(clock_.now()),
                  .touch = wanted(plan::Grade::Touch),
                  .view = wanted(plan::Grade::View),
-                 .given_up = plan.said});
+                 .given_up = content_.given_up()});
 }
 
 void Server::follow_window(const msg::WindowRequest& request) {
@@ -237,8 +239,13 @@ void Server::log(const std::string& text) const {
 
 std::string Server::summary() const {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-  const auto found = hub_.topic_counts().find(wire::kCameraDepth.name);
-  const hub::Hub::TopicCount depth = found == hub_.topic_counts().end() ? hub::Hub::TopicCount{} : found->second;
+  hub::Hub::TopicCount depth;
+  for (const auto& [topic, count] : hub_.topic_counts()) {
+    if (!is_depth(topic)) continue;
+    depth.published += count.published;
+    depth.sent += count.sent;
+    depth.dropped += count.dropped;
+  }
   char line[200];
   std::snprintf(line, sizeof line,
                 "%.1f s; frames captured: %llu; depth images: %llu published, %llu sent to subscribers, %llu dropped",

@@ -223,7 +223,8 @@ void Station::on_message(const wire::Message& message) {
   if (message.topic.name == wire::kViewerHand.name) on_viewer_hand(message);
 }
 
-/// The server says in this text what it gives up for a thin line. The first text is about the camera alone.
+/// CaptureStatus::detail also tells what the server gives up for a thin line, so the operator sees each new text. The
+/// first text only describes the camera.
 void Station::on_camera_status(const wire::Message& message) {
   msg::CaptureStatus status;
   if (!status.ParseFromString(*message.payload)) return;

@@ -18,7 +18,7 @@ bool matches(std::string_view wanted, std::string_view topic) noexcept {
   return wanted == topic;
 }
 
-/// True for camera images. A playback's images are all of Grade::Full.
+/// True for camera images, which may come in several grades.
 bool has_grades(const wire::Topic& topic) noexcept {
   return topic.has_deadline() && topic.publisher == wire::Publisher::Server;
 }
@@ -90,7 +90,7 @@ void Hub::publish(wire::Message message, plan::Grade grade) {
   ++stream.published;
   if (!keeps_numbers_ || number == 0) message.sequence = stream.published;
   count.bytes += message.payload->size();
-  if (lacks_reference(stream.keys, number, message.key_frame)) forget_references(message.topic.name, grade);
+  if (lacks_reference(stream.keys, number, message.key_frame)) forget_references(message.topic, grade);
   stream.keys = after_publishing(stream.keys, message.key_frame, message.published, number);
   if (message.topic.latched()) latched_.insert_or_assign(message.topic.name, message);
   for (auto& [id, subscriber] : subscribers_)
@@ -121,10 +121,10 @@ Hub::Stream& Hub::stream_for(const Subscriber& subscriber, const wire::Topic& to
   return streams_[{topic.name, grade_in(topic, subscriber.count.grade)}];
 }
 
-/// The subscribers lack the reference frame of the next predicted message of `topic`, as the hub does.
-void Hub::forget_references(std::string_view topic, plan::Grade grade) {
+/// The hub missed a message of the stream, so no subscriber has the reference frame of the next predicted one.
+void Hub::forget_references(const wire::Topic& topic, plan::Grade grade) {
   for (auto& [id, subscriber] : subscribers_)
-    if (subscriber.count.grade == grade) subscriber.positions[topic].group = {};
+    if (grade_in(topic, subscriber.count.grade) == grade) subscriber.positions[topic.name].group = {};
 }
 
 bool Hub::is_wanted(std::string_view topic, plan::Grade grade) const {
@@ -266,11 +266,7 @@ void Hub::offer(Subscriber& subscriber, wire::Message message) {
   const bool usable = can_decode(position.group, message.sequence, message.key_frame);
   const std::vector<wire::Message> gone = usable ? put_in_queue(subscriber, message) : std::vector{message};
   if (usable && has_grades(message.topic)) ++subscriber.count.images;
-  for (const wire::Message& lost : gone)
-    if (usable)
-      crowd_out(subscriber.count, lost);
-    else
-      drop(subscriber.count, lost);
+  for (const wire::Message& lost : gone) usable ? crowd_out(subscriber.count, lost) : drop(subscriber.count, lost);
   const bool queued = gone.empty() || gone.back().sequence != message.sequence;
   position.group = {.last = queued ? message.sequence : 0};
   if (!queued && subscriber.queue.waiting(message.topic) == 0) request_from_publisher(subscriber, message.topic);

@@ -23,8 +23,8 @@ using SubscriberId = std::uint64_t;
 /// share one payload. A slow subscriber loses its own oldest messages, topic by topic; other subscribers are not
 /// affected. A new subscriber gets the last message of each latched topic (wire::Topic). A predicted frame goes only to
 /// subscribers that have its reference frame. A subscriber that missed a frame gets no message of that topic until the
-/// next key frame, which the hub requests from the publisher. Camera images may come in several grades (plan::Grade); a
-/// subscriber gets one of them. Owner: the server's network thread; no locks, no sockets, no clock.
+/// next key frame, which the hub requests from the publisher. Camera images may come in several grades (plan::Grade),
+/// of which each subscriber gets one. Owner: the server's network thread; no locks, no sockets, no clock.
 class Hub {
  public:
   /// Limit of the bytes that wait for TCP on all topics of Lane::Others, over all subscribers. A payload that is
@@ -45,10 +45,10 @@ class Hub {
   /// Gives `message` the topic's next sequence number and offers it to the subscribers, which see dropped messages as
   /// gaps. A message that has a number already comes through a connection: if it is predicted and the number before it
   /// is missing, its reference frame is lost, and it is offered to nobody.
-  /// `grade`: of a camera image, which goes only to the subscribers that get this grade; Full for other topics.
+  /// `grade`: of a camera image, which goes only to the subscribers that get this grade. Full for other topics.
   void publish(wire::Message message, plan::Grade grade = plan::Grade::Full);
-  /// From now on, the subscriber gets the camera images of `grade`; a newcomer gets Full. The numbers of its messages
-  /// go on without a gap, and the first predicted one comes after a key frame.
+  /// From now on, the subscriber gets the camera images of `grade`; before the first call, those of Full. The sequence
+  /// numbers that it sees go on without a gap. The first image of the new grade that it gets is a key frame.
   void give(SubscriberId subscriber, plan::Grade grade);
   /// Notes for subscriber_counts() that the subscriber shows images to a person.
   void note_shows_images(SubscriberId subscriber);
@@ -107,9 +107,9 @@ class Hub {
     bool by_datagram = false;               ///< datagrams carry the deadline topics, TCP the others
     std::optional<double> share_B_per_s{};  ///< what other flows leave of its line; nullopt: none was noticed
     plan::Grade grade = plan::Grade::Full;
-    bool shows_images = false;      ///< to a person, who may get less than Full
-    std::uint64_t images = 0;       ///< camera images that it was offered and can decode
-    std::uint64_t crowded_out = 0;  ///< those of them that its line had no room for
+    bool shows_images = false;      ///< to a person, so that it may get a grade other than Full
+    std::uint64_t images = 0;       ///< decodable camera images that were offered to it
+    std::uint64_t crowded_out = 0;  ///< of these, images that were dropped because its line had no room
     TopicCounts topics;
     [[nodiscard]] std::uint64_t sent() const noexcept;
     [[nodiscard]] std::uint64_t dropped() const noexcept;
@@ -132,12 +132,12 @@ class Hub {
     std::uint64_t published = 0;
     wire::KeyFrameState keys;
   };
-  /// Where a subscriber is in a topic.
+  /// How far a subscriber is in a topic. Sequence numbers are those that the subscriber sees.
   struct Position {
     wire::GroupPosition group;
-    std::uint64_t offered = 0;  ///< number of the newest message that it was offered
-    std::int64_t shift = 0;     ///< its number of a message, less the stream's
-    bool is_new_grade = false;  ///< no message came since its grade changed
+    std::uint64_t offered = 0;  ///< number of the newest message that was offered to it
+    std::int64_t shift = 0;     ///< added to a message's number in its stream, so that a new grade makes no gap
+    bool is_new_grade = false;  ///< true until the first message of a new grade, which sets `shift`
   };
   struct Subscriber {
     SubscriberCount count;
@@ -155,7 +155,7 @@ class Hub {
   template <class Matches>
   void remove_waiting(Subscriber& subscriber, Matches matches);  ///< counted as dropped
   void start_anew(Subscriber& subscriber, const wire::Topic& topic);
-  void forget_references(std::string_view topic, plan::Grade grade);
+  void forget_references(const wire::Topic& topic, plan::Grade grade);
   Stream& stream_for(const Subscriber& subscriber, const wire::Topic& topic);
   void forget_unwanted(Subscriber& subscriber);
   void request_from_publisher(const Subscriber& subscriber, const wire::Topic& topic);

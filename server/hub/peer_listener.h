@@ -78,7 +78,7 @@ class PeerListener {
     PlaceKind kind = PlaceKind::Viewer;
     std::optional<double> share_B_per_s{};  ///< rate that other flows leave; nullopt: none was noticed
     Nanoseconds queue{0};                   ///< standing queue; 0 over TCP
-    double dropped = 0.0;                   ///< share of the last depth images that the line had no room for
+    double dropped = 0.0;                   ///< share of the newest depth images that the line had no room for
   };
   [[nodiscard]] std::vector<PeerLine> lines();
   /// Tells the hub what other flows leave of each peer's line.

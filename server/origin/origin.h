@@ -33,7 +33,8 @@ class Origin {
  public:
   struct Handlers {
     std::function<void(wire::Message)> on_message;  ///< on the network thread
-    /// The same, for a camera image of a grade other than Full; only of an origin that chooses_content().
+    /// Called instead of on_message for a camera image whose grade is not Full. Only an origin that chooses_content()
+    /// has such images.
     std::function<void(wire::Message, plan::Grade)> on_graded{};
     std::function<void()> on_end;                           ///< on the network thread, once, when no more comes
     std::function<bool(std::string_view topic)> is_wanted;  ///< whether somebody has subscribed to the topic
@@ -61,7 +62,7 @@ class Origin {
   /// True if this origin's depth images can be predicted from earlier ones, or not, as let_predict() says.
   [[nodiscard]] virtual bool chooses_prediction() const = 0;
   virtual void let_predict(bool may) = 0;
-  /// True if images are made as want() says; false: they are as they were recorded, and of Grade::Full.
+  /// True if images are made as want() says. False: they are as they were recorded, all of Grade::Full.
   [[nodiscard]] virtual bool chooses_content() const { return false; }
   /// In which codings and grades subscribers want images. Ignored unless chooses_content().
   virtual void want(const pipeline::Wanted& wanted) { (void)wanted; }

@@ -13,6 +13,7 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds kPatience = 100ms;  // longest delay of a stop or a status while no frame comes
 constexpr Nanoseconds kRepeat = 1s;
 
+/// The hand waits for its images, so they come first.
 constexpr std::array kPublishingOrder{plan::Grade::Touch, plan::Grade::Full, plan::Grade::View};
 
 }  // namespace
@@ -64,7 +65,7 @@ void CameraPipeline::publish_images(const RgbdFrame& frame) {
   for (GradeStage& stage : stages_) stage.publish_color(frame, frames_);
 }
 
-/// A request does not say of which grade, so the next image of each becomes a key frame.
+/// A request names a topic, but no grade, so the next image of each grade becomes a key frame.
 void CameraPipeline::pass_key_frame_requests_on() {
   const auto& take = handlers_.take_key_frame_request;
   const RequestedKeyFrames requested{.whole = take(wire::kCameraDepth.name),

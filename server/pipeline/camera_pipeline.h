@@ -22,8 +22,8 @@ namespace telepalp::pipeline {
 class CameraPipeline {
  public:
   struct Handlers {
-    /// Passes a message on; false: it was dropped. The grade is Full for what is no image.
-    std::function<bool(wire::Message, plan::Grade)> publish;
+    /// Passes a message on; false: it was dropped. `grade`: Full for a message that is not an image.
+    std::function<bool(wire::Message, plan::Grade grade)> publish;
     /// True if a key frame of `topic` was requested since the last call for it.
     std::function<bool(std::string_view topic)> take_key_frame_request;
     /// False: a lost image cannot be repaired in time, so that each depth image must be a key frame. Empty: always
@@ -54,8 +54,8 @@ class CameraPipeline {
   std::string source_name_;
   wire::SessionClock clock_;
   Handlers handlers_;
-  std::array<GradeStage, 3> stages_;  // in the order in which they are published: the hand waits for its images
-  std::string given_up_;              // Wanted::given_up of the newest image
+  std::array<GradeStage, plan::kGrades.size()> stages_;  // in kPublishingOrder
+  std::string given_up_;                                 // Wanted::given_up of the newest image
 
   std::uint64_t frames_ = 0;
   std::string refused_;  // why the last frame could not be sent; empty: it was sent

@@ -10,7 +10,7 @@ namespace telepalp::pipeline {
 struct EncodeOptions {
   codec::DepthStreamSettings depth{.mode = codec::DepthMode::Fast, .key_every = 12};
   int jpeg_quality = 85;
-  int video_kbit_per_s = 800;  ///< target rate of colour as video
+  int video_kbit_per_s = plan::kFullVideo_kbit_per_s;  ///< target rate of colour as video
 };
 
 /// `asked`, made smaller for a line that other flows use (link::ContentLevel). Level 1: fast depth becomes intra, which

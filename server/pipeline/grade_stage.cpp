@@ -9,9 +9,9 @@
 namespace telepalp::pipeline {
 namespace {
 
-/// Around a window, depth within this bound is little more than which pixels were measured.
+/// Depth this coarse costs few bytes. It shows little more than which pixels were measured.
 constexpr DepthErrorBound kCoarsest{.least_m = 0.25, .per_m = 0.25};
-constexpr double kMostBound = 1.0;  ///< of a window's bounds
+constexpr double kMostBound = 1.0;  ///< a window with larger bounds is not valid (DepthWindow)
 
 DepthErrorBound times(double factor, const DepthErrorBound& bound) {
   return {.least_m = std::min(kMostBound, factor * bound.least_m), .per_m = std::min(kMostBound, factor * bound.per_m)};
@@ -19,6 +19,14 @@ DepthErrorBound times(double factor, const DepthErrorBound& bound) {
 
 DepthErrorBound coarsest(const DepthErrorBound& asked) {
   return {.least_m = std::max(asked.least_m, kCoarsest.least_m), .per_m = std::max(asked.per_m, kCoarsest.per_m)};
+}
+
+/// `asked` with the bounds around the window that image `number` of those with a window has.
+DepthWindow made_coarser(DepthWindow asked, const plan::ImageSettings& settings, std::uint64_t number) {
+  const bool is_coarsest = number % static_cast<std::uint64_t>(std::max(1, settings.outside_every)) != 0;
+  for (DepthErrorBound* const bound : {&asked.near, &asked.border})
+    *bound = is_coarsest ? coarsest(*bound) : times(settings.outside_factor, *bound);
+  return asked;
 }
 
 }  // namespace
@@ -35,7 +43,7 @@ GradeStage::GradeStage(const EncodeOptions& asked, const wire::SessionClock& clo
 void GradeStage::want(const GradeWanted& wanted) {
   const plan::ImageSettings before = std::exchange(wanted_, wanted).settings;
   const plan::ImageSettings& now = wanted_.settings;
-  if (!(before == now)) {
+  if (before != now) {
     options_ = with(asked_, now);
     video_.set_rate(options_.video_kbit_per_s);
   }
@@ -55,14 +63,14 @@ void GradeStage::forget_depth() noexcept {
   window_.lost_frame();
 }
 
-bool GradeStage::leaves_out(double share, std::uint64_t number) const noexcept {
-  return link::ContentLevel::leaves_out(wanted_.settings.level, number) || !plan::sends(share, number);
+bool GradeStage::is_left_out_by_level(std::uint64_t number) const noexcept {
+  return link::ContentLevel::leaves_out(wanted_.settings.level, number);
 }
 
 void GradeStage::publish_depth(const RgbdFrame& frame, std::uint64_t number, const std::optional<DepthWindow>& window) {
-  if (!wanted_.depth.any() || leaves_out(wanted_.settings.depth_share, number)) return;
+  if (!plan::sends(wanted_.settings.depth_share, number)) return;
   if (wanted_.depth.window) publish_window(frame, window);  // first: the hand waits for it
-  if (wanted_.depth.whole) publish_whole(frame);
+  if (wanted_.depth.whole && !is_left_out_by_level(number)) publish_whole(frame);
 }
 
 void GradeStage::publish_whole(const RgbdFrame& frame) {
@@ -71,14 +79,10 @@ void GradeStage::publish_whole(const RgbdFrame& frame) {
 }
 
 void GradeStage::publish_window(const RgbdFrame& frame, const std::optional<DepthWindow>& window) {
-  std::optional<DepthWindow> around = window;
-  const plan::ImageSettings& settings = wanted_.settings;
-  const bool renews = windows_++ % static_cast<std::uint64_t>(std::max(1, settings.outside_every)) == 0;
-  if (around) {
-    around->near = renews ? times(settings.outside_factor, around->near) : coarsest(around->near);
-    around->border = renews ? times(settings.outside_factor, around->border) : coarsest(around->border);
-  }
-  codec::EncodedDepth coded = window_.encode(frame, around);
+  std::optional<DepthWindow> coarser = window;
+  if (window) coarser = made_coarser(*window, wanted_.settings, windows_);
+  ++windows_;
+  codec::EncodedDepth coded = window_.encode(frame, coarser);
   if (!publish_depth_as(wire::kCameraDepthWindow, frame, std::move(coded))) window_.lost_frame();
 }
 
@@ -92,7 +96,8 @@ bool GradeStage::publish_depth_as(const wire::Topic& topic, const RgbdFrame& fra
 }
 
 void GradeStage::publish_color(const RgbdFrame& frame, std::uint64_t number) {
-  if (frame.color.rgb.empty() || !wanted_.color.any() || leaves_out(wanted_.settings.color_share, number)) return;
+  if (frame.color.rgb.empty() || is_left_out_by_level(number)) return;
+  if (!plan::sends(wanted_.settings.color_share, number)) return;
   if (wanted_.color.video) publish_video(frame);
   if (!wanted_.color.pictures) return;
   const foxglove::CompressedImage color = color_message(frame, options_.jpeg_quality);

@@ -16,7 +16,7 @@
 
 namespace telepalp::pipeline {
 
-/// The streams of images of which a subscriber requests a key frame.
+/// The streams of images for which a subscriber has requested a key frame.
 struct RequestedKeyFrames {
   bool whole = false;
   bool window = false;
@@ -29,10 +29,10 @@ class GradeStage {
   /// `publish` passes a message on; false: it was dropped. `asked`: the server's options.
   GradeStage(const EncodeOptions& asked, const wire::SessionClock& clock, std::function<bool(wire::Message)> publish);
 
-  /// From the next image on, images are made as `wanted` says. Encoders that nobody needs are freed.
+  /// From the next image on, images are made as `wanted` says. Frees the encoders of streams that nobody takes.
   void want(const GradeWanted& wanted);
   void request_key_frames(const RequestedKeyFrames& requested) noexcept;
-  /// The next depth images are key frames: the last one must not be a reference.
+  /// The next image of each depth stream is a key frame, because the last one must not be its reference.
   void forget_depth() noexcept;
 
   /// Publishes the depth of `frame`, the camera's image `number`, which is well formed. `window`: where depth with a
@@ -41,7 +41,7 @@ class GradeStage {
   void publish_color(const RgbdFrame& frame, std::uint64_t number);
 
  private:
-  [[nodiscard]] bool leaves_out(double share, std::uint64_t number) const noexcept;
+  [[nodiscard]] bool is_left_out_by_level(std::uint64_t number) const noexcept;
   void publish_whole(const RgbdFrame& frame);
   void publish_window(const RgbdFrame& frame, const std::optional<DepthWindow>& window);
   bool publish_depth_as(const wire::Topic& topic, const RgbdFrame& frame, codec::EncodedDepth coded);
@@ -55,7 +55,7 @@ class GradeStage {
   PacedEncoder<codec::DepthEncoder> whole_;  // of /camera/depth
   VideoStage video_;
   WindowStage window_;
-  std::uint64_t windows_ = 0;  // images with a window so far
+  std::uint64_t windows_ = 0;  // published depth images with a window
 };
 
 }  // namespace telepalp::pipeline

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-
 #include <string>
 
 #include "proto/words/depth/depth_window.h"
@@ -29,7 +28,7 @@ struct DepthWanted {
   [[nodiscard]] bool any() const noexcept { return whole || window; }
 };
 
-/// In which codings the subscribers of one grade want images, and how these are coded.
+/// In which codings the subscribers of one grade want images, and with which settings these are made.
 struct GradeWanted {
   ColorWanted color{.pictures = false, .video = false};
   DepthWanted depth{.whole = false, .window = false};
@@ -38,14 +37,15 @@ struct GradeWanted {
 
 /// What subscribers want of the camera's images.
 struct Wanted {
-  ColorWanted color{};  ///< of Grade::Full, as `depth`
-  DepthWanted depth{};
+  ColorWanted color{};                  ///< by the subscribers that get Grade::Full
+  DepthWanted depth{};                  ///< by the same
   std::optional<DepthWindow> window{};  ///< where depth with a window is exact; nullopt: everywhere
-  GradeWanted touch{};                  ///< of Grade::Touch
-  GradeWanted view{};                   ///< of Grade::View
-  std::string given_up{};               ///< for people: what is given up for lines that are too thin; empty: nothing
+  GradeWanted touch{};                  ///< by the subscribers that get Grade::Touch
+  GradeWanted view{};                   ///< by the subscribers that get Grade::View
+  std::string given_up{};               ///< for people: plan::in_words() of the plan's sacrifice; empty: nothing
 
-  /// What is made of `grade`. Images of Full are also made for newcomers while nobody takes another grade.
+  /// What is made of `grade`. While nobody takes another grade, Full is also made, so that a newcomer sees the patient
+  /// at once.
   [[nodiscard]] GradeWanted made(plan::Grade grade) const noexcept {
     if (grade != plan::Grade::Full) return grade == plan::Grade::Touch ? touch : view;
     GradeWanted full{.color = color, .depth = depth, .settings = {}};

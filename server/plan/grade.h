@@ -7,25 +7,31 @@
 
 namespace telepalp::plan {
 
-/// For whom images are coded. Each grade is coded once, and only while a subscriber takes it.
+/// A coding of the camera's images for some of the subscribers. Each grade is coded once, and only while a subscriber
+/// takes it.
 enum class Grade : std::uint8_t {
-  Full,   ///< as the server's options say: recorders, programs at the patient's site, and lines that have room
-  Touch,  ///< stations, while a station's line has no room for Full
-  View,   ///< viewers whose line has no room for Full
+  Full,   ///< as the server's options say: for recorders, programs at the patient's site, and lines with room for it
+  Touch,  ///< for all stations, while the line of one of them has no room for Full
+  View,   ///< for viewers on lines without room for Full; while the hand's line has none, for all viewers
 };
 inline constexpr std::array kGrades{Grade::Full, Grade::Touch, Grade::View};
 [[nodiscard]] constexpr std::size_t index_of(Grade grade) noexcept { return static_cast<std::size_t>(grade); }
 
+/// Target rate of colour as video, unless the server's options say otherwise.
+inline constexpr int kFullVideo_kbit_per_s = 800;
+
 /// How the images of a grade differ from what the server's options say. The default: not at all.
 struct ImageSettings {
-  std::size_t level = 0;  ///< link::ContentLevel::level(), of whole depth images and of colour
-  /// Whole depth images are near-lossless within so many times codec::kOneDisparityStep; 0: as exact as level says.
+  std::size_t level = 0;  ///< of link::ContentLevel, by which whole depth images and colour are made smaller
+  /// 0: whole depth images are as exact as `level` says. Else they are near-lossless, within this many times the
+  /// server's own bound, or codec::kOneDisparityStep if the server's depth is lossless.
   double whole_factor = 0.0;
   double depth_share = 1.0;     ///< of the camera's images whose depth is sent, above 0 to 1
-  double outside_factor = 1.0;  ///< the bounds that a station asks for around its window grow by this factor
-  int outside_every = 1;        ///< one of so many images has these bounds; the others are as coarse as can be there
-  double color_share = 1.0;     ///< of the camera's images whose colour is sent
-  int jpeg_quality = 100;       ///< at most
+  double outside_factor = 1.0;  ///< bounds of depth around a window, over those that the station asked for
+  /// One of this many images has these bounds around the window. The others have the coarsest ones (GradeStage).
+  int outside_every = 1;
+  double color_share = 1.0;                                ///< of the camera's images whose colour is sent
+  int jpeg_quality = 100;                                  ///< at most
   int video_kbit_per_s = std::numeric_limits<int>::max();  ///< at most
 
   friend bool operator==(const ImageSettings&, const ImageSettings&) = default;

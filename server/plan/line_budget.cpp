@@ -9,26 +9,29 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kMostDropped = 0.1;
-constexpr double kFewest_images = 4.0;  ///< one dropped image of fewer says little
-constexpr Nanoseconds kLongQueue = 40ms;
-constexpr double kMargin = 1.15;  ///< of a share, for repairs
-constexpr double kCut = 0.92;     ///< of what left for the line: so that its queue empties
+// A line is full:
+constexpr double kMostDropped = 0.1;      ///< share of dropped images; a single late burst drops fewer
+constexpr double kFewest_images = 4.0;    ///< the share says little of fewer images
+constexpr Nanoseconds kLongQueue = 40ms;  ///< above the 33 ms between two images: each one waits for the one before
+constexpr double kMargin = 1.15;          ///< of the share that other flows leave, over the budget: for repairs
+// The budget after a cut:
+constexpr double kCut = 0.92;       ///< of the rate at which images left, so that the queue empties
+constexpr double kFits = 0.98;      ///< of the budget that fitted, after a try for more that did not fit
+constexpr double kSameLine = 0.75;  ///< the line is as wide as before the try if this share of the budget still leaves
+constexpr double kFell = 0.6;       ///< less than this share of the mean rate leaves in one step: the line fell
+constexpr std::uint64_t kEnough_images = 6;  ///< a rate of fewer images says little
+constexpr double kLeast_B_per_s = 4000.0;    ///< a try multiplies the budget, so it must not become 0
+// Tries for more:
 constexpr double kStep = 1.1;
-constexpr Nanoseconds kTryFor = 800ms;  ///< a queue of images builds up meanwhile, if the step does not fit
-constexpr double kOutgrown = 1.2;       ///< times what fitted before: the line has become wider
-constexpr double kLargeStep = 1.3;
-constexpr double kFits = 0.98;  ///< of what fitted before a try that did not
-constexpr double kSameLine =
-    0.75;  ///< of what fitted before still left for the line, so that it has not become thinner
-constexpr double kFell = 0.6;
-constexpr std::uint64_t kEnough_images = 6;
-constexpr double kRoom = 1.1;            ///< times the full rate: the budget ends
-constexpr Nanoseconds kSettles = 500ms;  ///< images of the old size still wait after a cut
+constexpr double kLargeStep = 1.3;      ///< while the line proves to be wider
+constexpr double kOutgrown = 1.2;       ///< it is wider if the budget is this many times that before the tries
+constexpr Nanoseconds kTryFor = 800ms;  ///< long enough for a queue to build up if the step does not fit
+constexpr double kRoom = 1.1;           ///< the budget ends at this many times the full rate
 constexpr Nanoseconds kPatience = 800ms;
 constexpr Nanoseconds kMostPatience = 2s;
-constexpr Nanoseconds kSmooth = 400ms;
-constexpr double kLeast_B_per_s = 4000.0;
+
+constexpr Nanoseconds kSettles = 500ms;  ///< after a cut, images of the old size still wait
+constexpr Nanoseconds kSmooth = 400ms;   ///< time constant of means: two steps
 
 }  // namespace
 
@@ -42,19 +45,19 @@ void LineBudget::step(const LineReport& report, double full_B_per_s, SessionTime
     calm_since_ = now;
     return;
   }
-  images_ = report.offered - before.offered;
-  rate_B_per_s_ = static_cast<double>(report.sent_B - before.sent_B) / span_s;
+  const LastStep last{.images = report.offered - before.offered,
+                      .rate_B_per_s = static_cast<double>(report.sent_B - before.sent_B) / span_s};
   const double keep = smooth_B_per_s_ > 0.0 ? std::exp(-span_s / to_seconds(kSmooth)) : 0.0;
-  smooth_B_per_s_ = keep * smooth_B_per_s_ + (1.0 - keep) * rate_B_per_s_;
-  offered_ = keep * offered_ + static_cast<double>(report.offered - before.offered);
+  smooth_B_per_s_ = keep * smooth_B_per_s_ + (1.0 - keep) * last.rate_B_per_s;
+  offered_ = keep * offered_ + static_cast<double>(last.images);
   dropped_ = keep * dropped_ + static_cast<double>(report.dropped - before.dropped);
   if (budget_ && now - cut_at_ < kSettles) {
     offered_ = dropped_ = 0.0;
     calm_since_ = now;
     return;
   }
-  if (is_full(report, full_B_per_s)) return cut(report, now);
-  if (budget_ && now - calm_since_ >= std::max(patience_, kPatience)) grow(report, full_B_per_s, now);
+  if (is_full(report, full_B_per_s)) return cut(report, last, now);
+  if (budget_ && now - calm_since_ >= patience_) grow(report, full_B_per_s, now);
 }
 
 void LineBudget::grow(const LineReport& report, double full_B_per_s, SessionTime now) noexcept {
@@ -77,12 +80,12 @@ bool LineBudget::is_full(const LineReport& report, double full_B_per_s) const no
   return drops || *report.share_B_per_s < kMargin * budget_.value_or(std::min(full_B_per_s, smooth_B_per_s_));
 }
 
-void LineBudget::cut(const LineReport& report, SessionTime now) noexcept {
-  // One step with enough images tells at once that a line has become much thinner.
-  const bool fell = images_ >= kEnough_images && rate_B_per_s_ < kFell * smooth_B_per_s_;
-  const double left_B_per_s = fell ? rate_B_per_s_ : smooth_B_per_s_;
+void LineBudget::cut(const LineReport& report, const LastStep& last, SessionTime now) noexcept {
+  // A single step with enough images shows that a line has become much thinner. The mean would follow too late.
+  const bool fell = last.images >= kEnough_images && last.rate_B_per_s < kFell * smooth_B_per_s_;
+  const double left_B_per_s = fell ? last.rate_B_per_s : smooth_B_per_s_;
   const bool tried = budget_ && tried_B_per_s_ > 0.0 && left_B_per_s > kSameLine * *budget_;
-  patience_ = tried ? std::clamp(2 * patience_, 2 * kPatience, kMostPatience) : kPatience;
+  patience_ = tried ? std::min(2 * patience_, kMostPatience) : kPatience;
   double room = tried ? std::min(kFits * *budget_, left_B_per_s) : kCut * left_B_per_s;
   tried_B_per_s_ = 0.0;
   if (report.share_B_per_s) room = std::min(room, *report.share_B_per_s / kMargin);

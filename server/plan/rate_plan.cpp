@@ -1,24 +1,23 @@
 #include "server/plan/rate_plan.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace telepalp::plan {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// After a change, images of the old settings are still being made and sent.
-constexpr Nanoseconds kLearnsAfter = 300ms;
+constexpr Nanoseconds kLearnsAfter = 300ms;  ///< images of the old settings are still made and counted until then
 // Bytes of an image at rung 0, until the first was made: about those of the synthetic patient.
 constexpr double kFirstWindow_B = 25'000.0;
 constexpr double kFirstWhole_B = 60'000.0;
 constexpr double kFirstPicture_B = 40'000.0;
-constexpr Nanoseconds kSaidFor = 3s;
-constexpr Nanoseconds kTooThinAfter = 1s;  ///< a line that has just become thinner is measured first
-constexpr double kFewerBytesUsed = 0.9;    ///< share of what is left over that goes to video
-constexpr double kVideoStep = 0.1;         ///< smaller changes of video's rate are left out
+constexpr Nanoseconds kTooThinAfter = 1s;  ///< the first measurement of a line that has become thinner may be too low
+constexpr double kVideoOfRest = 0.9;       ///< of what the other images leave: single video frames exceed the mean
+constexpr double kVideoStep = 0.1;         ///< video keeps its rate if the new one differs by a smaller share
 
 Taken taken_by(const Line& line, double images_per_s) {
   return {.images_per_s = images_per_s,
@@ -27,15 +26,10 @@ Taken taken_by(const Line& line, double images_per_s) {
           .video = line.takes_video};
 }
 
-std::string in_Mbit_per_s(double B_per_s) {
-  const auto tenths = static_cast<long>(std::lround(8e-5 * B_per_s));
-  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " Mbit/s";
-}
-
-/// Video gets what the other images leave of `budget_B_per_s`.
+/// Raises the rate of video by most of `rest_B_per_s`, which the rung leaves of the budget.
 void give_rest_to_video(ImageSettings& settings, double rest_B_per_s, int before_kbit_per_s) {
-  const int wanted = std::min(kFullVideo_kbit_per_s,
-                              settings.video_kbit_per_s + static_cast<int>(8e-3 * kFewerBytesUsed * rest_B_per_s));
+  const int wanted = std::min(
+      kFullVideo_kbit_per_s, settings.video_kbit_per_s + static_cast<int>(kVideoOfRest * rest_B_per_s / kBytesPerKbit));
   const bool is_near = std::abs(wanted - before_kbit_per_s) <= kVideoStep * wanted;
   settings.video_kbit_per_s = is_near && before_kbit_per_s >= settings.video_kbit_per_s ? before_kbit_per_s : wanted;
 }
@@ -47,30 +41,28 @@ RatePlanner::RatePlanner()
       view_(view_rungs(), {.depth_B = kFirstWhole_B, .picture_B = kFirstPicture_B}) {}
 
 const RatePlan& RatePlanner::step(const PlanInput& input, SessionTime now) {
-  now_ = now;
-  images_per_s_ = input.images_per_s;
-  learn(input);
+  learn(input, now);
   keep_budgets(input, now);
   plan_.grades.clear();
-  plan_.too_thin_to_touch = false;
+  plan_.sacrifice.images_per_s = input.images_per_s;
   plan_touch(input, now);
   plan_view(input, now);
-  tell();
   return plan_;
 }
 
-void RatePlanner::learn(const PlanInput& input) {
+void RatePlanner::learn(const PlanInput& input, SessionTime now) {
   const auto mean_B = [](const Made::Count& made) {
     return made.images == 0 ? 0.0 : static_cast<double>(made.bytes) / static_cast<double>(made.images);
   };
-  // At rung 0 these subscribers get the images of Full.
+  // At rung 0, these subscribers get the images of Full.
   const auto made_at = [&](Grade grade, std::size_t rung) -> const Made& {
     return input.made[index_of(rung == 0 ? Grade::Full : grade)];
   };
-  const Made& touch = made_at(Grade::Touch, touch_rung_);
-  const Made& view = made_at(Grade::View, view_rung_);
-  if (now_ - touch_changed_ > kLearnsAfter) touch_.measured(touch_rung_, mean_B(touch.window), mean_B(touch.pictures));
-  if (now_ - view_changed_ > kLearnsAfter) view_.measured(view_rung_, mean_B(view.whole), mean_B(view.pictures));
+  const auto [touch_rung, view_rung] = std::pair{plan_.sacrifice.touch_rung, plan_.sacrifice.view_rung};
+  const Made& touch = made_at(Grade::Touch, touch_rung);
+  const Made& view = made_at(Grade::View, view_rung);
+  if (now - touch_changed_ > kLearnsAfter) touch_.measured(touch_rung, mean_B(touch.window), mean_B(touch.pictures));
+  if (now - view_changed_ > kLearnsAfter) view_.measured(view_rung, mean_B(view.whole), mean_B(view.pictures));
 }
 
 void RatePlanner::keep_budgets(const PlanInput& input, SessionTime now) {
@@ -84,82 +76,71 @@ void RatePlanner::keep_budgets(const PlanInput& input, SessionTime now) {
   budgets_ = std::move(kept);
 }
 
-/// What is left of the budget goes to the rate of depth, then to video. Only video gets what is merely tried.
+/// The least budget of the lines of `kind`; nullopt: each of them has room for everything.
+std::optional<double> RatePlanner::least_budget_B_per_s(const PlanInput& input, Line::Kind kind) const {
+  std::optional<double> least;
+  for (const Line& line : input.lines) {
+    if (line.kind != kind) continue;
+    const std::optional<double> budget = budgets_.at(line.subscriber).B_per_s();
+    if (budget) least = std::min(least.value_or(*budget), *budget);
+  }
+  return least;
+}
+
+/// What the rung leaves of the budget goes to the rate of depth, then to video. Only video gets the part that is merely
+/// tried, because a lost video frame hurts less than lost depth.
 ImageSettings RatePlanner::touch_settings(std::size_t rung, const Line& hand, const Taken& taken,
-                                          int video_before_kbit_per_s) {
+                                          int video_before_kbit_per_s) const {
   ImageSettings settings = touch_rungs()[rung].settings;
-  const LineBudget& budget = budgets_[hand.subscriber];
+  const LineBudget& budget = budgets_.at(hand.subscriber);
   const double needed_B_per_s = touch_.rate_B_per_s(rung, taken);
   const double rest_B_per_s = std::max(0.0, budget.B_per_s().value_or(0.0) - needed_B_per_s);
-  const double rung_share = settings.depth_share;
-  settings.depth_share = touch_.depth_share(rung, taken, rest_B_per_s);
-  const double used = settings.depth_share / rung_share;
+  const double raised = touch_.depth_share(rung, taken, rest_B_per_s);
   const double depth_B_per_s = touch_.rate_B_per_s(rung, {.images_per_s = taken.images_per_s, .depth = taken.depth});
-  const double tried_B_per_s = budget.tried_B_per_s() - needed_B_per_s - (used - 1.0) * depth_B_per_s;
+  const double more_depth_B_per_s = (raised / settings.depth_share - 1.0) * depth_B_per_s;
+  settings.depth_share = raised;
+  const double tried_B_per_s = budget.tried_B_per_s() - needed_B_per_s - more_depth_B_per_s;
   give_rest_to_video(settings, std::max(0.0, tried_B_per_s), video_before_kbit_per_s);
   return settings;
 }
 
 void RatePlanner::plan_touch(const PlanInput& input, SessionTime now) {
+  Sacrifice& sacrifice = plan_.sacrifice;
+  sacrifice.hand_B_per_s = least_budget_B_per_s(input, Line::Kind::Hand);
   const auto hand = std::ranges::find(input.lines, Line::Kind::Hand, &Line::kind);
-  const std::optional<double> budget = hand == input.lines.end() ? std::nullopt : budgets_[hand->subscriber].B_per_s();
-  ImageSettings& settings = plan_.settings[index_of(Grade::Touch)];
-  const int video_before = settings.video_kbit_per_s;
   std::size_t rung = 0;
-  settings = {};
-  hand_B_per_s_ = budget.value_or(0.0);
-  if (budget) {
+  ImageSettings settings;
+  if (sacrifice.hand_B_per_s) {
     const Taken taken = taken_by(*hand, input.images_per_s);
-    rung = touch_.fitting(*budget, taken, touch_rung_);
+    rung = touch_.fitting(*sacrifice.hand_B_per_s, taken, sacrifice.touch_rung);
+    const int video_before = plan_.settings[index_of(Grade::Touch)].video_kbit_per_s;
     if (rung > 0) settings = touch_settings(rung, *hand, taken, video_before);
   }
   settings.level = input.whole_level;
-  touch_changed_ = rung == touch_rung_ ? touch_changed_ : now;
-  touch_rung_ = rung;
-  if (rung != kTooThinToTouch) enough_at_ = now;
-  plan_.too_thin_to_touch = now - enough_at_ > kTooThinAfter;
-  if (settings == ImageSettings{}) return;
+  plan_.settings[index_of(Grade::Touch)] = settings;
+  if (std::exchange(sacrifice.touch_rung, rung) != rung) touch_changed_ = now;
+  if (!is_too_thin_to_touch(touch_rungs()[rung])) enough_at_ = now;
+  sacrifice.too_thin_to_touch = now - enough_at_ > kTooThinAfter;
+  if (plan_.grade_of_stations() == Grade::Full) return;
   for (const Line& line : input.lines)
     if (line.kind == Line::Kind::Hand || line.kind == Line::Kind::Station) plan_.grades[line.subscriber] = Grade::Touch;
 }
 
 void RatePlanner::plan_view(const PlanInput& input, SessionTime now) {
-  const bool hand_is_thin = touch_rung_ > 0;
-  std::size_t rung = hand_is_thin ? kColorGivenUp : 0;
-  viewer_B_per_s_ = 0.0;
+  Sacrifice& sacrifice = plan_.sacrifice;
+  const bool hand_is_thin = sacrifice.touch_rung > 0;
+  sacrifice.viewer_B_per_s = least_budget_B_per_s(input, Line::Kind::Viewer);
+  std::size_t rung = hand_is_thin ? color_given_up() : 0;
   for (const Line& line : input.lines) {
     if (line.kind != Line::Kind::Viewer) continue;
-    const std::optional<double> budget = budgets_[line.subscriber].B_per_s();
-    if (!budget) continue;
-    rung = std::max(rung, view_.fitting(*budget, taken_by(line, input.images_per_s), view_rung_));
-    viewer_B_per_s_ = viewer_B_per_s_ > 0.0 ? std::min(viewer_B_per_s_, *budget) : *budget;
+    if (const std::optional<double> budget = budgets_.at(line.subscriber).B_per_s())
+      rung = std::max(rung, view_.fitting(*budget, taken_by(line, input.images_per_s), sacrifice.view_rung));
   }
   for (const Line& line : input.lines)
-    if (rung > 0 && line.kind == Line::Kind::Viewer && (hand_is_thin || budgets_[line.subscriber].B_per_s()))
+    if (rung > 0 && line.kind == Line::Kind::Viewer && (hand_is_thin || budgets_.at(line.subscriber).B_per_s()))
       plan_.grades[line.subscriber] = Grade::View;
-  if (rung != view_rung_) view_changed_ = now;
-  view_rung_ = rung;
+  if (std::exchange(sacrifice.view_rung, rung) != rung) view_changed_ = now;
   plan_.settings[index_of(Grade::View)] = view_rungs()[rung].settings;
-}
-
-/// A sentence stays for a while, so that people can read it, and names the rate of the moment when it was made.
-void RatePlanner::tell() {
-  const std::pair now_given_up{touch_rung_, viewer_B_per_s_ > 0.0 ? view_rung_ : 0};
-  const bool fresh = now_ - said_at_ < kSaidFor && !plan_.said.empty() && now_given_up != std::pair{0UL, 0UL};
-  if (now_given_up == said_ || fresh) return;
-  said_ = now_given_up;
-  said_at_ = now_;
-  plan_.said.clear();
-  if (plan_.too_thin_to_touch)
-    plan_.said = "too thin to touch: the line to the station carries about " + in_Mbit_per_s(hand_B_per_s_) +
-                 " of images, not enough for exact depth 15 times a second";
-  else if (touch_rung_ > 0)
-    plan_.said = "the line to the station carries about " + in_Mbit_per_s(hand_B_per_s_) +
-                 " of images; given up: " + given_up(touch_rungs()[touch_rung_].settings, images_per_s_, true);
-  if (said_.second == 0) return;
-  plan_.said += (plan_.said.empty() ? "" : "; ") + std::string("the line to a viewer carries about ") +
-                in_Mbit_per_s(viewer_B_per_s_) +
-                " of images; given up there: " + given_up(view_rungs()[view_rung_].settings, images_per_s_, false);
 }
 
 }  // namespace telepalp::plan

@@ -3,29 +3,30 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <span>
-#include <string>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "proto/words/time.h"
 #include "server/plan/grade.h"
 #include "server/plan/line_budget.h"
 #include "server/plan/rungs.h"
+#include "server/plan/sacrifice.h"
 
 namespace telepalp::plan {
 
-/// What is coded, and what each subscriber gets of it.
+/// What is coded, and which subscriber gets which grade of it.
 struct RatePlan {
   std::array<ImageSettings, kGrades.size()> settings{};  ///< by grade
   std::map<std::uint64_t, Grade> grades{};               ///< of subscribers that do not get Grade::Full
-  /// For people: what was given up, for which rate, and why; empty: nothing was.
-  std::string said{};
-  bool too_thin_to_touch = false;
+  Sacrifice sacrifice{};
 
   [[nodiscard]] Grade grade_of(std::uint64_t subscriber) const {
     const auto found = grades.find(subscriber);
     return found == grades.end() ? Grade::Full : found->second;
+  }
+  /// All stations get the same grade.
+  [[nodiscard]] Grade grade_of_stations() const noexcept {
+    return settings[index_of(Grade::Touch)] == ImageSettings{} ? Grade::Full : Grade::Touch;
   }
 };
 
@@ -35,7 +36,7 @@ struct Line {
     Hand,     ///< the station whose window of exact depth the server follows
     Station,  ///< another station, or one that takes whole depth images
     Viewer,
-    Keeper,  ///< a recorder, or a program at the patient's site: it gets everything as it is
+    Keeper,  ///< a recorder, or a program at the patient's site: it always gets Grade::Full
   };
   std::uint64_t subscriber = 0;
   Kind kind = Kind::Viewer;
@@ -46,7 +47,7 @@ struct Line {
   LineReport report{};
 };
 
-/// Bytes of the images of one grade that were made.
+/// Numbers and bytes of the images of one grade that were made.
 struct Made {
   struct Count {
     std::uint64_t images = 0;
@@ -61,15 +62,16 @@ struct PlanInput {
   std::vector<Line> lines{};
   std::array<Made, kGrades.size()> made{};  ///< by grade, since the last step
   double images_per_s = 30.0;               ///< of the camera
-  /// What link::ContentLevel chose for stations with whole depth images, which cannot do with less exact depth.
+  /// link::ContentLevel::level(), chosen from the lines of stations that take whole depth images.
   std::size_t whole_level = 0;
 };
 
-/// Decides what is given up for lines that have no room for everything. The orders of sacrifice are touch_rungs() and
-/// view_rungs(). The hand comes before viewers: while a station's line is too thin, viewers' colour is given up first.
-/// Viewers with room keep what they have. All viewers on thin lines get the same images, which fit the thinnest line.
-/// A plan changes to fewer bytes at once, and to more only when a line had room for a while (LineBudget). Pure; owner:
-/// the server's network thread.
+/// Decides what is given up for lines that have no room for everything, in the orders of touch_rungs() and
+/// view_rungs(). The hand comes before viewers: while its line is too thin, viewers lose colour even if their own lines
+/// have room. Otherwise, viewers whose lines have room keep everything. All viewers on thin lines get the same images,
+/// which fit the thinnest of these lines. The plan changes to fewer bytes at once, and to more only after a line has
+/// had room for a while (LineBudget). Whole depth images for stations are not its decision: it passes
+/// PlanInput::whole_level on. Pure. Owner: the server's network thread.
 class RatePlanner {
  public:
   RatePlanner();
@@ -79,28 +81,20 @@ class RatePlanner {
   [[nodiscard]] const RatePlan& plan() const noexcept { return plan_; }
 
  private:
-  void learn(const PlanInput& input);
+  void learn(const PlanInput& input, SessionTime now);
   void keep_budgets(const PlanInput& input, SessionTime now);
+  [[nodiscard]] std::optional<double> least_budget_B_per_s(const PlanInput& input, Line::Kind kind) const;
   [[nodiscard]] ImageSettings touch_settings(std::size_t rung, const Line& hand, const Taken& taken,
-                                             int video_before_kbit_per_s);
+                                             int video_before_kbit_per_s) const;
   void plan_touch(const PlanInput& input, SessionTime now);
   void plan_view(const PlanInput& input, SessionTime now);
-  void tell();
 
-  std::map<std::uint64_t, LineBudget> budgets_;
+  std::map<std::uint64_t, LineBudget> budgets_;  // of the hand and of viewers, by subscriber
   RungBytes touch_;
   RungBytes view_;
-  std::size_t touch_rung_ = 0;
-  std::size_t view_rung_ = 0;
-  SessionTime touch_changed_{};
+  SessionTime touch_changed_{};  // when the rung of touch_rungs() last changed
   SessionTime view_changed_{};
-  SessionTime enough_at_{};  ///< when the hand's line was last not too thin
-  SessionTime now_{};
-  double images_per_s_ = 30.0;
-  double hand_B_per_s_ = 0.0;                   ///< budget of the hand's line, if something is given up for it
-  double viewer_B_per_s_ = 0.0;                 ///< the least of the viewers' budgets, if something is given up for it
-  std::pair<std::size_t, std::size_t> said_{};  ///< the rungs that plan_.said tells
-  SessionTime said_at_{};
+  SessionTime enough_at_{};  // when the hand's line was last not too thin
   RatePlan plan_;
 };
 

@@ -1,18 +1,24 @@
 #include "server/plan/rungs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace telepalp::plan {
 namespace {
 
-constexpr double kMarginUp = 1.05;
-constexpr double kShareStep = 1.0 / 30.0;  ///< one image a second
+constexpr double kMarginUp = 1.05;         ///< images of the same settings differ by a few percent
+constexpr double kShareStep = 1.0 / 30.0;  ///< one image per second of a 30 Hz camera
+// A measured size within this factor of the guess is one rung's own; beyond it, the scene itself has changed.
+constexpr double kGuessIsWithin = 2.0;
 
 constexpr double kThird = 1.0 / 3.0;
 constexpr double kSixth = 1.0 / 6.0;
 
+constexpr Rung kEverything{.settings = {.video_kbit_per_s = kFullVideo_kbit_per_s}};
+
+/// Depth around the window.
 struct Around {
   double factor = 1.0;
   int every = 1;
@@ -38,9 +44,10 @@ constexpr Rung touch(const Color& color, const Around& around, double depth_shar
 
 constexpr Color kTwelveHertz{.share = 0.4, .jpeg = 25, .kbit_per_s = 200, .picture_bytes = 0.35};
 constexpr Color kFiveHertz{.share = kSixth, .jpeg = 25, .kbit_per_s = 100, .picture_bytes = 0.35};
+constexpr Color kThreeHertz{.share = 0.1, .jpeg = 25, .kbit_per_s = 60, .picture_bytes = 0.35};
 constexpr Around kLeast{.factor = 4, .every = 6, .depth_bytes = 0.62};
 constexpr std::array kTouch{
-    touch({}, {}, 1.0),
+    kEverything,
     touch({.share = 0.5, .jpeg = 60, .kbit_per_s = 400, .picture_bytes = 0.6}, {}, 1.0),
     touch({.share = 0.4, .jpeg = 40, .kbit_per_s = 250, .picture_bytes = 0.45}, {}, 1.0),
     touch(kTwelveHertz, {.factor = 2, .depth_bytes = 0.85}, 1.0),
@@ -53,62 +60,56 @@ constexpr std::array kTouch{
     touch(kFiveHertz, kLeast, 0.8),
     touch(kFiveHertz, kLeast, 0.7),
     touch(kFiveHertz, kLeast, 0.6),
-    touch({.share = 0.1, .jpeg = 25, .kbit_per_s = 60, .picture_bytes = 0.35}, kLeast, 0.5),
-    touch({.share = 0.1, .jpeg = 25, .kbit_per_s = 60, .picture_bytes = 0.35}, kLeast, kThird),
+    touch(kThreeHertz, kLeast, 0.5),
+    touch(kThreeHertz, kLeast, kThird),
 };
-static_assert(kTouch.size() == kTooThinToTouch + 1);
+static_assert(std::ranges::count_if(kTouch, is_too_thin_to_touch) == 1 && is_too_thin_to_touch(kTouch.back()));
 
-constexpr Rung view(double whole_factor, double depth_share, double color_share, int jpeg, int kbit_per_s,
-                    double depth_bytes, double picture_bytes) {
-  return {.settings = {.level = depth_bytes < 1.0 ? std::size_t{1} : std::size_t{0},
-                       .whole_factor = whole_factor,
-                       .depth_share = depth_share,
-                       .color_share = color_share,
-                       .jpeg_quality = jpeg,
-                       .video_kbit_per_s = kbit_per_s},
-          .depth_bytes = depth_bytes,
-          .picture_bytes = picture_bytes};
+/// Whole depth images.
+struct Whole {
+  double factor = 0.0;
+  double share = 1.0;
+  double depth_bytes = 0.7;
+};
+
+/// Level 1: lossless depth is intra instead of fast, which is as exact, but smaller.
+constexpr Rung view(const Color& color, const Whole& whole) {
+  return {.settings = {.level = 1,
+                       .whole_factor = whole.factor,
+                       .depth_share = whole.share,
+                       .color_share = color.share,
+                       .jpeg_quality = color.jpeg,
+                       .video_kbit_per_s = color.kbit_per_s},
+          .depth_bytes = whole.depth_bytes,
+          .picture_bytes = color.picture_bytes};
 }
 
+constexpr Color kTenHertz{.share = kThird, .jpeg = 25, .kbit_per_s = 150, .picture_bytes = 0.35};
+constexpr Color kTwoHertz{.share = 1.0 / 15.0, .jpeg = 25, .kbit_per_s = 40, .picture_bytes = 0.35};
 constexpr std::array kView{
-    view(0, 1.0, 1.0, 100, kFullVideo_kbit_per_s, 1.0, 1.0),
-    view(0, 1.0, 1.0, 60, 480, 0.7, 0.6),
-    view(0, 1.0, 0.5, 40, 250, 0.7, 0.45),
-    view(0, 1.0, kThird, 25, 150, 0.7, 0.35),
-    view(1, 1.0, kThird, 25, 150, 0.4, 0.35),
-    view(2, 1.0, kThird, 25, 150, 0.33, 0.35),
-    view(4, 0.5, kSixth, 25, 100, 0.27, 0.35),
-    view(4, kThird, 0.1, 25, 60, 0.27, 0.35),
-    view(4, kSixth, 0.1, 25, 60, 0.27, 0.35),
-    view(4, 1.0 / 15.0, 1.0 / 15.0, 25, 40, 0.27, 0.35),
+    kEverything,
+    view({.share = 1.0, .jpeg = 60, .kbit_per_s = 480, .picture_bytes = 0.6}, {}),
+    view({.share = 0.5, .jpeg = 40, .kbit_per_s = 250, .picture_bytes = 0.45}, {}),
+    view(kTenHertz, {}),
+    view(kTenHertz, {.factor = 1, .depth_bytes = 0.4}),
+    view(kTenHertz, {.factor = 2, .depth_bytes = 0.33}),
+    view(kFiveHertz, {.factor = 4, .share = 0.5, .depth_bytes = 0.27}),
+    view(kThreeHertz, {.factor = 4, .share = kThird, .depth_bytes = 0.27}),
+    view(kThreeHertz, {.factor = 4, .share = kSixth, .depth_bytes = 0.27}),
+    view(kTwoHertz, {.factor = 4, .share = 1.0 / 15.0, .depth_bytes = 0.27}),
 };
-static_assert(kView[kColorGivenUp].settings.whole_factor == 0.0);
+
+constexpr bool gives_up_depth(const Rung& rung) noexcept {
+  return rung.settings.whole_factor > 0.0 || rung.settings.depth_share < 1.0;
+}
+constexpr auto kColorGivenUp = std::ranges::find_if(kView, gives_up_depth) - kView.begin() - 1;
+static_assert(kColorGivenUp > 0 && kView[kColorGivenUp].settings.color_share < 1.0);
 
 }  // namespace
 
 std::span<const Rung> touch_rungs() noexcept { return kTouch; }
 std::span<const Rung> view_rungs() noexcept { return kView; }
-
-std::string given_up(const ImageSettings& sent, double images_per_s, bool has_window) {
-  std::string list;
-  const auto add = [&](const std::string& what) { list += (list.empty() ? "" : ", ") + what; };
-  const auto times = [&](double share) {
-    return std::to_string(std::lround(share * images_per_s)) + " times a second";
-  };
-  if (sent.color_share < 1.0)
-    add("colour comes " + times(sent.color_share));
-  else if (sent.jpeg_quality < 100)
-    add("colour is less sharp");
-  if (sent.whole_factor > 0.0) add(sent.whole_factor > 1.0 ? "depth is coarse" : "depth is near-lossless");
-  if (has_window && sent.outside_factor > 1.0) {
-    const std::string coarse = sent.outside_factor > 2.0 ? "much coarser" : "coarser";
-    const bool is_rare = sent.outside_every > 1;
-    add("depth around the hand's window is " + coarse +
-        (is_rare ? " and comes " + times(sent.depth_share / sent.outside_every) : std::string()));
-  }
-  if (sent.depth_share < 1.0) add((has_window ? "exact depth comes " : "depth comes ") + times(sent.depth_share));
-  return list;
-}
+std::size_t color_given_up() noexcept { return kColorGivenUp; }
 
 RungBytes::RungBytes(std::span<const Rung> rungs, const FirstGuess& at_full) : rungs_(rungs) {
   for (const Rung& rung : rungs) {
@@ -122,8 +123,8 @@ void RungBytes::measured(std::size_t rung, double depth_B, double picture_B) noe
   const auto learn = [&](std::vector<double>& bytes, double mean_B) {
     if (mean_B <= 0.0) return;
     const double ratio = mean_B / bytes[rung];
-    // The content is the one of a moment ago when the rung is new, so what differs is the rung's own guess.
-    if (is_new && ratio > 0.5 && ratio < 2.0)
+    // Right after a change of the rung, the scene is still the same, so only the guess for the new rung was wrong.
+    if (is_new && ratio > 1.0 / kGuessIsWithin && ratio < kGuessIsWithin)
       bytes[rung] = mean_B;
     else
       for (double& one : bytes) one *= ratio;
@@ -136,7 +137,7 @@ double RungBytes::rate_B_per_s(std::size_t rung, const Taken& taken) const noexc
   const ImageSettings& sent = rungs_[rung].settings;
   double rate = taken.depth ? taken.images_per_s * sent.depth_share * depth_B_[rung] : 0.0;
   if (taken.pictures) rate += taken.images_per_s * sent.color_share * picture_B_[rung];
-  if (taken.video) rate += 125.0 * sent.video_kbit_per_s;
+  if (taken.video) rate += kBytesPerKbit * sent.video_kbit_per_s;
   return rate;
 }
 

@@ -1,37 +1,37 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "server/plan/grade.h"
 
 namespace telepalp::plan {
 
-/// One step of an order of sacrifice: what is still sent, and about how many bytes that takes.
+/// One step of an order of sacrifice: what is still sent, and a first guess of its size.
 struct Rung {
   ImageSettings settings{};
-  double depth_bytes = 1.0;    ///< first guess of a depth image's bytes, as a share of those at rung 0
-  double picture_bytes = 1.0;  ///< the same of a picture's (JPEG)
+  double depth_bytes = 1.0;    ///< first guess: bytes of a depth image, over those at rung 0
+  double picture_bytes = 1.0;  ///< first guess: bytes of a picture (JPEG), over those at rung 0
 };
 
-/// What is given up for a station that takes depth with a window, first things first: colour's rate, then the depth
-/// around the window, then the rate of that depth, then more of colour. The depth in the window comes last: its rate
-/// falls to 15 Hz, and at the last rung below, which is too thin to touch.
+/// What is given up for the hand, rung after rung: first the rate of colour, then the exactness of depth around the
+/// window, then the rate of that depth, then more of colour. The exact depth in the window comes last: its rate falls
+/// to 15 Hz of a 30 Hz camera, and below that only at the last rung.
 [[nodiscard]] std::span<const Rung> touch_rungs() noexcept;
-inline constexpr std::size_t kTooThinToTouch = 14;  ///< the rung of touch_rungs() at which the window falls below 15 Hz
 
-/// What is given up for viewers: colour first, then the exactness of depth, then its rate.
+/// True at a rung of touch_rungs() that sends exact depth fewer than 15 times a second of a 30 Hz camera.
+[[nodiscard]] constexpr bool is_too_thin_to_touch(const Rung& rung) noexcept { return rung.settings.depth_share < 0.5; }
+
+/// What is given up for viewers, rung after rung: first colour, then the exactness of depth, then its rate.
 [[nodiscard]] std::span<const Rung> view_rungs() noexcept;
-inline constexpr std::size_t kColorGivenUp = 3;  ///< the rung of view_rungs() that still has exact depth at full rate
 
-/// What `sent` gives up, for people: "colour comes 10 times a second, depth around the hand's window is coarser".
-/// `images_per_s`: of the camera. `has_window`: of depth with a window, which stays exact there.
-[[nodiscard]] std::string given_up(const ImageSettings& sent, double images_per_s, bool has_window);
+/// The last rung of view_rungs() that gives up colour alone: it has the exact depth of each image.
+[[nodiscard]] std::size_t color_given_up() noexcept;
 
-/// Rates of what a subscriber takes.
+inline constexpr double kBytesPerKbit = 125.0;
+
+/// What a subscriber takes of the camera's images.
 struct Taken {
   double images_per_s = 30.0;  ///< of the camera
   bool depth = false;
@@ -39,8 +39,8 @@ struct Taken {
   bool video = false;
 };
 
-/// The bytes of images at each rung, learnt from those that were made. Guesses for the other rungs keep their ratio to
-/// what was measured at the present one.
+/// The bytes of images at each rung, learnt from the images that were made. The guesses for the other rungs keep their
+/// ratios to the measured one.
 class RungBytes {
  public:
   struct FirstGuess {
@@ -54,19 +54,17 @@ class RungBytes {
   void measured(std::size_t rung, double depth_B, double picture_B) noexcept;
   /// Rate of the images at `rung` [B/s].
   [[nodiscard]] double rate_B_per_s(std::size_t rung, const Taken& taken) const noexcept;
-  /// What `rung` sends, with as much of `rest_B_per_s` for the rate of depth as the rung before would allow.
+  /// Share of the camera's images whose depth is sent at `rung`: that of the table, raised as far as `rest_B_per_s`,
+  /// which the rung leaves of the budget, allows, but at most to the share of the rung before.
   [[nodiscard]] double depth_share(std::size_t rung, const Taken& taken, double rest_B_per_s) const noexcept;
-  /// The first rung, in the order of sacrifice, whose rate is at most `budget_B_per_s`; the last if there is none. A
-  /// rung above `present` must leave a margin, so that the plan stays where it is.
+  /// The first rung whose rate is at most `budget_B_per_s`; the last rung if no rate is. A rung before `present` must
+  /// fit with a margin, so that the plan does not go back and forth between two rungs.
   [[nodiscard]] std::size_t fitting(double budget_B_per_s, const Taken& taken, std::size_t present) const noexcept;
 
  private:
   std::span<const Rung> rungs_;
   std::vector<double> depth_B_, picture_B_;  // by rung
-  std::size_t last_ = 0;
+  std::size_t last_ = 0;                     // the rung of the last measured()
 };
-
-/// Rate of colour as video if nothing is given up; the server's default.
-inline constexpr int kFullVideo_kbit_per_s = 800;
 
 }  // namespace telepalp::plan

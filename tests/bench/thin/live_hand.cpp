@@ -27,7 +27,7 @@ core::SurfaceStage surface_stage(core::SurfaceStage::OnImage on_image) {
           std::move(on_image)};
 }
 
-/// Depth of the first measured pixel from the middle of the image on; nullopt: none.
+/// Depth of the first measured pixel to the right of the middle of the image; nullopt: none.
 std::optional<double> middle_m(const DepthImage& image) {
   for (int column = image.width / 2; column < image.width; ++column)
     if (const auto sample = image.at(column, image.height / 2); sample != 0) return sample * image.unit_m;

@@ -16,25 +16,24 @@
 
 namespace telepalp::bench {
 
-/// What arrived at a hand. Times are since the start [s].
+/// What arrived at a LiveHand. Times are since its start [s].
 struct HandRecord {
   struct Touchable {
     double captured_s = 0.0;
     double at_s = 0.0;
-    bool inside = false;  ///< the hand was in the part that is exact
+    bool inside = false;  ///< the surface is exact where the hand was
   };
   std::vector<Touchable> surfaces;
   std::vector<double> color_s;    ///< when a colour image was decoded
-  std::vector<std::string> said;  ///< by the server, of what is given up
-  std::uint64_t unreadable = 0;   ///< depth and colour that could not be decoded
+  std::vector<std::string> said;  ///< the server's sentences of what is given up, each once when it came
+  std::uint64_t unreadable = 0;   ///< depth and colour images that could not be decoded
 };
 
-/// The receiving half of a station with a doctor's picture: it asks for exact depth around a hand that moves in a
-/// circle, makes touchable surfaces, and decodes colour as video. Network and surfaces have a thread each, as in the
-/// station.
+/// Receives as a station with a doctor's picture does: it asks for exact depth around a hand that moves in a circle,
+/// builds touchable surfaces, and decodes colour as video. Network and surfaces have a thread each, as in the station.
 class LiveHand {
  public:
-  /// `port`: of the server or of the link before it, on this machine.
+  /// `port`: of the server, or of an impaired link in front of it, on this machine.
   explicit LiveHand(std::uint16_t port);
   ~LiveHand();
 
@@ -61,7 +60,7 @@ class LiveHand {
   std::uint64_t color_number_ = 0;
   std::optional<Intrinsics> camera_;
   bool stopped_ = false;
-  core::SurfaceStage stage_;  // owned by the surface thread, but for admit()
+  core::SurfaceStage stage_;  // owned by the surface thread, except admit()
   bool has_looked_ = false;
   std::mutex mutex_;  // guards the members below
   std::condition_variable came_;

@@ -5,6 +5,7 @@
 #include <boost/asio/post.hpp>
 #include <filesystem>
 #include <future>
+#include <ranges>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -23,7 +24,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr double kMbit = 1e6 / 8.0;  // [B]
-constexpr double kSettle_s = 3.0;    // within this time, the rates must be steady
+constexpr double kSettle_s = 3.0;    // from this time on, the rates must be steady
 
 /// A line that is the same in both directions: 50 ms there and back, a buffer of 500 ms.
 impaired::Impairment line_of(double Mbit_per_s, double loss) {
@@ -33,7 +34,7 @@ impaired::Impairment line_of(double Mbit_per_s, double loss) {
           .queue_B = static_cast<std::size_t>(0.5 * Mbit_per_s * kMbit)};
 }
 
-/// An impaired link in front of `server`, run by a thread of its own.
+/// telepalp-link's proxy in front of a server, on a thread of its own.
 class Line {
  public:
   static Result<std::unique_ptr<Line>> begin(std::uint16_t server, const impaired::Impairment& both,
@@ -56,7 +57,7 @@ class Line {
   }
   [[nodiscard]] std::uint16_t port() const { return proxy_->port(); }
 
-  /// Bytes that have crossed it towards the hand.
+  /// Bytes that have crossed the line towards the hand.
   [[nodiscard]] double delivered_B() {
     std::promise<std::string> totals;
     boost::asio::post(io_, [&] { totals.set_value(proxy_->totals_json()); });
@@ -76,7 +77,7 @@ class Line {
 
 struct Run {
   HandRecord record;
-  std::vector<std::pair<double, double>> delivered;  ///< time since the start [s], bytes in all
+  std::vector<std::pair<double, double>> delivered;  ///< time since the start [s], Line::delivered_B() until then
 };
 
 Result<Run> run_hand(const std::string& source, const impaired::Impairment& both, const impaired::Trace& trace,
@@ -104,21 +105,22 @@ Result<Run> run_hand(const std::string& source, const impaired::Impairment& both
   return run;
 }
 
-/// Rate of events [1/s].
+/// Rate of events [1/s]. `at`: the time of one [s].
 template <class Events, class At>
-double rate(const Events& events, double from_s, double until_s, At at) {
+double rate(Events&& events, double from_s, double until_s, At at) {
   const auto count =
       std::ranges::count_if(events, [&](const auto& one) { return at(one) >= from_s && at(one) < until_s; });
   return static_cast<double>(count) / (until_s - from_s);
 }
+
 double color_rate(const Run& run, double from_s, double until_s) {
   return rate(run.record.color_s, from_s, until_s, [](double at_s) { return at_s; });
 }
-/// Surfaces in whose exact part the hand was.
+
+/// Rate of surfaces that are exact where the hand is [1/s].
 double window_rate(const Run& run, double from_s, double until_s) {
-  std::vector<HandRecord::Touchable> inside;
-  std::ranges::copy_if(run.record.surfaces, std::back_inserter(inside), &HandRecord::Touchable::inside);
-  return rate(inside, from_s, until_s, [](const HandRecord::Touchable& one) { return one.at_s; });
+  return rate(run.record.surfaces | std::views::filter(&HandRecord::Touchable::inside), from_s, until_s,
+              [](const HandRecord::Touchable& one) { return one.at_s; });
 }
 
 Distribution ages_ms(const Run& run, double from_s, double until_s) {
@@ -139,6 +141,7 @@ double longest_gap_ms(const Run& run, double from_s, double until_s) {
   return 1e3 * std::max(longest_s, until_s - last_s);
 }
 
+/// Share of the line that was used [%].
 double use_percent(const Run& run, double from_s, double until_s, double rate_B_per_s) {
   const auto at = [&](double when_s) {
     const auto found = std::ranges::find_if(run.delivered, [&](const auto& one) { return one.first >= when_s; });
@@ -149,7 +152,7 @@ double use_percent(const Run& run, double from_s, double until_s, double rate_B_
   return 100.0 * (last_B - first_B) / std::max(1e-3, last_s - first_s) / rate_B_per_s;
 }
 
-/// When `window_hz` and `color_hz` were reached in each of the next two seconds; `until_s`: never.
+/// The first time from which both rates are reached for two seconds; `until_s` if there is none.
 double steady_from_s(const Run& run, double window_hz, double color_hz, double from_s, double until_s) {
   for (double at_s = from_s; at_s + 2.0 <= until_s; at_s += 0.1) {
     const auto holds = [&](double second) {
@@ -170,7 +173,7 @@ void add_sentences(Report& report, const std::string& name, const Run& run) {
 struct SteadyReach {
   double Mbit_per_s;
   double window_hz;
-  double color_hz;  ///< 0: no budget
+  double color_hz;  ///< 0: the rows of colour, gaps and use have no budget
   double age_ms;
 };
 

@@ -186,7 +186,7 @@ Result<Report> run_thin(const program::Arguments& arguments) {
   if (!part.empty() && part != "color" && part != "window" && part != "live")
     return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color, window or live"};
   if (part.empty() && !input.empty())
-    return Error{.what = "the input belongs to one part, colour or depth",
+    return Error{.what = "an input belongs to one part of the bench",
                  .where = "--input",
                  .fix = "add --part color or live for a --source of the server, or --part window for sets of depth"};
   const auto has = [&](std::string_view one) { return part.empty() || part == one; };

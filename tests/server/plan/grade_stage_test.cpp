@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "messages/camera.pb.h"
+#include "proto/link/datagram_link.h"
 #include "proto/wire/camera/depth_window_message.h"
 #include "server/pipeline/camera_pipeline.h"
 #include "tests/server/still_source.h"
@@ -90,6 +92,19 @@ TEST(GradeStage, SendsTheSharesOfThePlan) {
   stage.run(60, window({.depth_share = 0.5, .color_share = 1.0 / 6.0}));
   EXPECT_EQ(stage.images.size(), 30u);
   EXPECT_EQ(stage.pictures, 10);
+}
+
+TEST(GradeStage, TheLevelForWholeImagesLeavesTheHandsWindowAlone) {
+  Stage stage;
+  GradeWanted wanted = window({.level = link::ContentLevel::kLast});
+  wanted.depth.whole = true;
+  stage.run(8, wanted);
+  const auto made = [&](const wire::Topic& topic) {
+    return std::ranges::count(stage.images, topic.name, &Image::topic);
+  };
+  EXPECT_EQ(made(wire::kCameraDepthWindow), 8);
+  EXPECT_EQ(made(wire::kCameraDepth), 6) << "every fourth is left out";
+  EXPECT_EQ(stage.pictures, 6);
 }
 
 TEST(GradeStage, WholeDepthOfAViewerIsWithinTheStatedBound) {

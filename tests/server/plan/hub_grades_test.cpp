@@ -18,7 +18,7 @@ wire::Message image(const std::string& text, bool is_key = true, const wire::Top
 /// A hub with two subscribers to everything.
 struct Stage {
   Hub hub;
-  int asked = 0;
+  int asked = 0;  // requests for a key frame
   SubscriberId hand = join();
   SubscriberId recorder = join();
 
@@ -82,6 +82,22 @@ TEST(HubGrades, AfterAChangeAPredictedImageWaitsForAKeyFrameOfTheNewGrade) {
   stage.hub.publish(image("TL"), Grade::Touch);
   stage.hub.publish(image("tr", false), Grade::Touch);
   EXPECT_EQ(stage.taken(stage.hand), "TL:4 tr:5");
+}
+
+TEST(HubGrades, AfterAMissedMessageAPredictedOneWaitsForAKeyFrameInEachGrade) {
+  Stage stage;
+  stage.hub.give(stage.hand, Grade::Touch);
+  const auto numbered = [](const wire::Topic& topic, const char* text, std::uint64_t number, bool is_key) {
+    wire::Message message = image(text, is_key, topic);
+    message.sequence = number;
+    return message;
+  };
+  stage.hub.publish(numbered(wire::kCameraDepth, "K", 1, true), Grade::Touch);
+  stage.hub.publish(numbered(wire::kCameraDepth, "p", 3, false), Grade::Touch);  // 2 is missing
+  stage.hub.publish(numbered(wire::kStationState, "S", 1, true));
+  stage.hub.publish(numbered(wire::kStationState, "s", 3, false));
+  EXPECT_EQ(stage.taken(stage.recorder), "S:1");
+  EXPECT_EQ(stage.taken(stage.hand), "K:1 S:1");
 }
 
 TEST(HubGrades, OnlyImagesThatTheLineHadNoRoomForCountAsCrowdedOut) {

@@ -1,5 +1,5 @@
-// What is given up for which line. The lines are simulated in virtual time: the plan's images go over them, and the
-// plan learns of them only what a server can.
+// What is given up for which line. The lines are simulated in virtual time: they carry the images of the plan, and the
+// planner learns only what a server can learn of them.
 
 #include "server/plan/rate_plan.h"
 
@@ -9,13 +9,14 @@
 #include <ostream>
 #include <string>
 
+#include "proto/words/numbers/quantile.h"
 #include "tests/server/plan/simulated_line.h"
 
 namespace telepalp::plan {
 namespace {
 
 constexpr double kMbit = 1e6 / 8.0;  // [B]
-constexpr double kSecondsAStep = 1e-3;
+constexpr double kStep_s = 1e-3;
 constexpr int kDepth = 0;
 constexpr int kColor = 1;
 
@@ -44,8 +45,8 @@ class Site {
   explicit Site(std::vector<Subscriber> subscribers) : subscribers_(std::move(subscribers)) {}
 
   void run(double until_s) {
-    for (; step_ * kSecondsAStep < until_s; ++step_) {
-      const double now_s = step_ * kSecondsAStep;
+    for (; step_ * kStep_s < until_s; ++step_) {
+      const double now_s = step_ * kStep_s;
       if (step_ % 33 == 0) capture(now_s);
       for (Subscriber& one : subscribers_) one.path.run(now_s);
       if (step_ % 200 == 0) plan(now_s);
@@ -53,6 +54,7 @@ class Site {
   }
 
   [[nodiscard]] const RatePlan& now() const { return planner_.plan(); }
+  [[nodiscard]] const std::string& said() const { return notice_.text(); }
   [[nodiscard]] const ImageSettings& of(Grade grade) const { return now().settings[index_of(grade)]; }
   [[nodiscard]] Grade grade_of(std::uint64_t number) const { return now().grade_of(number); }
 
@@ -63,15 +65,14 @@ class Site {
       count += one.stream == stream && one.at_s >= from_s && one.at_s < until_s ? 1.0 : 0.0;
     return count / (until_s - from_s);
   }
-  /// 95 % of the depth images at the first subscriber are younger when they arrive [s].
+  /// Age at arrival of the depth images at the first subscriber: 95 % are at most as old [s].
   [[nodiscard]] double age_p95(double from_s, double until_s) const {
     std::vector<double> ages;
     for (const SimulatedLine::Arrived& one : subscribers_.front().path.arrived())
       if (one.stream == kDepth && one.at_s >= from_s && one.at_s < until_s) ages.push_back(one.at_s - one.captured_s);
-    std::ranges::sort(ages);
-    return ages.empty() ? 1e9 : ages[static_cast<std::size_t>(0.95 * static_cast<double>(ages.size() - 1))];
+    return ages.empty() ? 1e9 : quantile_of(ages, 0.95);
   }
-  /// Of the first subscriber's line.
+  /// Share of the first subscriber's line that images take.
   [[nodiscard]] double use(double from_s, double until_s) const {
     double sent = 0.0;
     for (const auto& [at_s, total_B] : sent_)
@@ -86,8 +87,6 @@ class Site {
     for (const double at_s : changed_s_) count += at_s >= from_s && at_s < until_s ? 1 : 0;
     return count;
   }
-  [[nodiscard]] double mean_window_rate(double from_s, double until_s) const { return rate(kDepth, from_s, until_s); }
-  [[nodiscard]] Subscriber& subscriber(std::size_t index) { return subscribers_[index]; }
 
  private:
   void capture(double now_s) {
@@ -120,7 +119,8 @@ class Site {
       input.lines.push_back(one.line);
     }
     const ImageSettings before = of(Grade::Touch);
-    (void)planner_.step(input, session_time(static_cast<std::int64_t>(1e9 * (now_s + 1.0))));
+    const SessionTime now = session_time(static_cast<std::int64_t>(1e9 * (now_s + 1.0)));
+    notice_.step(planner_.step(input, now).sacrifice, now);
     const ImageSettings& after = of(Grade::Touch);
     if (std::abs(before.depth_share - after.depth_share) > 0.1 || before.color_share != after.color_share)
       changed_s_.push_back(now_s);
@@ -128,6 +128,7 @@ class Site {
   }
 
   RatePlanner planner_;
+  SacrificeNotice notice_;
   std::vector<Subscriber> subscribers_;
   std::array<Made, kGrades.size()> made_{};
   std::vector<double> changed_s_;
@@ -175,8 +176,9 @@ TEST_P(RatePlanTable, TheHandGetsWhatTheLineCarriesAndThePlanIsSteadyAfterThreeS
   EXPECT_GE(site.use(3.0, 20.0), row.use);
   EXPECT_LE(site.age_p95(3.0, 20.0), row.age_s);
   EXPECT_LE(site.changes(3.0, 20.0), 4);
-  EXPECT_EQ(site.now().too_thin_to_touch, row.too_thin);
-  EXPECT_TRUE(row.Mbit_per_s < 10.0 || site.now().said.empty()) << site.now().said;
+  EXPECT_EQ(site.now().sacrifice.too_thin_to_touch, row.too_thin);
+  EXPECT_EQ(site.said().starts_with("too thin to touch"), row.too_thin) << site.said();
+  EXPECT_TRUE(row.Mbit_per_s < 10.0 || site.said().empty()) << site.said();
 }
 
 TEST(RatePlan, AWideLineGetsEverythingAsItIs) {
@@ -184,7 +186,7 @@ TEST(RatePlan, AWideLineGetsEverythingAsItIs) {
   site.run(10.0);
   EXPECT_TRUE(site.now().grades.empty());
   EXPECT_EQ(site.of(Grade::Touch), ImageSettings{});
-  EXPECT_TRUE(site.now().said.empty());
+  EXPECT_TRUE(site.said().empty());
 }
 
 TEST(RatePlan, AFallTo2MbitIsFollowedAtOnceAndEverythingComesBackWithinFiveSeconds) {
@@ -195,8 +197,8 @@ TEST(RatePlan, AFallTo2MbitIsFollowedAtOnceAndEverythingComesBackWithinFiveSecon
   EXPECT_LE(site.age_p95(5.0, 15.0), 0.25);
   EXPECT_NE(site.grade_of(1), Grade::Full);
   site.run(20.0);
-  EXPECT_EQ(site.grade_of(1), Grade::Full) << site.now().said;
-  EXPECT_TRUE(site.now().said.empty()) << site.now().said;
+  EXPECT_EQ(site.grade_of(1), Grade::Full) << site.said();
+  EXPECT_TRUE(site.said().empty()) << site.said();
 }
 
 TEST(RatePlan, ALineThatLetsABurstPassIsNotTakenForAWideOne) {
@@ -228,7 +230,7 @@ TEST(RatePlan, AViewerOnAThinLineGetsBoundedDepthAndLittleColourWhileTheHandKeep
   EXPECT_EQ(site.grade_of(4), Grade::Full) << "a recorder keeps everything exact";
   EXPECT_GT(site.of(Grade::View).whole_factor, 0.0);
   EXPECT_LT(site.of(Grade::View).color_share, 0.5);
-  EXPECT_NE(site.now().said.find("to a viewer"), std::string::npos) << site.now().said;
+  EXPECT_NE(site.said().find("to a viewer"), std::string::npos) << site.said();
 }
 
 TEST(RatePlan, WhileTheHandsLineIsThinViewersColourGoesFirst) {
@@ -247,6 +249,30 @@ TEST(RatePlan, AnotherStationsLineDoesNotThinTheHandThatIsFollowed) {
              {.line = observer, .path = steady(1.0), .depth_B = 12'000.0}});
   site.run(8.0);
   EXPECT_EQ(site.grade_of(1), Grade::Full);
+}
+
+TEST(RatePlan, ASentenceStaysForThreeSecondsAndEndsAtOnce) {
+  SacrificeNotice notice;
+  Sacrifice thin{.touch_rung = 1, .hand_B_per_s = 500'000.0};
+  notice.step(thin, session_time(0));
+  const std::string first = notice.text();
+  EXPECT_EQ(first,
+            "the line to the station carries about 4.0 Mbit/s of images; given up: colour comes 15 times a second");
+  thin = {.touch_rung = touch_rungs().size() - 1, .too_thin_to_touch = true, .hand_B_per_s = 50'000.0};
+  notice.step(thin, session_time(2'900'000'000));
+  EXPECT_EQ(notice.text(), first);
+  notice.step(thin, session_time(3'100'000'000));
+  EXPECT_TRUE(notice.text().starts_with("too thin to touch")) << notice.text();
+  notice.step({}, session_time(3'200'000'000));
+  EXPECT_EQ(notice.text(), "");
+}
+
+TEST(RatePlan, ViewersGiveUpColourAloneBeforeDepth) {
+  for (std::size_t i = 1; i <= color_given_up(); ++i) {
+    EXPECT_EQ(view_rungs()[i].settings.whole_factor, 0.0);
+    EXPECT_EQ(view_rungs()[i].settings.depth_share, 1.0);
+  }
+  EXPECT_GT(view_rungs()[color_given_up() + 1].settings.whole_factor, 0.0);
 }
 
 TEST(RatePlan, TheOrderOfSacrificeIsFixed) {
@@ -268,7 +294,8 @@ TEST(RatePlan, TheOrderOfSacrificeIsFixed) {
     if (now.depth_share < before.depth_share) {
       EXPECT_GT(now.outside_every, 1) << "the window goes last";
     }
-    EXPECT_EQ(now.depth_share < 0.5, i == kTooThinToTouch);
+    EXPECT_EQ(now.depth_share < 0.5, i + 1 == rungs.size());
+    EXPECT_EQ(is_too_thin_to_touch(rungs[i]), i + 1 == rungs.size());
   }
 }
 
