@@ -44,7 +44,7 @@ struct ElasticMotion::Round {
   NodeField predicted;
   VectorXd inertia_N_per_m;  ///< of each node
   const PatchContact* contact;
-  NodeField gradient_N{};
+  NodeField gradient_N{};  ///< of the elastic energy; then also of the terms that were added
 
   struct Energy {
     double elastic_J = 0.0;
@@ -55,9 +55,8 @@ struct ElasticMotion::Round {
     return {elastic_J, elastic_J + kinetic_of(away, inertia_N_per_m) + contact_J(contact, at)};
   }
   [[nodiscard]] Energy energy(const NodeField& at) const { return of(body.energy_J(at), at); }
-  /// Adds to the elastic part of the gradient what inertia and contact add.
-  void complete(const NodeField& at) {
-    gradient_N += (at - predicted) * inertia_N_per_m.asDiagonal();
+  void add_inertia(const NodeField& at) { gradient_N += (at - predicted) * inertia_N_per_m.asDiagonal(); }
+  void add_contact(const NodeField& at) {
     if (contact == nullptr) return;
     const double force_N = contact->stiffness_N_per_m * std::max(0.0, contact->depth_m(at));
     for (const auto& [node, share] : contact->patch.shares)
@@ -94,14 +93,17 @@ bool ElasticMotion::factorise(Curvature curvature, NodeField* gradient_N) {
   return factor_.info() == Eigen::Success;
 }
 
-/// Newton's step. The contact adds one direction of stiffness k b b^T to the factorised system; the formula of Sherman
-/// and Morrison takes it into account.
-void ElasticMotion::descend(Round& round, NodeField& moved) {
+/// Newton's step from the gradient without the contact. The contact adds one direction of stiffness k b b^T to the
+/// factorised system (Sherman and Morrison), if the patch is deeper than the tool's plane after the step without it: a
+/// body that springs back stops at the tool, and one that leaves it is not held back.
+void ElasticMotion::descend(const Round& round, NodeField& moved) const {
   VectorXd way = factor_.solve(-as_vector(round.gradient_N));
-  if (round.contact != nullptr && round.contact->depth_m(at_) > 0.0) {
+  if (round.contact != nullptr) {
     const VectorXd b = load_of(round.contact->patch, round.contact->normal, way.size());
-    const VectorXd soft = factor_.solve(b);
-    way -= soft * (b.dot(way) / (1.0 / round.contact->stiffness_N_per_m + b.dot(soft)));
+    if (const double depth_m = round.contact->depth_m(at_) + b.dot(way); depth_m > 0.0) {
+      const VectorXd soft = factor_.solve(b);
+      way -= soft * (depth_m / (1.0 / round.contact->stiffness_N_per_m + b.dot(soft)));
+    }
   }
   moved = Eigen::Map<const NodeField>(way.data(), 3, way.size() / 3);
 }
@@ -137,9 +139,10 @@ StepOutcome ElasticMotion::step(double dt_s, const PatchContact* contact, const 
 double ElasticMotion::search(Round& round) {
   constexpr double kArmijo = 1e-4;
   constexpr int kMostHalvings = 30;
-  round.complete(at_);
+  round.add_inertia(at_);
   NodeField moved;
   descend(round, moved);
+  round.add_contact(at_);
   const double begun_J = round.of(elastic_J_, at_).sum_J;
   const double slope_J = moved.cwiseProduct(round.gradient_N).sum();
   double length = 1.0;

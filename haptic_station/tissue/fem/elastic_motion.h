@@ -72,7 +72,7 @@ class ElasticMotion {
   struct Round;
   bool factorise(Curvature curvature, NodeField* gradient_N);
   double search(Round& round);
-  void descend(Round& round, NodeField& moved);
+  void descend(const Round& round, NodeField& moved) const;
   void keep_energy(const NodeField& before, double budget_J, double dt_s, const PatchContact* contact);
 
   std::shared_ptr<const ElasticBody> body_;

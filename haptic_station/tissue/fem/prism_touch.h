@@ -36,7 +36,8 @@ class PrismTouch {
  private:
   static constexpr double kPressed = 20.0;  ///< stiffness of the contact over that of the prism's top
   void judge(const SidePoints& sides, const Eigen::Vector3d& tool_m);
-  [[nodiscard]] bool move(double dt_s, const PatchContact* contact);
+  [[nodiscard]] bool meets(const SidePoints& sides, const Eigen::Vector3d& tool_m) const;
+  bool move(double dt_s, const PatchContact* contact);
   [[nodiscard]] LocalPlane pushed(const SidePoint& spot, const Eigen::Vector3d& tool_m, double dt_s);
   [[nodiscard]] LocalPlane near(const SidePoints& sides, const Eigen::Vector3d& tool_m);
   [[nodiscard]] double felt_N_per_m(double compliance_m_per_N) const noexcept;

@@ -86,20 +86,27 @@ void SlewedPlane::deepen(double wanted_m, double most_N) noexcept {
   depth_m_ = std::min(after_m, std::sqrt(before_m * before_m + 2.0 * paid_J / stiffness_N_per_m_));
 }
 
+/// Lowers the force by `by_N`, also while the tool goes `deeper_m` deeper into a plane that is no longer there.
+void SlewedPlane::release(double by_N, double deeper_m) noexcept {
+  if (stiffness_N_per_m_ == 0.0) return;
+  deepen(std::min(0.0, depth_m_), by_N + stiffness_N_per_m_ * std::max(0.0, deeper_m));
+}
+
 void SlewedPlane::step(const Vector3d& tool_m, double dt_s, double shown) noexcept {
-  depth_m_ -= normal_.dot(tool_m - tool_m_);
+  const double deeper_m = -normal_.dot(tool_m - tool_m_);
+  depth_m_ += deeper_m;
   tool_m_ = tool_m;
   shown_ = std::clamp(shown, 0.0, 1.0);
   age_s_ += dt_s;
   if (age_s_ > settings_.held_s) follows_ = false;
   const double most_N = settings_.slew_N_per_s * dt_s;
   if (!follows_ || is_empty(model_)) {
-    if (stiffness_N_per_m_ > 0.0) deepen(std::min(0.0, depth_m_), follows_ ? most_N : settings_.release_N_per_s * dt_s);
+    release(follows_ ? most_N : settings_.release_N_per_s * dt_s, deeper_m);
     if (depth_m_ <= 0.0) stiffness_N_per_m_ = 0.0;  // a tool that comes back feels nothing
     return;
   }
   if (depth_m_ <= 0.0 || stiffness_N_per_m_ == 0.0) begin_force();
-  if (force_N() > 0.0 && normal_.dot(model_.normal) < kLeastCosine) return deepen(0.0, most_N);
+  if (force_N() > 0.0 && normal_.dot(model_.normal) < kLeastCosine) return release(most_N, deeper_m);
   if (force_N() > 0.0) stiffen();
   const double turned_N = turn(0.5 * most_N);
   deepen(model_.depth_m(tool_m_), most_N - turned_N);

@@ -54,6 +54,7 @@ class SlewedPlane {
   void begin_force() noexcept;
   void stiffen() noexcept;
   double turn(double most_N) noexcept;
+  void release(double by_N, double deeper_m) noexcept;
   void deepen(double wanted_m, double most_N) noexcept;
 
   SlewSettings settings_;

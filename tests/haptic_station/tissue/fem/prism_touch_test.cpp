@@ -99,6 +99,18 @@ TEST(PrismTouch, LeavesThroughTheSideItCameFrom) {
   EXPECT_LT(away_m(touched.touch.motion()), 1e-7);
 }
 
+/// The prism springs back faster than the hand leaves.
+TEST(PrismTouch, AToolThatLeavesIsNeverPulled) {
+  Touched touched;
+  touched.move({0.0, 0.09, 0.0}, 60);
+  touched.rest(30);
+  for (int i = 1; i <= 20; ++i) {
+    const LocalPlane plane = touched.move({0.0016 * i, 0.09, 0.0}, 1);
+    EXPECT_GT(plane.normal.x(), 0.9) << "step " << i;
+  }
+  EXPECT_EQ(touched.touch.contact(), PrismContact::Free);
+}
+
 TEST(PrismTouch, SlidesOffOverTheTop) {
   Touched touched;
   touched.move({0.006, 0.095, 0.0}, 30);

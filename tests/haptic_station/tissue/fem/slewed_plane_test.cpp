@@ -95,6 +95,24 @@ TEST(SlewedPlane, AnOldModelIsHeldThenReleasedGently) {
   EXPECT_LE(hand.worst_step_N, 0.011);
 }
 
+/// At 0.1 m/s a spring of 1400 N/m gains 0.07 N per tick: more than a release lowers.
+TEST(SlewedPlane, AReleasedForceFallsAlsoWhileTheToolGoesDeeper) {
+  for (const LocalPlane& model : {LocalPlane{}, wall(1400, 0.0)}) {
+    HandOver hand = pressed({.held_s = 10.0});
+    LocalPlane other = model;
+    other.normal *= -1.0;
+    other.offset_m = -0.5;
+    hand.plane.take(other);
+    hand.move({-0.04, 0, 0}, 0.1);
+    EXPECT_EQ(hand.plane.force_N(), 0.0);
+    EXPECT_LE(hand.worst_step_N, kTick_N + 1e-9);
+    EXPECT_LE(hand.worst_unbooked_J, 1e-15);
+  }
+  HandOver hand = pressed();
+  hand.move({-0.21, 0, 0}, 0.1);
+  EXPECT_EQ(hand.plane.force_N(), 0.0) << "the model is too old";
+}
+
 TEST(SlewedPlane, AfterAReleaseANewModelIsFeltGradually) {
   HandOver hand = pressed();
   hand.rest(2.0);
