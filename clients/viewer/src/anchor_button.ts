@@ -8,17 +8,21 @@ import type {SceneView} from './scene/scene_view';
 
 /**
  * The button *Anchor*, which anchors the headset to the haptic device, and the button *Touches*, which saves the touches.
- * Their code (mixed/) is a file of its own, loaded at the first press of *Anchor*. Returns a function that gives the
- * anchor's residual [m]; undefined: not anchored.
+ * Their code (mixed/) is a file of its own, loaded at the first press of *Anchor*. Returns a function that gives how many
+ * touches are taken, and the anchor's residual [m]; undefined: not anchored.
  */
 export function offerAnchor(
-    view: SceneView, stationNow: () => StationState | undefined, explain: (problem: string) => void): () => number | undefined {
+    view: SceneView, stationNow: () => StationState | undefined, explain: (problem: string) => void,
+): () => {touches: number; rms_m: number | undefined} {
   const [button, save] = [element('anchor'), element('save-touches')];
   let anchor: HeadsetAnchor | undefined;
   button.addEventListener('click', () => void begin());
   save.addEventListener('click', () => saveFile('touches.csv', 'text/csv', anchor?.anchoring.table ?? ''));
   void headsetIsThere().then((there) => (button.hidden = !there));
-  return () => (view.headset.isOn ? anchor?.anchoring.anchor?.rms_m : undefined);
+  return () => {
+    const now = view.headset.isOn ? anchor?.anchoring : undefined;
+    return {touches: now?.taken ?? 0, rms_m: now?.anchor?.rms_m};
+  };
 
   async function begin(): Promise<void> {
     if (anchor !== undefined && view.headset.onFrame !== undefined) return anchor.anchoring.again();

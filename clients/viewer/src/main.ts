@@ -151,7 +151,7 @@ view.onFree = () => {
   if (coming === undefined) link.ask('instant');
 };
 
-const anchorRms_m = offerAnchor(
+const anchor = offerAnchor(
     view, () => (coming ?? drawing ?? last)?.station,
     (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
 const status = publishStatus(() => ({
@@ -163,7 +163,7 @@ const status = publishStatus(() => ({
   view: views.view,
   probeImages: inside.imagesShown,
   innerTriangles: view.inner.triangles,
-  anchorRms_m: anchorRms_m(),
+  anchor: anchor(),
 }));
 
 const technician = new TechnicianPanel(view, canvas, {recording, source, exposure, people}, (place) => link.takePlace(place));

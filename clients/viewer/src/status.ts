@@ -11,7 +11,7 @@ interface Facts extends Reading {
   view: string;
   probeImages: number;
   innerTriangles: number;
-  anchorRms_m: number | undefined;
+  anchor: {touches: number; rms_m: number | undefined};
 }
 
 /** The status in `window.telepalp`, for tests and for debugging; read-only. */
@@ -50,6 +50,7 @@ export interface ViewerStatus {
   readonly role: string;
   readonly probeImages: number;     // of the ultrasound probe, shown since the page was opened
   readonly innerTriangles: number;  // of the layers below the skin
+  readonly anchorTouches: number;
   readonly anchorRms_m: number | undefined;  // the headset is anchored to the device, and its touches miss by this; NaN: by one pose
 }
 
@@ -93,7 +94,8 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       role: now.role,
       probeImages: now.probeImages,
       innerTriangles: now.innerTriangles,
-      anchorRms_m: now.anchorRms_m,
+      anchorTouches: now.anchor.touches,
+      anchorRms_m: now.anchor.rms_m,
     });
   };
   Object.defineProperty(window, 'telepalp', {get: snapshot, enumerable: true});

@@ -24,7 +24,7 @@ class PresentWorkers {
   }
   /// Forgets each worker that has been silent for 7 s: three of its presences were lost.
   void forget_silent(TimePoint now) {
-    constexpr auto kLongestSilence = 3 * kPresenceEvery + std::chrono::seconds(1);
+    static constexpr auto kLongestSilence = 3 * kPresenceEvery + std::chrono::seconds(1);
     std::erase_if(workers_, [now](const auto& one) { return now - one.second.heard > kLongestSilence; });
   }
   /// Workers of this build.
