@@ -50,7 +50,7 @@ std::optional<double> Competition::share_B_per_s() const noexcept {
 
 void Competition::yield(const PathMoment& moment, Phase as) {
   phase_ = as;
-  onset_ = {moment.now, moment.queue, moment.round_trip, moment.rate_B_per_s};
+  onset_ = {moment.now, moment.queue, moment.round_trip, moment.rate_B_per_s, moment.sent};
   settled_ = lost_ = 0.0;
 }
 
@@ -78,8 +78,12 @@ std::uint64_t Competition::step(const PathMoment& moment, std::uint64_t delay_li
   held_back_ += ((moment.saturated ? 1.0 : 0.0) - held_back_) * span_s / to_seconds(kEmptyFor);
   stepped_at_ = moment.now;
   note_usual_rate(moment, span_s);
-  settled_ += moment.settled;
-  lost_ += moment.lost;
+  // What was lost before the yield began is reported long after it, and says nothing of the yield.
+  if (static_cast<std::int32_t>(settled_until_ - onset_.sent) >= 0) {
+    settled_ += moment.settled;
+    lost_ += moment.lost;
+  }
+  settled_until_ = moment.settled_until;
   switch (phase_) {
     case Phase::Alone:
       if (moment.queue > kQueueBegins) yield(moment, Phase::Yielding);

@@ -15,9 +15,11 @@ struct PathMoment {
   double rate_B_per_s = 0.0;  ///< rate of delivery in the last 0.2 s
   std::uint64_t acknowledged_B = 0;
   std::uint64_t in_flight_B = 0;
-  std::uint32_t settled = 0;  ///< datagrams that this report is the first to state as arrived or lost
-  std::uint32_t lost = 0;     ///< the lost ones among the datagrams `settled`
-  bool saturated = false;     ///< datagrams waited since the previous report, because the window was full
+  std::uint32_t sent = 0;           ///< datagrams sent so far; wraps around
+  std::uint32_t settled_until = 0;  ///< number of the first datagram that is not settled; wraps around
+  std::uint32_t settled = 0;        ///< datagrams that this report is the first to state as arrived or lost
+  std::uint32_t lost = 0;           ///< the lost ones among the datagrams `settled`
+  bool saturated = false;           ///< datagrams waited since the previous report, because the window was full
 };
 
 /// Decides whether other flows fill the path's queue, and then holds a fair share of the path.
@@ -54,6 +56,7 @@ class Competition {
     Nanoseconds queue{0};
     Nanoseconds round_trip{0};
     double rate_B_per_s = 0.0;
+    std::uint32_t sent = 0;
   };
   void yield(const PathMoment& moment, Phase as);
   [[nodiscard]] bool yielded_enough(const PathMoment& moment) const noexcept;
@@ -84,6 +87,7 @@ class Competition {
   std::optional<SessionTime> empty_since_;
   Nanoseconds round_trip_{0};
   SessionTime stepped_at_{};
+  std::uint32_t settled_until_ = 0;  ///< PathMoment::settled_until of the last step
   double held_back_ = 0.0;
 };
 

@@ -34,6 +34,8 @@ constexpr Nanoseconds kNoQueue = 3ms;
 /// Bound on a difference of the two ends' clocks, so that what a peer claims cannot overflow a difference.
 constexpr Nanoseconds kMostClockDifference = 24h;
 constexpr std::uint64_t kLeastLimit_B = 16 * kDatagramBytes;
+/// kLeastLimit_B on a thin path, where 16 datagrams would be a long queue.
+constexpr std::uint64_t kLeastThinLimit_B = 4 * kDatagramBytes;
 constexpr std::uint64_t kMostLimit_B = std::uint64_t{8} << 20U;
 constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a camera
 /// kLossMemory_packets beside other flows. Shorter, because a full queue then causes the losses: it overflows less as
@@ -53,6 +55,7 @@ constexpr std::size_t kMostOnTheWay = 65'536;
 void PathEstimate::sent(std::uint64_t sequence, std::size_t bytes, SessionTime now) {
   if (sent_bytes_ == 0) last_heard_ = now;
   sent_bytes_ += bytes;
+  next_sequence_ = sequence + 1;
   if (const std::optional<double> pace = pace_B_per_s(); pace && *pace > 0.0)
     paced_until_ = std::max(paced_until_, now - kPaceBurst) + from_seconds(static_cast<double>(bytes) / *pace);
   on_the_way_.push_back({sequence, now, sent_bytes_});
@@ -112,10 +115,13 @@ void PathEstimate::measure_rate(const Feedback& feedback, SessionTime now) {
 
 PathEstimate::Losses PathEstimate::measure_loss(const Feedback& feedback) {
   const Feedback before = last_.value_or(Feedback{});
-  const Losses now{.settled = feedback.settled - before.settled, .lost = feedback.lost - before.lost};
+  const Losses now{.settled_until = feedback.settled,
+                   .settled = feedback.settled - before.settled,
+                   .lost = feedback.lost - before.lost};
   const double settled = now.settled, lost = now.lost;
   const double bursts = static_cast<std::uint32_t>(feedback.bursts - before.bursts);
-  if (lost > settled || bursts > lost) return {};  // the receiver's counts contradict each other
+  if (lost > settled || bursts > lost)
+    return {.settled_until = feedback.settled};  // the receiver's counts contradict each other
   const double keep = std::exp(-settled / (beside_others() ? kLossMemoryBeside_packets : kLossMemory_packets));
   settled_ = settled_ * keep + settled;
   lost_ = lost_ * keep + lost;
@@ -132,16 +138,28 @@ bool PathEstimate::recovers() noexcept {
   return recover_to_B_ > 0;
 }
 
+/// Bound from below on the limit: what the path delivers in its least round trip and the target, if that is less than
+/// kLeastLimit_B.
+std::uint64_t PathEstimate::least_limit_B() const noexcept {
+  if (best_rate_B_per_s_ <= 0.0) return kLeastLimit_B;
+  const double thin_B = best_rate_B_per_s_ * to_seconds(least_round_trip_ + kQueueTarget);
+  return std::clamp(static_cast<std::uint64_t>(thin_B), kLeastThinLimit_B, kLeastLimit_B);
+}
+
 /// Grows the limit while the round trip is near its least. When a queue builds up, the limit becomes what the path
 /// delivers in a round trip without the queue, jitter included, and the target.
 void PathEstimate::keep_queue_short(std::uint64_t acknowledged_now) {
-  if (queue_delay_ > kQueueTarget && best_rate_B_per_s_ > 0.0)
+  // A long queue never lets the path idle, so its rate is the present one: the best of a second may be older than a
+  // fall.
+  const double path_B_per_s = queue_delay_ > kLongQueue ? rate_B_per_s_ : best_rate_B_per_s_;
+  if (queue_delay_ > kQueueTarget && path_B_per_s > 0.0)
     delay_limit_B_ = std::min(
         delay_limit_B_,
-        static_cast<std::uint64_t>(best_rate_B_per_s_ * to_seconds(round_trip_ - queue_delay_ + kQueueTarget)));
+        static_cast<std::uint64_t>(path_B_per_s *
+                                   to_seconds(std::max(round_trip_ - queue_delay_, least_round_trip_) + kQueueTarget)));
   else if (queue_delay_ < kQueueTarget / 2)
     delay_limit_B_ += acknowledged_now / 4;
-  delay_limit_B_ = std::clamp(delay_limit_B_, kLeastLimit_B, kMostLimit_B);
+  delay_limit_B_ = std::clamp(delay_limit_B_, least_limit_B(), kMostLimit_B);
 }
 
 void PathEstimate::adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, SessionTime now) {
@@ -157,13 +175,15 @@ void PathEstimate::adapt_limit(std::uint64_t acknowledged_now, const Losses& los
                                 .rate_B_per_s = rate_B_per_s_,
                                 .acknowledged_B = acknowledged_now,
                                 .in_flight_B = in_flight_B(),
+                                .sent = static_cast<std::uint32_t>(next_sequence_),
+                                .settled_until = losses.settled_until,
                                 .settled = losses.settled,
                                 .lost = losses.lost,
                                 .saturated = std::exchange(saturated_, false)},
                                delay_limit_B_);
   if (was_beside)
-    delay_limit_B_ = std::clamp(static_cast<std::uint64_t>(competition_.window_B()), kLeastLimit_B, kMostLimit_B);
-  limit_B_ = std::clamp(limit_B_, kLeastLimit_B, kMostLimit_B);
+    delay_limit_B_ = std::clamp(static_cast<std::uint64_t>(competition_.window_B()), least_limit_B(), kMostLimit_B);
+  limit_B_ = std::clamp(limit_B_, least_limit_B(), kMostLimit_B);
 }
 
 /// True while sending pauses so that the queue runs empty. Without a pause, the least round trip of a path that is
@@ -177,7 +197,7 @@ bool PathEstimate::drains(SessionTime now) noexcept {
     draining_ = true;
     least_seen_at_ = now;
   }
-  if (in_flight_B() < kLeastLimit_B) draining_ = false;
+  if (in_flight_B() < least_limit_B()) draining_ = false;
   return draining_;
 }
 

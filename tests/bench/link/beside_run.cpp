@@ -7,6 +7,7 @@
 #include "proto/impaired/impaired_link.h"
 #include "proto/link/datagram_link.h"
 #include "proto/link/path/content_level.h"
+#include "server/plan/line_budget.h"
 
 namespace telepalp::bench::link {
 namespace {
@@ -19,6 +20,8 @@ constexpr Nanoseconds kPeriod = 33'333'333ns;
 constexpr Nanoseconds kReportEvery = 100ms;  // period of the reports of wire::DatagramEnd
 constexpr double kDepthShare = 0.4;
 constexpr std::uint64_t kFirstRival = 1000;
+constexpr Nanoseconds kPlanEvery = 200ms;  // as server::ContentChoice
+constexpr double kLeastImage_B = 4000.0;
 
 /// Share of the images that are sent at `level`.
 constexpr double sent_share(std::size_t level) {
@@ -91,14 +94,15 @@ class Session {
  private:
   void capture(Nanoseconds now, Nanoseconds queue) {
     next_image_ += kPeriod;
-    const auto frame_B = [this] { return scenario_.image_B[std::min(level_.level(), scenario_.image_B.size() - 1)]; };
+    if (scenario_.planned && now >= planned_at_ + kPlanEvery) plan(now);
     const auto& sender = server_.sender();
+    const auto frame_B = [this] { return image_B(); };
     level_.step(
         {.share_B_per_s = server_.path().share_B_per_s(),
          .demand_B_per_s = frame_B() / to_seconds(kPeriod) * (level_.level() == level_.kLast ? kSentAtLast : 1.0),
          .dropped = drops_.step(offered_, sender.replaced + sender.expired)},
         SessionTime{now});
-    if (telepalp::link::ContentLevel::leaves_out(level_.level(), ++captured_)) return;
+    if (!scenario_.planned && telepalp::link::ContentLevel::leaves_out(level_.level(), ++captured_)) return;
     queue_at_capture_[numbers_ % queue_at_capture_.size()] = queue;
     for (const std::uint8_t channel : {std::uint8_t{0}, std::uint8_t{1}}) {
       const double share = channel == 0 ? kDepthShare : 1.0 - kDepthShare;
@@ -110,10 +114,27 @@ class Session {
     }
     ++numbers_;
   }
+  [[nodiscard]] double image_B() const {
+    if (!scenario_.planned) return scenario_.image_B[std::min(level_.level(), scenario_.image_B.size() - 1)];
+    const double full_B_per_s = scenario_.image_B.front() / to_seconds(kPeriod);
+    return std::clamp(budget_.B_per_s().value_or(full_B_per_s) * to_seconds(kPeriod), kLeastImage_B,
+                      scenario_.image_B.front());
+  }
+  void plan(Nanoseconds now) {
+    planned_at_ = now;
+    const auto& sender = server_.sender();
+    budget_.step({.offered = offered_,
+                  .dropped = sender.replaced + sender.expired,
+                  .sent_B = sender.data_shards * telepalp::link::kDatagramBytes,
+                  .share_B_per_s = server_.path().share_B_per_s(),
+                  .queue = server_.path().queue_delay()},
+                 scenario_.image_B.front() / to_seconds(kPeriod), SessionTime{now});
+  }
   void complete(const telepalp::link::Frame& frame, Nanoseconds now) {
     if (!frame.newest || frame.channel != 0) return;
     if (measures(now)) {
       ++images_;
+      outcome_.age_ms.add(to_milliseconds(now - frame.captured.time_since_epoch()));
       outcome_.above_queue_ms.add(to_milliseconds(now - frame.captured.time_since_epoch() -
                                                   queue_at_capture_[frame.number % queue_at_capture_.size()]));
       outcome_.longest_gap = std::max(outcome_.longest_gap, now - last_image_);
@@ -138,6 +159,8 @@ class Session {
   std::array<Nanoseconds, 256> queue_at_capture_{};
   telepalp::link::ContentLevel level_;
   telepalp::link::DropShare drops_;
+  plan::LineBudget budget_;
+  Nanoseconds planned_at_{0};
   std::uint64_t offered_ = 0;  ///< frames of both channels
   Nanoseconds last_image_{0};
   double images_ = 0.0;
@@ -151,7 +174,7 @@ class Session {
 /// The bottleneck and all flows through it.
 class BesideRun {
  public:
-  explicit BesideRun(const BesideScenario& scenario) : scenario_(scenario), down_(scenario.down, 1) {
+  explicit BesideRun(const BesideScenario& scenario) : scenario_(scenario), down_(scenario.down, 1, scenario.trace) {
     for (int i = 0; i < scenario.sessions; ++i)
       sessions_.push_back(std::make_unique<Session>(static_cast<std::uint32_t>(i + 1), scenario));
     for (const Rival& rival : scenario.rivals)

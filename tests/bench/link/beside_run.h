@@ -24,12 +24,15 @@ struct BesideScenario {
   double measured_from_s = 5.0;
   double measured_until_s = 30.0;
   std::vector<double> image_B{94'000, 56'000, 32'000};  ///< depth and colour of a frame, by level of content
+  impaired::Trace trace{};                              ///< changes of `down`
+  bool planned = false;  ///< images are as large as the plan's budget allows, at most image_B[0]
 };
 
 /// What one session got within the measured time.
 struct BesideOutcome {
   double images_per_s = 0.0;    ///< complete depth images, each newer than all before
   Distribution above_queue_ms;  ///< from capture until an image is complete, less the queue's delay at its capture
+  Distribution age_ms;          ///< from capture until an image is complete
   Nanoseconds longest_gap{0};   ///< between two images
   double share = 0.0;           ///< of the bottleneck's rate
   double rivals_share = 0.0;    ///< of the bottleneck's rate, all rivals together

@@ -106,7 +106,29 @@ AssertionResult alone_on_a_thin_line() {
                  below("queue, p95", 1e-3 * outcome.queue_ms.quantile(0.95), 0.05, 1e3, "ms")});
 }
 
+/// The line falls from 20 to 2 Mbit/s, with a buffer of 500 ms of the thin line.
+AssertionResult falls_to_a_tenth() {
+  const auto row = [](Nanoseconds at, double mbit) {
+    return impaired::TraceRow{.at = at, .delay = 25ms, .rate_B_per_s = mbit * 125'000.0};
+  };
+  BesideScenario scenario{.down = {.delay = 25ms, .rate_B_per_s = 20 * 125'000.0, .queue_B = 125'000},
+                          .back = 25ms,
+                          .seconds = 20.0,
+                          .measured_from_s = 8.0,
+                          .measured_until_s = 20.0,
+                          .image_B = {40'000},
+                          .trace = {row(0s, 20.0), row(8s, 2.0), row(60s, 2.0)},
+                          .planned = true};
+  const BesideOutcome outcome = bench::link::run_beside(scenario).front();
+  return all_of({below("age of an image, p95", 1e-3 * outcome.age_ms.quantile(0.95), 0.25, 1e3, "ms"),
+                 figure("images a second", outcome.images_per_s >= 15.0, outcome.images_per_s, 1.0, ""),
+                 below("longest time without an image", to_seconds(outcome.longest_gap), 1.0, 1e3, "ms"),
+                 figure("beside others", outcome.beside < 0.05, outcome.beside, 100.0, "% of the time")});
+}
+
 const HardCase kRows[] = {
+    {"falls from 20 to 2 Mbit/s", "the queue holds what was sent for the wide line", "empty it before it sends more",
+     falls_to_a_tenth},
     {"Cubic, 40 Mbit/s, buffer of 30 ms", "a sender that keeps to a short queue starves", "hold its ground",
      cubic_thin_short},
     {"Cubic, 40 Mbit/s, buffer of 200 ms", "each round trip is 40 times longer", "hold its ground", cubic_thin_deep},
