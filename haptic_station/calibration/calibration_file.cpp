@@ -8,7 +8,7 @@
 #include "proto/wire/vector_message.h"
 #include "proto/words/rotation_vector.h"
 #include "support/program/files/whole_file.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 namespace telepalp::calibration {
 namespace {

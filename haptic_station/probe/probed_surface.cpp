@@ -11,7 +11,7 @@
 #include "haptic_station/surface/paper/paper_surface.h"
 #include "messages/camera.pb.h"
 #include "support/models/png_bounds.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 namespace telepalp::probe {
 namespace {

@@ -11,7 +11,7 @@
 #include "proto/words/frames.h"
 #include "proto/words/result.h"
 #include "proto/words/rotation_vector.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 namespace telepalp::scenes {
 

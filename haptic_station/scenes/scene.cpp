@@ -7,7 +7,7 @@
 #include "haptic_station/scenes/removed_fields.h"
 #include "haptic_station/scenes/scene_warnings.h"
 #include "support/program/files/shipped.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 namespace telepalp::scenes {
 namespace {

@@ -21,7 +21,7 @@
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/terminal.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 namespace telepalp::program {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "messages/camera.pb.h"
 #include "proto/words/error_line.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 namespace telepalp::capture {
 namespace {

@@ -15,7 +15,7 @@
 #include "haptic_station/station/bill/scene_bill.h"
 #include "messages/scene.pb.h"
 #include "proto/words/numbers/quantile.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 #include "tests/bench/users/body_session.h"
 #include "tests/bench/users/sections.h"
 #include "tests/support/child_process.h"

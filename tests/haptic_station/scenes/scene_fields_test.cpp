@@ -10,7 +10,7 @@
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/tissue/tissue_settings.h"
 #include "messages/scene.pb.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 #include "where.h"
 
 namespace telepalp::scenes {

@@ -7,7 +7,7 @@
 
 #include "messages/scene.pb.h"
 #include "proto/wire/mcap/format/schemas.h"
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 #include "tools/export_tool/deidentify/plain_jpeg.h"
 #include "tools/export_tool/deidentify/text_rules.h"
 

@@ -1,4 +1,4 @@
-#include "support/program/text_format.h"
+#include "support/program/text/text_format.h"
 
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
