@@ -89,6 +89,7 @@ std::uint64_t Competition::step(const PathMoment& moment, std::uint64_t delay_li
       if (moment.queue > kQueueBegins) yield(moment, Phase::Yielding);
       break;
     case Phase::Yielding:
+      onset_.queue = std::max(onset_.queue, moment.queue);  // the yield takes effect a round trip later
       if (moment.queue < kQueueBegins / 2 && !overflowed())
         phase_ = Phase::Alone;
       else if (yielded_enough(moment) && fell(moment))

@@ -149,14 +149,14 @@ std::uint64_t PathEstimate::least_limit_B() const noexcept {
 /// Grows the limit while the round trip is near its least. When a queue builds up, the limit becomes what the path
 /// delivers in a round trip without the queue, jitter included, and the target.
 void PathEstimate::keep_queue_short(std::uint64_t acknowledged_now) {
-  // A long queue never lets the path idle, so its rate is the present one: the best of a second may be older than a
-  // fall.
-  const double path_B_per_s = queue_delay_ > kLongQueue ? rate_B_per_s_ : best_rate_B_per_s_;
+  // Behind a long queue the path never idles, so its rate is the present one. The best rate may be older than a fall,
+  // and so may the part of the smoothed round trip that seems to be jitter.
+  const bool is_long = queue_delay_ > kLongQueue;
+  const double path_B_per_s = is_long ? rate_B_per_s_ : best_rate_B_per_s_;
+  const Nanoseconds without_queue = is_long ? least_round_trip_ : round_trip_ - queue_delay_;
   if (queue_delay_ > kQueueTarget && path_B_per_s > 0.0)
-    delay_limit_B_ = std::min(
-        delay_limit_B_,
-        static_cast<std::uint64_t>(path_B_per_s *
-                                   to_seconds(std::max(round_trip_ - queue_delay_, least_round_trip_) + kQueueTarget)));
+    delay_limit_B_ =
+        std::min(delay_limit_B_, static_cast<std::uint64_t>(path_B_per_s * to_seconds(without_queue + kQueueTarget)));
   else if (queue_delay_ < kQueueTarget / 2)
     delay_limit_B_ += acknowledged_now / 4;
   delay_limit_B_ = std::clamp(delay_limit_B_, least_limit_B(), kMostLimit_B);
