@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "haptic_station/core/effect_stage.h"
+#include "haptic_station/core/prism_stage.h"
 #include "haptic_station/effects/effect_bank.h"
 
 namespace telepalp::core {
@@ -29,6 +30,11 @@ template <class Kinds>
 /// The bank of build_effects(), for a reader that drives no slow stage, such as the tracking of the skin above objects.
 [[nodiscard]] inline effects::EffectBank bank_of(std::span<const effects::Recipe> recipes) {
   return build_effects(recipes).bank;
+}
+
+/// True if a slow stage computes one of the effects.
+[[nodiscard]] inline bool has_slow_stage(std::span<const effects::Recipe> recipes) {
+  return !build_effects(recipes).stages.empty();
 }
 
 /// The effect at index `I` or later of `Kinds` whose recipe is at the same index of `recipe`. Connects it to its slow

@@ -94,6 +94,24 @@ constexpr std::array kInsertNeedle = std::to_array<Waypoint>({
     {2.2, 0.03, kHigh, 0.01},
 });
 
+/// 20 mm below the skin, against objects whose sides are 30 mm from the middle. At most 100 mm/s.
+constexpr std::array kPushSideways = std::to_array<Waypoint>({
+    {0.8, 0.000, kHigh, 0.00},
+    {0.6, 0.000, kLow, 0.00},
+    {1.0, 0.000, -0.020, 0.00},
+    {1.0, -0.045, -0.020, 0.00},
+    {0.4, -0.045, -0.020, 0.00},
+    {1.0, 0.000, -0.020, 0.00},
+    {1.0, 0.045, -0.020, 0.00},
+    {0.4, 0.045, -0.020, 0.00},
+    {1.0, 0.000, -0.020, 0.00},
+    {0.9, -0.045, -0.020, 0.00},
+    {0.9, 0.000, -0.020, 0.00},
+    {0.9, 0.045, -0.020, 0.00},
+    {0.9, 0.000, -0.020, 0.00},
+    {1.0, 0.000, kHigh, 0.00},
+});
+
 struct Leg {
   const Waypoint* from;
   const Waypoint* to;
@@ -133,6 +151,8 @@ std::span<const Waypoint> waypoints(Trial trial) noexcept {
       return kFreeSearch;
     case Trial::InsertNeedle:
       return kInsertNeedle;
+    case Trial::PushSideways:
+      return kPushSideways;
   }
   return kIndentSeveralPoints;
 }

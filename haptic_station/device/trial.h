@@ -23,13 +23,14 @@ struct Waypoint {
   double z_m;
 };
 
-/// The four trials of paper S1 (docs/sources.md) III.A, and the insertion of a needle.
+/// The four trials of paper S1 (docs/sources.md) III.A, the insertion of a needle, and the comparison of two objects.
 enum class Trial {
   IndentSeveralPoints,  ///< 1: indent the skin at different points
   MoveWithin,           ///< 2: enter at one point and move within the body
   FindCylinder,         ///< 3: touch the upper and lateral area of a cylinder inside the body
   FreeSearch,           ///< 4: search for the cylinder, entering at several points
   InsertNeedle,         ///< go straight in, rest, withdraw, go in again through the same hole, then beside it
+  PushSideways,         ///< between two objects: push one to the left and the other one to the right, twice
 };
 [[nodiscard]] std::span<const Waypoint> waypoints(Trial trial) noexcept;
 [[nodiscard]] double duration_s(Trial trial) noexcept;

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "haptic_station/effects/fem_prism.h"
 #include "haptic_station/effects/friction.h"
 #include "haptic_station/effects/inner_cylinder.h"
 #include "haptic_station/effects/inner_sphere.h"
@@ -25,7 +26,8 @@ using Effect = std::variant<  //
     Organ,                    //
     Solid,                    //
     Membrane,                 //
-    LayeredTissue>;
+    LayeredTissue,            //
+    FemPrism>;
 
 /// The recipes of a list of kinds: one type for each kind, in the same order.
 template <class Kinds>

@@ -220,6 +220,13 @@ struct Read<effects::LayeredTissue> {
   }
 };
 
+template <>
+struct Read<effects::FemPrism> {
+  static effects::FemPrism::Settings from(const Reading& reading, const msg::FemPrismEffect& message) {
+    return read_prism(reading.check, message);
+  }
+};
+
 template <class Settings, class Message>
 effects::Recipe read_with(Settings (*from)(const Reading&, const Message&), const Reading& reading,
                           const google::protobuf::Message& message) {

@@ -10,4 +10,8 @@ namespace telepalp::scenes {
 [[nodiscard]] effects::LayeredTissueSettings read_layered_tissue(FieldCheck& check,
                                                                  const msg::LayeredTissueEffect& message);
 
+/// Reads a prism and solves for its material. Records the first error in `check` and then returns a recipe without
+/// prism.
+[[nodiscard]] effects::FemPrismSettings read_prism(FieldCheck& check, const msg::FemPrismEffect& message);
+
 }  // namespace telepalp::scenes

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "haptic_station/tissue/fem/prism_model.h"
 #include "haptic_station/tissue/tissue_settings.h"
 #include "proto/words/demand.h"
 
@@ -60,6 +61,14 @@ struct Objects {
       all.push_back(
           object(layer.name, {node("tr", numbers_of(middle)), node("cylindery", {settings.net_radius_m, half_m})}));
     }
+  }
+  void operator()(const effects::FemPrismSettings& given) {
+    if (!given.model) return;
+    const tissue::PrismSettings& prism = given.model->settings;
+    const Eigen::Vector3d half_m = 0.5 * prism.grid.size_m;
+    const Eigen::Vector3d middle_m = prism.foot_m + Eigen::Vector3d(0.0, half_m.y(), 0.0);
+    all.push_back(object(prism.name.empty() ? "prism" : prism.name,
+                         {node("tr", numbers_of(middle_m)), node("box", numbers_of(half_m))}));
   }
   void operator()(const effects::OrganSettings& organ) {
     if (!organ.shape) return;

@@ -17,8 +17,8 @@ struct SceneObject {
   std::uint32_t effect = 0;                       ///< index of its effect in Scene::effects
 };
 
-/// The objects of the scene for pictures, in the order of the effects: layers, cylinders, spheres, organs, and the
-/// stiff regions of the skin as flat discs. Skin and friction cover the whole body and have no object.
+/// The objects of the scene for pictures, in the order of the effects: layers, cylinders, spheres, organs, prisms, and
+/// the stiff regions of the skin as flat discs. Skin and friction cover the whole body and have no object.
 [[nodiscard]] std::vector<SceneObject> objects_of(const Scene& scene);
 
 /// A needle in a picture of a scene, as a line [m, in H].

@@ -168,6 +168,10 @@ Result<std::unique_ptr<station::JournalThread>> open_journal(std::filesystem::pa
     return Error{.what = "a journal cannot be kept, because the scene's patient is a model from a file",
                  .where = "--journal",
                  .fix = "leave out --journal, or give a scene whose patient_surface is streamed"};
+  if (core::has_slow_stage(loaded.scene.effects))
+    return Error{.what = "a journal cannot be kept, because a slow stage computes an effect of the scene",
+                 .where = "--journal",
+                 .fix = "leave out --journal, and record the session by telepalp-record"};
   if (count > 1) file.replace_filename(file.stem().string() + "-" + std::to_string(count) + file.extension().string());
   return station::JournalThread::open(file, station::journal_header(loaded.scene, scene_file, loaded.parts.surface));
 }

@@ -83,6 +83,8 @@ const char* title(device::Trial trial) noexcept {
       return "third trial: touch the cylinder";
     case device::Trial::FreeSearch:
       return "fourth trial: search freely";
+    case device::Trial::PushSideways:
+      return "two objects: push each sideways, and again";
     case device::Trial::InsertNeedle:
       return "a needle: in, out, in again, and beside";
   }

@@ -34,6 +34,10 @@ Result<VirtualStationSettings> settings_of(const program::Arguments& arguments) 
   if (!file) return file.error();
   const Result<scenes::Scene> scene = scenes::read_scene(*file);
   if (!scene) return scene.error();
+  if (core::has_slow_stage(scene->effects))
+    return Error{.what = "the scene has an effect that a slow stage computes, and trials have none",
+                 .where = file->string(),
+                 .fix = "run telepalp-replay --scene SCENE instead"};
   VirtualStationSettings settings;
   settings.control = scene->control;
   settings.effects = core::bank_of(scene->effects);

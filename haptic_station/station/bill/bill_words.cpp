@@ -6,7 +6,7 @@ namespace telepalp::station {
 namespace {
 
 constexpr const char* kSteps[kPartCount] = {"control loop, a tick", "surface, an image", "collision, a plane",
-                                            "ultrasound, an image", "messages, 10 ms"};
+                                            "ultrasound, an image", "messages, 10 ms",   "slow effects, a run"};
 
 template <class... Values>
 void print(std::string& text, const char* format, Values... values) {
@@ -35,10 +35,12 @@ std::string price_line(const Price& price) {
   const auto share = [&](Part part) { return price.share[static_cast<std::size_t>(part)]; };
   std::string text;
   print(text, "%-16s %7.2f %7.2f %7.2f %7.2f %7.2f", price.name.c_str(), price.total_share,
-        share(Part::Loop) + share(Part::Collision), share(Part::Surface), share(Part::Inside), share(Part::Messages));
+        share(Part::Loop) + share(Part::Collision) + share(Part::Effects), share(Part::Surface), share(Part::Inside),
+        share(Part::Messages));
   if (!price.error) return text + "\n";
   print(text, " %9.3f %8zu", price.tick_us, price.bytes);
   const MovingError& error = *price.error;
+  if (!error.compared) return text + "  by a slow stage; telepalp-bench needle --part hand-over measures its error\n";
   if (error.ticks == 0) return text + "  gives no force in this trial\n";
   print(text, "  %7.1f %7.1f", 1e3 * error.p50_N, 1e3 * error.p99_N);
   if (error.stiffness_N_per_m > 0.0)

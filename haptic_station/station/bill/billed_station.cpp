@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "haptic_station/core/built_effects.h"
 #include "haptic_station/station/bill/thread_time.h"
 #include "haptic_station/station/rigs/inner_layers.h"
 #include "haptic_station/station/rigs/placement.h"
@@ -42,8 +41,9 @@ double StationCost::share() const noexcept {
 BilledStation::BilledStation(const scenes::Scene& scene, const SceneParts& parts, const BodyStream& stream)
     : scene_(scene),
       stream_(stream),
-      effects_(core::bank_of(scene.effects)),
-      loop_(loop_of(scene, effects_)),
+      effects_(core::build_effects(scene.effects)),
+      effect_drivers_(effects_.stages.size()),
+      loop_(loop_of(scene, effects_.bank)),
       rig_(rig_of(scene, parts.trace)),
       haptic_(loop_, *rig_, surfaces_, *ticks_, device_to_surface_),
       telemetry_(
@@ -56,6 +56,7 @@ BilledStation::BilledStation(const scenes::Scene& scene, const SceneParts& parts
     start_surface_stage(parts);
   }
   start_inside_stages();
+  if (!effects_.stages.empty()) haptic_.tell(tool_);
 }
 
 void BilledStation::start_surface_stage(const SceneParts& parts) {
@@ -63,7 +64,7 @@ void BilledStation::start_surface_stage(const SceneParts& parts) {
   const auto placement = [this](const DepthImage& depth, const Intrinsics& camera) {
     return haptic_from_camera_ = placed(scene_, depth, camera);
   };
-  surface_stage_.emplace(parts.surface, placement, effects_);
+  surface_stage_.emplace(parts.surface, placement, effects_.bank);
 }
 
 void BilledStation::start_inside_stages() {
@@ -138,6 +139,18 @@ void BilledStation::look_inside(StationCost& cost) {
   cost.add(Part::Messages, std::max(0.0, us_since(before) - spent_us));
 }
 
+void BilledStation::run_effects(StationCost& cost) {
+  tool_known_ = tool_.take() || tool_known_;
+  if (!tool_known_) return;
+  for (std::size_t i = 0; i < effect_drivers_.size(); ++i) {
+    double spent_us = 0.0;
+    auto result = run_stage(effect_drivers_[i], *effects_.stages[i], spent_us, tool_.current());
+    if (!result) continue;
+    effects_.stages[i]->hand_over(std::move(*result));
+    cost.add(Part::Effects, spent_us);
+  }
+}
+
 /// What the network thread does every 10 ms.
 void BilledStation::serve(StationCost& cost) {
   const std::int64_t before = thread_ns();
@@ -174,6 +187,7 @@ void BilledStation::run(double seconds, StationCost& cost, TickTimer* pace) {
       continue;  // as the station, which ticks from the first surface on
     const bool served = (now_ - BodyStream::kBegin) % kServed == 0s;
     if (collision_ && served) detect(cost);
+    if (!effect_drivers_.empty()) run_effects(cost);
     tick(cost, pace);
     if (served) serve(cost);
     if (ultrasound_ && served && telemetry_.outbox().last()) look_inside(cost);

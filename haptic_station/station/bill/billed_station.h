@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/collision_stage.h"
 #include "haptic_station/core/inside/inner_surfaces_stage.h"
 #include "haptic_station/core/inside/ultrasound_stage.h"
@@ -26,8 +28,9 @@ enum class Part : std::uint8_t {
   Collision,  ///< the collision thread of settings that are too slow for a tick: a plane
   Inside,     ///< the ultrasound image under the probe: an image
   Messages,   ///< the network thread without its sockets: what it does every 10 ms
+  Effects,    ///< the threads of slow effects: a run of an effect's stage
 };
-inline constexpr std::size_t kPartCount = 5;
+inline constexpr std::size_t kPartCount = 6;
 
 /// Processor time of each part [us], and the messages published, over some session time.
 struct StationCost {
@@ -80,6 +83,7 @@ class BilledStation {
   void see(StationCost& cost);
   void detect(StationCost& cost);
   void look_inside(StationCost& cost);
+  void run_effects(StationCost& cost);
   void serve(StationCost& cost);
   void publish_totals();
   void tick(StationCost& cost, TickTimer* pace);
@@ -90,7 +94,9 @@ class BilledStation {
   LatestValue<loop::TouchableSurface> surfaces_;
   LatestValue<Point<HapticBase>> device_to_surface_;
   std::unique_ptr<TickRing> ticks_ = std::make_unique<TickRing>();
-  effects::EffectBank effects_;
+  core::BuiltEffects effects_;
+  LatestValue<core::ToolAt> tool_;  // where the haptic thread's tick says that the tool is
+  std::vector<core::VirtualDriver<core::EffectStage>> effect_drivers_;
   loop::HapticLoop loop_;
   std::unique_ptr<ports::Rig> rig_;
   HapticThread haptic_;  // never started: its ticks run on the caller's thread
@@ -110,6 +116,7 @@ class BilledStation {
   std::size_t next_image_ = 0;
   double start_ms_ = 0.0;
   bool device_known_ = false;  // there was a tick
+  bool tool_known_ = false;
 };
 
 }  // namespace telepalp::station

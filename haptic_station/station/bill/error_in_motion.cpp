@@ -47,6 +47,7 @@ bool may_have_mesh(const effects::Recipe& recipe) {
 struct Twins {
   effects::EffectBank shown;
   effects::EffectBank truth;
+  bool compared = true;  // MovingError's
   std::vector<float> errors_N{};
 
   void begin(const effects::EffectInput& seen, const effects::EffectInput& real) noexcept {
@@ -72,7 +73,7 @@ Result<std::vector<Twins>> twins_of(const scenes::Scene& scene, const std::files
   for (std::size_t i = 0; i < scene.effects.size(); ++i) {
     std::vector<effects::Recipe> truth = alone(scene, i);
     if (may_have_mesh(truth.back())) truth.back() = finer->effects.at(i);
-    all.push_back({core::bank_of(alone(scene, i)), core::bank_of(truth)});
+    all.push_back({core::bank_of(alone(scene, i)), core::bank_of(truth), !core::has_slow_stage(truth)});
     all.back().truth.find_proxies_with(kFinest);
   }
   return all;
@@ -211,6 +212,7 @@ Result<std::vector<MovingError>> errors_in_motion(const scenes::Scene& scene, co
   std::vector<MovingError> errors;
   for (Twins& one : pair.twins())
     errors.push_back({.ticks = one.errors_N.size(),
+                      .compared = one.compared,
                       .p50_N = quantile(one.errors_N, 0.5),
                       .p99_N = quantile(one.errors_N, 0.99),
                       .stiffness_N_per_m = one.shown.stiffest_N_per_m(scene.control.limits.peak_N)});

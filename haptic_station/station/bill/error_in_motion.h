@@ -11,6 +11,7 @@ namespace telepalp::station {
 /// Error of an effect's force while hand and patient move, over the ticks in which the effect gives force.
 struct MovingError {
   std::size_t ticks = 0;
+  bool compared = true;  ///< false: a slow stage computes the effect, and this comparison runs none
   double p50_N = 0.0;
   double p99_N = 0.0;
   double stiffness_N_per_m = 0.0;  ///< of the effect; p50_N and p99_N over it are errors of the felt depth [m]

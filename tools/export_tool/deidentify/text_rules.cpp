@@ -28,6 +28,7 @@ constexpr std::array kRules{
     Ruled{"telepalp.msg.DepthImage.format", TextRule::Word},
     Ruled{"telepalp.msg.DepthImage.frame_id", TextRule::Word},
     Ruled{"telepalp.msg.EffectCost.name", TextRule::Word},  // the kind of the effect, as the program calls it
+    Ruled{"telepalp.msg.FemPrismEffect.name", TextRule::Number},
     Ruled{"telepalp.msg.InnerStructure.name", TextRule::Number},
     Ruled{"telepalp.msg.InnerStructure.points", TextRule::Data},
     Ruled{"telepalp.msg.InnerStructure.triangles", TextRule::Data},
