@@ -87,7 +87,9 @@ TEST(VoicePlayout, AnEvenPathPlaysEachFrameOnceInOrder) {
   EXPECT_LE(heard.longest_delay, 5ms);
   std::uint32_t expected = 0;
   for (const auto& frame : heard.frames)
-    if (frame.kind == VoicePlayout::Kind::Voice) EXPECT_EQ(frame.number, expected++);
+    if (frame.kind == VoicePlayout::Kind::Voice) {
+      EXPECT_EQ(frame.number, expected++);
+    }
 }
 
 TEST(VoicePlayout, TheSoundIsTheOneThatWasSaid) {
