@@ -11,22 +11,39 @@ struct Permission {
 };
 
 constexpr std::array kPermissions{
-    Permission{Role::Technician, Operation::Watch},   Permission{Role::Technician, Operation::Record},
-    Permission{Role::Technician, Operation::Metrics}, Permission{Role::Technician, Operation::Play},
+    Permission{Role::Technician, Operation::Watch},
+    Permission{Role::Technician, Operation::Record},
+    Permission{Role::Technician, Operation::Metrics},
+    Permission{Role::Technician, Operation::Play},
     Permission{Role::Technician, Operation::SetUp},
+    Permission{Role::Technician, Operation::Listen},
+    Permission{Role::Technician, Operation::SpeakAtPatient},
 
-    Permission{Role::Doctor, Operation::Watch},       Permission{Role::Doctor, Operation::Touch},
-    Permission{Role::Doctor, Operation::HandOver},    Permission{Role::Doctor, Operation::Record},
+    Permission{Role::Doctor, Operation::Watch},
+    Permission{Role::Doctor, Operation::Touch},
+    Permission{Role::Doctor, Operation::HandOver},
+    Permission{Role::Doctor, Operation::Record},
+    Permission{Role::Doctor, Operation::Listen},
+    Permission{Role::Doctor, Operation::SpeakAsDoctor},
 
     Permission{Role::Viewer, Operation::Watch},
 
-    Permission{Role::Qa, Operation::Watch},           Permission{Role::Qa, Operation::Record},
-    Permission{Role::Qa, Operation::Metrics},         Permission{Role::Qa, Operation::Play},
+    Permission{Role::Qa, Operation::Watch},
+    Permission{Role::Qa, Operation::Record},
+    Permission{Role::Qa, Operation::Metrics},
+    Permission{Role::Qa, Operation::Play},
+    Permission{Role::Qa, Operation::Listen},
 
-    Permission{Role::Local, Operation::Watch},        Permission{Role::Local, Operation::Touch},
-    Permission{Role::Local, Operation::HandOver},     Permission{Role::Local, Operation::Record},
-    Permission{Role::Local, Operation::Metrics},      Permission{Role::Local, Operation::Play},
+    Permission{Role::Local, Operation::Watch},
+    Permission{Role::Local, Operation::Touch},
+    Permission{Role::Local, Operation::HandOver},
+    Permission{Role::Local, Operation::Record},
+    Permission{Role::Local, Operation::Metrics},
+    Permission{Role::Local, Operation::Play},
     Permission{Role::Local, Operation::SetUp},
+    Permission{Role::Local, Operation::Listen},
+    Permission{Role::Local, Operation::SpeakAtPatient},
+    Permission{Role::Local, Operation::SpeakAsDoctor},
 };
 
 }  // namespace
@@ -68,6 +85,12 @@ std::string_view name(Operation operation) noexcept {
       return "play";
     case Operation::SetUp:
       return "set up";
+    case Operation::Listen:
+      return "listen";
+    case Operation::SpeakAtPatient:
+      return "speak at the patient's side";
+    case Operation::SpeakAsDoctor:
+      return "speak as the doctor";
   }
   return "?";
 }

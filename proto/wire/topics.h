@@ -39,7 +39,8 @@ struct PublishingRate {
 };
 
 /// A named stream of messages of one Protobuf type, with all that the programs need to know of it to transport, record
-/// and play it. Everybody who may watch may subscribe to each topic.
+/// and play it. Everybody who may watch may subscribe to each topic but
+/// the spoken ones.
 struct Topic {
   std::string_view name;
   std::string_view schema;  ///< full name of the Protobuf type
@@ -50,9 +51,12 @@ struct Topic {
   /// Number of the topic in sealed datagrams (WIRE.md), 0 to 15. Only topics whose messages are worthless when they are
   /// late have one. nullopt: TCP alone carries the topic.
   std::optional<std::uint8_t> datagram_channel = std::nullopt;
-  bool predicted = false;           ///< its messages may need the one before: Message::key_frame says which ones do not
-  bool kept_while_away = false;     ///< a client without a connection keeps its messages for the next connection
-  bool only_by_name = false;        ///< a second coding of another topic's content: no prefix subscribes to it
+  bool predicted = false;        ///< its messages may need the one before: Message::key_frame says which ones do not
+  bool kept_while_away = false;  ///< a client without a connection keeps its messages for the next connection
+  bool only_by_name = false;     ///< a subscriber must name it: no prefix subscribes to it
+  /// What a person says. Only those who may listen get it, a recording has it only with the patient's consent to that,
+  /// and a de-identified copy leaves it out.
+  bool spoken = false;
   PublishingRate most_from_peer{};  ///< of a topic whose publisher is Station
 
   [[nodiscard]] constexpr bool latched() const noexcept { return validity != Validity::Instant; }
@@ -155,11 +159,29 @@ inline constexpr Topic kHandHolder{.name = "/viewer/hand_holder",
 inline constexpr Topic kSessionNotes{
     .name = "/session/notes", .schema = "telepalp.msg.LiveNote", .publisher = Publisher::Gateway};
 
+/// What is said at the patient's side, and what the doctor says.
+inline constexpr Topic kPatientVoice{.name = "/patient/voice",
+                                     .schema = "telepalp.msg.VoiceFrame",
+                                     .publisher = Publisher::Gateway,
+                                     .lane = Lane::First,
+                                     .backlog = Backlog::Newest,
+                                     .datagram_channel = 6,
+                                     .only_by_name = true,
+                                     .spoken = true};
+inline constexpr Topic kDoctorVoice{.name = "/doctor/voice",
+                                    .schema = "telepalp.msg.VoiceFrame",
+                                    .publisher = Publisher::Gateway,
+                                    .lane = Lane::First,
+                                    .backlog = Backlog::Newest,
+                                    .datagram_channel = 7,
+                                    .only_by_name = true,
+                                    .spoken = true};
+
 inline constexpr std::array kTopics{
     kCameraColor,       kCameraDepth,   kCameraInfo,      kCameraStatus,      kClock,         kServerStats,
     kStationState,      kStationTicks,  kStationSurface,  kStationEvents,     kStationStats,  kStationCompensation,
     kViewerHand,        kHandHolder,    kCameraColorInfo, kStationUltrasound, kStationInside, kCameraColorVideo,
-    kCameraDepthWindow, kStationWindow, kSessionNotes};
+    kCameraDepthWindow, kStationWindow, kSessionNotes,    kPatientVoice,      kDoctorVoice};
 
 /// The topic of this name; nullopt if telepalp has no such topic.
 [[nodiscard]] std::optional<Topic> find_topic(std::string_view name) noexcept;

@@ -18,6 +18,7 @@
 #include "server/access/access.h"
 #include "server/access/unproven.h"
 #include "server/gateway/hand_holder.h"
+#include "server/gateway/voice_floor.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in/web_sessions.h"
 #include "server/gateway/static_files.h"
@@ -60,6 +61,8 @@ struct GatewayContext {
   origin::Readings readings;
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
+  VoiceFloor patient_floor{};  ///< who speaks at the patient's side
+  VoiceFloor doctor_floor{};
   WebSessions sessions{};
   hub::Hub views{};  ///< topics for viewers alone: views (server/views/view_topics.h) and states of resources
   std::unique_ptr<views::ViewMaker> view_maker{};    ///< null after the gateway's destruction

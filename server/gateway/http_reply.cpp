@@ -27,7 +27,7 @@ HttpReply with_security(HttpReply reply, const HttpRequest& request) {
   reply.set("Referrer-Policy", "no-referrer");
   reply.set("Cross-Origin-Opener-Policy", "same-origin");
   reply.set("Cross-Origin-Resource-Policy", "same-origin");
-  reply.set("Permissions-Policy", "camera=(), microphone=(), geolocation=()");
+  reply.set("Permissions-Policy", "camera=(), microphone=(self), geolocation=()");
   if (request.method() == http::verb::head) {
     reply.content_length(reply.body().size());
     reply.body().clear();

@@ -17,7 +17,8 @@ Error refused(std::string what) {
 }  // namespace
 
 Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel) {
-  if (channel.topic != wire::kViewerHand.name)
+  const std::optional<wire::Topic> topic = wire::find_topic(channel.topic);
+  if (!topic || !(topic->spoken || topic->name == wire::kViewerHand.name))
     return refused("viewers may not publish '" + channel.topic.substr(0, 64) + "'");
   if (channel.encoding != "protobuf")
     return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not supported");
@@ -26,14 +27,26 @@ Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel
                          " channels already, as many as it may have",
                  .where = "client's message",
                  .fix = "publish on the channel that was advertised first"};
-  channels_.insert(channel.id);
+  channels_.insert_or_assign(channel.id, *topic);
   return {};
+}
+
+bool ViewerCommands::is_hands(std::uint32_t channel) const {
+  const auto found = channels_.find(channel);
+  return found != channels_.end() && !found->second.spoken;
+}
+
+std::optional<wire::Topic> ViewerCommands::spoken(std::string_view bytes) const {
+  const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
+  const auto found = data ? channels_.find(data->channel) : channels_.end();
+  if (found == channels_.end() || !found->second.spoken) return std::nullopt;
+  return found->second;
 }
 
 std::optional<msg::ViewerHand> ViewerCommands::read(std::string_view bytes) const {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
   msg::ViewerHand hand;
-  if (!data || !channels_.contains(data->channel) || data->payload.size() > wire::kMaxViewerHandBytes ||
+  if (!data || !is_hands(data->channel) || data->payload.size() > wire::kMaxViewerHandBytes ||
       !hand.ParseFromString(data->payload))
     return std::nullopt;
   return hand;
@@ -64,8 +77,7 @@ Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes
                                                           SessionTime now) {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
   if (!data) return refused("the binary message is not of the Foxglove protocol");
-  if (!channels_.contains(data->channel))
-    return refused("channel " + std::to_string(data->channel) + " was not advertised");
+  if (!is_hands(data->channel)) return refused("channel " + std::to_string(data->channel) + " was not advertised");
   std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
   if (!hand || !hand->has_hand_camera())
     return refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 
 #include "messages/viewer.pb.h"
@@ -13,13 +13,18 @@
 
 namespace telepalp::gateway {
 
-/// Accepts the messages of one viewer. Only /viewer/hand is allowed: the position of the hand, letting it go, handing
-/// it over to another viewer, and asking the station to re-arm. Pure; owner: the server's network thread.
+/// Accepts the messages of one viewer. Only two kinds are allowed. /viewer/hand: the position of the hand, letting it
+/// go, handing it over to another viewer, and asking the station to re-arm. And speech, which ViewerVoice checks. Pure;
+/// owner: the server's network thread.
 class ViewerCommands {
  public:
-  /// Error: a topic other than /viewer/hand, an encoding other than protobuf, or more channels than a viewer may have.
+  /// Error: a topic other than /viewer/hand and the spoken ones, an encoding other than protobuf, or more channels than
+  /// a viewer may have.
   [[nodiscard]] Result<void> advertise(const foxglove::Request::Channel& channel);
   void unadvertise(std::uint32_t channel) { channels_.erase(channel); }
+
+  /// The spoken topic on whose channel the viewer's binary message came; nullopt: it came on another channel.
+  [[nodiscard]] std::optional<wire::Topic> spoken(std::string_view bytes) const;
 
   /// True if the viewer's binary message lets go of the hand.
   [[nodiscard]] bool lets_go(std::string_view bytes) const;
@@ -42,7 +47,9 @@ class ViewerCommands {
   /// Parses a ViewerHand without a check of its position. nullopt: `bytes` is no ViewerHand on an advertised channel.
   [[nodiscard]] std::optional<msg::ViewerHand> read(std::string_view bytes) const;
 
-  std::set<std::uint32_t> channels_;
+  [[nodiscard]] bool is_hands(std::uint32_t channel) const;
+
+  std::map<std::uint32_t, wire::Topic> channels_;
   std::optional<SessionTime> last_;
 };
 

@@ -13,6 +13,7 @@
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/viewer_commands.h"
+#include "server/gateway/viewer_voice.h"
 #include "server/gateway/visit.h"
 
 namespace telepalp::gateway {
@@ -125,8 +126,10 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     return paths;
   }
 
-  /// True unless `topic` is the state of a resource that this client may not read, or that the server does not have.
+  /// True unless `topic` is the state of a resource that this client may not read, or that the server does not have, or
+  /// what is said, to which this visitor may not listen.
   bool is_offered(const wire::Topic& topic) {
+    if (topic.spoken) return may(keys::Operation::Listen);
     return resource_at(topic.name) == nullptr || offered_.contains(topic.name);
   }
 
@@ -145,6 +148,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (context()->view_maker) context()->view_maker->subscriptions_changed();
     if (std::exchange(reading_, nullptr)) return;  // its last holder ends it
     context()->holder.let_go(viewer);
+    context()->patient_floor.leave(viewer);
+    context()->doctor_floor.leave(viewer);
     note_hand(false, "why=\"the connection ended\"");
     publish_holder();
   }
@@ -279,6 +284,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void publish(const std::string& bytes) {
     if (reading_) return;  // its picture is of the past, and no station follows a hand there
+    if (const std::optional<wire::Topic> topic = commands_.spoken(bytes)) return speak(*topic, bytes);
     if (!may_touch()) return;
     if (commands_.lets_go(bytes)) {
       context()->holder.let_go(*subscriber_);
@@ -297,6 +303,22 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     note_hand(holds);
     if (holds) context()->hub.publish(**message);
     publish_holder();
+  }
+
+  VoiceFloor& floor_of(const wire::Topic& topic) {
+    return topic.name == wire::kDoctorVoice.name ? context()->doctor_floor : context()->patient_floor;
+  }
+
+  /// Passes on what the visitor says, if it may speak there and nobody else does.
+  void speak(const wire::Topic& topic, const std::string& bytes) {
+    const SessionTime now = context()->now();
+    const auto refuse = [this](std::string_view why) { voice_.refuse(why, [this](const auto& text) { warn(text); }); };
+    if (!may(operation_to_speak(topic))) return refuse(kMayNotSpeak);
+    if (offer().playback) return refuse(kPlayedSession);
+    std::optional<wire::Message> message = voice_.hear(topic, bytes, *subscriber_, now);
+    if (!message) return refuse(kNotSpeech);
+    if (!floor_of(topic).speaks(*subscriber_, now)) return refuse(kAnotherSpeaks);
+    context()->hub.publish(std::move(*message));
   }
 
   void rearm() {
@@ -481,6 +503,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   bool view_is_next_ = false;
   std::map<std::uint32_t, std::string_view> subscriptions_;  // id -> topic, a name in one of the tables of topics
   ViewerCommands commands_;
+  ViewerVoice voice_;
   std::optional<SessionTime> untaken_warned_;
   std::deque<Said> said_;  // replies and playback states, to write before messages of topics
   bool writing_ = false;

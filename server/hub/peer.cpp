@@ -15,6 +15,11 @@ keys::Operation operation_of(PlaceKind kind) noexcept {
   return kind == PlaceKind::Recorder ? keys::Operation::Record : keys::Operation::Watch;
 }
 
+bool is_spoken(const std::string& topic) {
+  const std::optional<wire::Topic> found = wire::find_topic(topic);
+  return found && found->spoken;
+}
+
 const Error kStationNeedsKey{.what = "a station needs a key, and this program has a token, which can be copied",
                              .where = {},
                              .fix = "ask the technician for a key: telepalp-keys client --name NAME --role doctor"};
@@ -124,6 +129,12 @@ Result<keys::Identity> Peer::whose(const msg::Hello& peer) const {
 /// token, which can be copied, is not enough.
 bool Peer::may_be_station() const { return !site_.access.has_keys() || connection_->identity().has_value(); }
 
+/// True if this peer may get what is said: its role may listen, and a recorder has stated the patient's consent.
+bool Peer::may_hear() const {
+  return who_ && site_.access.may(*who_, keys::Operation::Listen) &&
+         (place_ != PlaceKind::Recorder || may_record_voice_);
+}
+
 /// Shows the peer the list of revoked keys, if it has not seen the newest one.
 void Peer::show_revocations() {
   if (!place_ || !connection_->is_sealed() || list_shown_ == site_.access.revocation_number()) return;
@@ -133,6 +144,7 @@ void Peer::show_revocations() {
 
 void Peer::join(PlaceKind kind, const msg::Hello& peer) {
   place_ = kind;
+  may_record_voice_ = peer.voice_consent().find_first_not_of(' ') != std::string::npos;
   show_revocations();
   sender_ = site_.sender_number(peer.run());
   subscriber_ = site_.hub.join(
@@ -143,7 +155,9 @@ void Peer::join(PlaceKind kind, const msg::Hello& peer) {
   std::string more = kind == PlaceKind::Viewer ? consent : "";
   if (!connection_->identity() && site_.access.has_keys()) more += (more.empty() ? "" : " ") + std::string("by=token");
   stream_ = site_.access.enter(*who_, name_, connection_->peer(), more);
-  if (kind == PlaceKind::Recorder) audit(access::AuditEvent::Records, consent);
+  if (kind == PlaceKind::Recorder)
+    audit(access::AuditEvent::Records,
+          consent + (may_record_voice_ ? " voice_consent=" + keys::audit_text(peer.voice_consent()) : ""));
 }
 
 /// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random
@@ -194,6 +208,7 @@ void Peer::on_subscribe(std::vector<std::string> topics) {
   if (!who_ || !site_.access.may(*who_, keys::Operation::Watch)) return;
   if (subscribed_ && topics.empty()) useful_ = Clock::now();
   subscribed_ = !topics.empty();
+  if (!may_hear()) std::erase_if(topics, is_spoken);
   site_.hub.subscribe(subscriber_, topics);
 }
 

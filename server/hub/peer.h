@@ -103,6 +103,7 @@ class Peer : private wire::ConnectionOwner {
   void refuse(const std::string& reason);
   [[nodiscard]] Result<keys::Identity> whose(const msg::Hello& peer) const;
   [[nodiscard]] bool may_be_station() const;
+  [[nodiscard]] bool may_hear() const;
   void show_revocations();
   void join(PlaceKind kind, const msg::Hello& peer);
   void offer_datagrams(msg::DatagramCipher wanted);
@@ -124,6 +125,7 @@ class Peer : private wire::ConnectionOwner {
   PeerTouch touch_;
   std::uint64_t stream_ = 0;                 // its number in access::People
   std::optional<std::uint64_t> list_shown_;  // number of the list of revoked keys that the peer has seen
+  bool may_record_voice_ = false;            // the patient consents to it, as the peer has stated
   bool audited_ = false;                     // the audit log already has the reason for this peer's refusal
   bool advertised_ = false;                  // the peer has advertised an allowed topic
   bool subscribed_ = false;                  // the peer is subscribed to at least one topic

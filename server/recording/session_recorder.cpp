@@ -60,20 +60,21 @@ SessionRecorder::~SessionRecorder() {
 
 Result<void> SessionRecorder::apply(const msg::RecordingCommand& command, std::chrono::system_clock::time_point now) {
   look_at_process();
-  if (command.record()) return begin(command.consent(), now);
+  if (command.record()) return begin(command, now);
   if (!process_) return refused("no recording is running", "begin a recording first");
   process_->ask_to_end();
   state_.set_phase(msg::RecordingState::PHASE_COMPLETING);
   return {};
 }
 
-Result<void> SessionRecorder::begin(const std::string& consent, std::chrono::system_clock::time_point now) {
+Result<void> SessionRecorder::begin(const msg::RecordingCommand& command, std::chrono::system_clock::time_point now) {
   if (process_) return refused("a recording is running: " + state_.file(), "end this recording first");
   msg::RecordingState state;
   state.set_file(name_at(now));
   state.set_phase(msg::RecordingState::PHASE_RECORDING);
   const fs::path file = options_.folder / state.file();
-  std::vector<std::string> words{"--connect", options_.server, "--out", file.string(), "--consent", consent};
+  std::vector<std::string> words{"--connect", options_.server, "--out", file.string(), "--consent", command.consent()};
+  if (!command.voice_consent().empty()) words.insert(words.end(), {"--voice-consent", command.voice_consent()});
   if (!options_.key.empty()) words.insert(words.end(), {"--key", options_.key.string()});
   state_ = std::move(state);
   began_ = std::chrono::steady_clock::now();

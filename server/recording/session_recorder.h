@@ -41,7 +41,7 @@ class SessionRecorder {
 
  private:
   explicit SessionRecorder(Options options) : options_(std::move(options)) {}
-  [[nodiscard]] Result<void> begin(const std::string& consent, std::chrono::system_clock::time_point now);
+  [[nodiscard]] Result<void> begin(const msg::RecordingCommand& command, std::chrono::system_clock::time_point now);
   void look_at_process();
   [[nodiscard]] std::filesystem::path log_file() const;
 

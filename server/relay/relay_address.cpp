@@ -67,7 +67,8 @@ std::string again_subject(const std::string& site) { return root_of(site) + "ask
 
 bool is_relayed(const wire::Topic& topic) noexcept {
   return topic.name != wire::kClock.name && topic.name != wire::kServerStats.name &&
-         topic.name != wire::kViewerHand.name && topic.name != wire::kCameraDepthWindow.name;
+         topic.name != wire::kViewerHand.name && topic.name != wire::kCameraDepthWindow.name &&
+         !topic.spoken;
 }
 
 }  // namespace telepalp::relay

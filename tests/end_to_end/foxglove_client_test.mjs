@@ -213,7 +213,7 @@ const RIBS = fileURLToPath(new URL('../../haptic_station/scenes/ribs-ultrasound.
 
 /** Topics with messages only on occasions: while a viewer holds or asks for the hand, at events of the station, and when somebody marks a moment. */
 const ON_OCCASION = ['/viewer/hand', '/viewer/hand_holder', '/station/events', '/session/notes', '/station/window',
-  '/camera/depth/window'];
+  '/camera/depth/window', '/patient/voice', '/doctor/voice'];
 
 test('each advertised topic is received by a page of an allowed origin, and decoded by the schema that comes along', async () => {
   const workplace = new Workplace('foxglove_topics');

@@ -41,11 +41,12 @@ TEST(Roles, TheWholeTableOfRolesAndOperationsIsAsAgreed) {
   std::ostringstream table;
   for (const Role role : kRoles) table << name(role) << ": " << permissions(role) << "\n";
   EXPECT_EQ(table.str(),
-            "technician: watch, record, metrics, play, set up\n"
-            "doctor: watch, touch, hand over, record\n"
+            "technician: watch, record, metrics, play, set up, listen, speak at the patient's side\n"
+            "doctor: watch, touch, hand over, record, listen, speak as the doctor\n"
             "viewer: watch\n"
-            "qa: watch, record, metrics, play\n"
-            "local: watch, touch, hand over, record, metrics, play, set up\n");
+            "qa: watch, record, metrics, play, listen\n"
+            "local: watch, touch, hand over, record, metrics, play, set up, listen, speak at the patient's side, speak "
+            "as the doctor\n");
 }
 
 TEST(Roles, WhatIsNotInTheTableIsDenied) {

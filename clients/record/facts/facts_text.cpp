@@ -154,8 +154,9 @@ void add_texts(program::Json& json, const char* key, const std::vector<std::stri
 
 std::string in_words(const SessionFacts& facts) {
   std::string text = first_line(facts) + made_by(facts) + named("recorded by: ", facts.recorded_by) +
-                     named("consent: ", facts.consent) + named("depth: ", facts.depth) + clock_line(facts) +
-                     gaps_line(facts);
+                     named("consent: ", facts.consent) +
+                     named("consent to recording what is said: ", facts.voice_consent) + named("depth: ", facts.depth) +
+                     clock_line(facts) + gaps_line(facts);
   for (const std::string& attachment : facts.attachments) text += named("attached: ", attachment);
   std::string tail;
   for (const std::string& note : notes_on(facts)) tail += "note: " + program::escaped(note) + "\n";
@@ -171,10 +172,10 @@ std::string in_json(const SessionFacts& facts) {
   json.add("messages", facts.messages);
   json.add("chunks", facts.chunks);
   json.add("bytes", facts.bytes);
-  for (const auto& [key, text] :
-       {std::pair{"program", &facts.program}, std::pair{"version", &facts.version}, std::pair{"commit", &facts.commit},
-        std::pair{"source", &facts.source}, std::pair{"recorded_by", &facts.recorded_by},
-        std::pair{"consent", &facts.consent}, std::pair{"depth", &facts.depth}})
+  for (const auto& [key, text] : {std::pair{"program", &facts.program}, std::pair{"version", &facts.version},
+                                  std::pair{"commit", &facts.commit}, std::pair{"source", &facts.source},
+                                  std::pair{"recorded_by", &facts.recorded_by}, std::pair{"consent", &facts.consent},
+                                  std::pair{"voice_consent", &facts.voice_consent}, std::pair{"depth", &facts.depth}})
     add_text(json, key, *text);
   json.begin_object("recording");
   for (const auto& [key, value] : facts.recording)

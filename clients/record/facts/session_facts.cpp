@@ -112,6 +112,7 @@ Result<SessionFacts> inspect(const std::filesystem::path& file) {
   facts.source = session->source;
   facts.recorded_by = session->recorded_by;
   facts.consent = session->consent;
+  facts.voice_consent = session->voice_consent;
   read_notes(*reader, facts);
   facts.depth = depth_of(*reader, facts);
   if (const Result<void> read = read_messages(file, facts); !read) return read.error();

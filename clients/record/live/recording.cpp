@@ -61,6 +61,17 @@ wire::mcap::Metadata what_was_found(const RecordingReport& report,
   return metadata;
 }
 
+/// What to subscribe to at the server. What is said is taken only with the patient's consent to that.
+std::vector<std::string> subscription(const RecordingOptions& options) {
+  std::vector<std::string> names = wire::subscription_for(options.color, options.topics.subscription());
+  for (const wire::Topic& topic : wire::kTopics) {
+    if (!topic.spoken) continue;
+    std::erase(names, topic.name);
+    if (!options.voice_consent.empty() && options.topics.matches(topic.name)) names.emplace_back(topic.name);
+  }
+  return names;
+}
+
 /// One recording in progress. Everything runs on the network thread, except for the functions that `disk_` calls.
 class Recording {
  public:
@@ -87,7 +98,8 @@ class Recording {
                .role = "recorder",
                .key = options.key,
                .consent = options.consent,
-               .subscribes = wire::subscription_for(options.color, options.topics.subscription()),
+               .voice_consent = options.voice_consent,
+               .subscribes = subscription(options),
                // Without a key the server is on this machine. There TCP is in time and loses no image.
                .datagrams = options.key != nullptr},
               {.on_message = [this](const wire::Message& message) { on_message(message); },

@@ -22,7 +22,8 @@ Result<SessionFiles::Plan> plan_of(const RecordingOptions& options) {
                                       .source = program::to_text(options.server),
                                       .scene = {},
                                       .recorded_by = recorded_by(options),
-                                      .consent = options.consent},
+                                      .consent = options.consent,
+                                      .voice_consent = options.voice_consent},
                           .attachments = {},
                           .splitting = options.splitting};
   std::vector<std::filesystem::path> attached = options.attachments;

@@ -142,6 +142,7 @@ void ClientLink::greet(std::unique_ptr<ByteStream> stream) {
                           .role = options_.role,
                           .token = options_.key ? options_.key->token : "",
                           .consent = options_.consent.substr(0, 512),
+                          .voice_consent = options_.voice_consent.substr(0, 512),
                           .run = run_,
                           .datagrams = options_.datagrams ? quick_cipher() : msg::DATAGRAM_CIPHER_NONE,
                           .accepts_touch = options_.accepts_touch || touch_.accepts_once,

@@ -42,6 +42,7 @@ msg::Control hello(const Connection::Options& options) {
   control.mutable_hello()->set_role(options.role);
   control.mutable_hello()->set_run(options.run);
   control.mutable_hello()->set_consent(options.consent);
+  control.mutable_hello()->set_voice_consent(options.voice_consent);
   control.mutable_hello()->set_datagrams(options.datagrams);
   control.mutable_hello()->set_accepts_touch(options.accepts_touch);
   return control;
@@ -268,7 +269,7 @@ Result<void> Connection::on_hello(const msg::Hello& peer) {
   if (const Result<void> agreed = agree_on_version(peer); !agreed) return agreed;
   if (peer.name().size() > kMaxNameBytes || peer.role().size() > kMaxNameBytes ||
       peer.token().size() > kMaxTokenBytes || peer.token_proof().size() > kMaxNameBytes ||
-      peer.consent().size() > kMaxReasonBytes)
+      peer.consent().size() > kMaxReasonBytes || peer.voice_consent().size() > kMaxReasonBytes)
     return bad_peer(
         "has a name, a role or a token's proof longer than 128 B, or a token or a consent longer than 512 B");
   phase_ = Phase::Open;

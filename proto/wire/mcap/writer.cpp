@@ -43,6 +43,7 @@ mcap::Metadata as_metadata(const SessionInfo& info) {
                            {"scene", info.scene}}};
   if (!info.recorded_by.empty()) metadata.values["recorded_by"] = info.recorded_by;
   if (!info.consent.empty()) metadata.values["consent"] = info.consent;
+  if (!info.voice_consent.empty()) metadata.values["voice_consent"] = info.voice_consent;
   metadata.values[kCheckSum] = check_sum_of(metadata);
   return metadata;
 }
@@ -62,7 +63,8 @@ SessionInfo session_info(const mcap::Metadata& metadata) {
           .source = value_or_empty(values, "source"),
           .scene = value_or_empty(values, "scene"),
           .recorded_by = value_or_empty(values, "recorded_by"),
-          .consent = value_or_empty(values, "consent")};
+          .consent = value_or_empty(values, "consent"),
+          .voice_consent = value_or_empty(values, "voice_consent")};
 }
 
 bool is_intact(const mcap::Metadata& metadata) {

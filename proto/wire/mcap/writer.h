@@ -19,10 +19,11 @@ struct SessionInfo {
   std::string program;  ///< program that wrote the file: "telepalp-record"
   std::string version;
   std::string commit;
-  std::string source;         ///< address of the recorded server ("127.0.0.1:7000"), or a file
-  std::string scene;          ///< text of the scene file, or empty
-  std::string recorded_by{};  ///< person or account: "doctor anna"; empty: not stated
-  std::string consent{};      ///< the patient's consent, as stated to the recorder; empty: not stated
+  std::string source;           ///< address of the recorded server ("127.0.0.1:7000"), or a file
+  std::string scene;            ///< text of the scene file, or empty
+  std::string recorded_by{};    ///< person or account: "doctor anna"; empty: not stated
+  std::string consent{};        ///< the patient's consent, as stated to the recorder; empty: not stated
+  std::string voice_consent{};  ///< to the recording of what is said; empty: not stated, and it is not recorded
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
 inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< results known at the recording's end

@@ -50,7 +50,8 @@ class Copy {
   Result<void> add(const wire::mcap::StoredMessage& stored) {
     const std::optional<wire::Message> message = to_message(stored);
     Deidentified::Messages& count = report_.topics[message ? std::string(message->topic.name) : kOtherTopics];
-    if (!message || (color_ == ColorRule::Remove && wire::carries_color(message->topic))) {
+    const bool removes_color = color_ == ColorRule::Remove;
+    if (!message || message->topic.spoken || (removes_color && wire::carries_color(message->topic))) {
       ++count.removed;
       return {};
     }

@@ -34,7 +34,7 @@ struct Deidentified {
 /// The key of Deidentified::topics for messages that are not telepalp's.
 inline constexpr const char* kOtherTopics = "other programs' topics";
 
-/// Writes a copy of the session `file` to `out`, without texts and colour by which the patient, the doctor or the site
+/// Writes a copy of the session `file` to `out`, without speech, texts and colour by which the patient, the doctor or the site
 /// could be identified. Depth, forces and all times are as recorded. Error: `file` cannot be read, or `out` exists or
 /// cannot be written.
 [[nodiscard]] Result<Deidentified> write_deidentified(const std::filesystem::path& file,

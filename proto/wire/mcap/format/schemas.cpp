@@ -13,6 +13,7 @@
 #include "messages/playback.pb.h"
 #include "messages/station.pb.h"
 #include "messages/viewer.pb.h"
+#include "messages/voice.pb.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::wire {
@@ -33,7 +34,8 @@ const DescriptorPool& pool_with_our_types() {
                                              msg::StationState::descriptor(),
                                              msg::UltrasoundImage::descriptor(),
                                              msg::LiveNote::descriptor(),
-                                             msg::ViewerHand::descriptor()};
+                                             msg::ViewerHand::descriptor(),
+                                             msg::VoiceFrame::descriptor()};
   return *linked[0]->file()->pool();
 }
 
