@@ -7,6 +7,7 @@
 
 #include "support/program/files/ready_file.h"
 #include "support/program/log.h"
+#include "tools/edge_plan/edges_command.h"
 #include "tools/link_check/check.h"
 #include "tools/link_proxy/link_options.h"
 
@@ -72,7 +73,8 @@ int run_asked(const program::Arguments& arguments) {
 
 program::Usage usage() {
   program::Usage usage = link_proxy::usage();
-  usage.commands = {{"check", "", "say what the network to a server allows", link_check::check_command}};
+  usage.commands = {{"check", "", "say what the network to a server allows", link_check::check_command},
+                    {"edges", "", "say how many edges a number of viewers needs", edge_plan::edges_command}};
   return usage;
 }
 

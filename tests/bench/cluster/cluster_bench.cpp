@@ -2,7 +2,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -10,13 +9,14 @@
 #include "server/relay/publisher.h"
 #include "support/nats/nats_connection.h"
 #include "tests/bench/choice.h"
+#include "tests/bench/cluster/model_rows.h"
 #include "tests/bench/cluster/nats_cluster.h"
+#include "tests/bench/cluster/running_server.h"
 #include "tests/bench/cluster/sweep_rows.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
 #include "tests/bench/process_load.h"
-#include "where.h"
 
 namespace telepalp::bench {
 namespace {
@@ -26,28 +26,6 @@ using namespace std::chrono_literals;
 using Clock = Watched::Clock;
 
 constexpr std::size_t kViewers = 20;
-
-/// A telepalp-server that is ready.
-struct RunningServer {
-  std::unique_ptr<support::ChildProcess> process;
-  std::uint16_t port = 0;
-};
-
-Result<RunningServer> start_server(const fs::path& scratch, const std::string& name, std::vector<std::string> options) {
-  const fs::path ready = scratch / (name + ".ready");
-  fs::remove(ready);
-  for (const std::string& more : {std::string("--port"), std::string("0"), std::string("--ready-file"), ready.string()})
-    options.push_back(more);
-  RunningServer server{.process = std::make_unique<support::ChildProcess>(TELEPALP_BINARY_DIR "/bin/telepalp-server",
-                                                                          options, scratch / (name + ".log"))};
-  const std::optional<std::string> port = support::await_ready(ready, "port");
-  if (!port)
-    return Error{.what = "telepalp-server does not start",
-                 .where = (scratch / (name + ".log")).string(),
-                 .fix = "read this file"};
-  server.port = static_cast<std::uint16_t>(std::stoi(*port));
-  return server;
-}
 
 /// A site that publishes to the first node of a cluster, and an edge that connects to the last one.
 struct Pair {
@@ -61,12 +39,6 @@ Result<Pair> start_pair(const NatsCluster& cluster, std::size_t nodes, const fs:
   Result<RunningServer> edge = start_server(scratch, "edge", {"--source", cluster.urls_from(nodes - 1) + "/bench"});
   if (!edge) return edge.error();
   return Pair{.site = *std::move(site), .edge = *std::move(edge)};
-}
-
-Error sees_nothing() {
-  return {.what = "a viewer got no image",
-          .where = "telepalp-bench cluster",
-          .fix = "run telepalp-server and telepalp-view by hand"};
 }
 
 /// Adds rows of how much later each image arrives at the edge's viewer than at the site's.
@@ -234,9 +206,12 @@ struct Section {
 }  // namespace
 
 Result<Report> run_cluster(const program::Arguments& arguments) {
-  const Result<double> seconds = arguments.number("seconds", 2.0, 600.0);
+  const Result<double> seconds = arguments.number("seconds", 2.0, 7200.0);
   if (!seconds) return seconds.error();
-  const std::vector<Section> all{{"relay", add_steady_rows}, {"nodes", add_lost_nodes}, {"sweep", add_sweeps}};
+  const std::vector<Section> all{{"relay", add_steady_rows},
+                                 {"nodes", add_lost_nodes},
+                                 {"model", add_model_rows},
+                                 {"sweep", add_sweeps}};
   const Result<std::vector<Section>> chosen = chosen_sections(all, arguments, "cluster");
   if (!chosen) return chosen.error();
   const support::TemporaryFolder scratch;

@@ -26,12 +26,25 @@ const Watched& Viewers::add(std::uint16_t port, std::size_t count) {
     auto viewer = std::make_unique<Viewer>();
     Watched* const watched = &viewer->watched;
     viewer->link = std::make_unique<wire::ClientLink>(
-        io_, wire::ClientLink::Options{.port = port, .name = "bench", .subscribes = {"/camera/*"}, .datagrams = false},
-        wire::ClientLink::Handlers{.on_message = [watched](const wire::Message& message) {
-          watched->bytes += message.payload->size();
-          if (message.topic.name == wire::kCameraDepth.name)
-            watched->arrived.emplace(message.sequence, Watched::Clock::now());
-        }});
+        io_,
+        wire::ClientLink::Options{.host = options_.host,
+                                  .port = port,
+                                  .name = "bench",
+                                  .key = options_.key,
+                                  .consent = options_.key ? "a synthetic patient" : "",
+                                  .subscribes = {"/camera/*"},
+                                  .datagrams = false},
+        wire::ClientLink::Handlers{.on_message =
+                                       [watched](const wire::Message& message) {
+                                         watched->bytes += message.payload->size();
+                                         ++watched->messages;
+                                         if (message.topic.name == wire::kCameraDepth.name)
+                                           watched->arrived.emplace(message.sequence, Watched::Clock::now());
+                                       },
+                                   .on_state =
+                                       [watched](wire::LinkState state, const std::string& detail) {
+                                         watched->news = std::string(wire::name(state)) + ": " + detail;
+                                       }});
     viewer->link->start();
     viewers_.push_back(std::move(viewer));
   }
@@ -47,6 +60,12 @@ bool Viewers::all_see() {
   const auto sees = [](const auto& viewer) { return !viewer->watched.arrived.empty(); };
   for (int wait = 0; wait < 150 && !std::ranges::all_of(viewers_, sees); ++wait) run_for(100ms);
   return std::ranges::all_of(viewers_, sees);
+}
+
+std::uint64_t Viewers::messages() const {
+  std::uint64_t sum = 0;
+  for (const auto& viewer : viewers_) sum += viewer->watched.messages;
+  return sum;
 }
 
 std::uint64_t Viewers::bytes() const {
