@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "haptic_station/core/effect_stage.h"
-#include "haptic_station/effects/fem_prism.h"
+#include "haptic_station/effects/effect_bank.h"
 
 namespace telepalp::tissue {
 class PrismTouch;

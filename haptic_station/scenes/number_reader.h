@@ -3,7 +3,7 @@
 #include <string>
 
 #include "haptic_station/scenes/field_check.h"
-#include "haptic_station/tissue/settings_limits.h"
+#include "haptic_station/tissue/tissue_settings.h"
 
 namespace telepalp::scenes {
 

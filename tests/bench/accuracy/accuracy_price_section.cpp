@@ -38,6 +38,7 @@ constexpr Priced kPriced[] = {
     {"ribs-ultrasound", "ribs", "`solid`, 24 ribs and a fingertip of 6 mm"},
     {"liver-enlarged", "liver", "`solid`, a mesh"},
     {"amniocentesis", "layered_tissue", "`layered_tissue`, three layers"},
+    {"prisms_to_compare", "fem_prism", "`fem_prism`"},
     {"ribs-ultrasound", "ultrasound probe", "`probe`, its image of 256 x 256 pixels at 25 Hz"},
 };
 
@@ -53,7 +54,7 @@ std::string quantiles(const station::StationCost& cost, Part part, double unit_n
 
 /// "p50 / p99" of the force error [mN] and of the depth error [µm].
 std::string errors_of(const station::Price& price, bool as_depth) {
-  if (!price.error) return "–";
+  if (!price.error || !price.error->compared) return "–";
   if (price.error->ticks == 0) return "not touched";
   const double per = as_depth ? 1e6 / price.error->stiffness_N_per_m : 1e3;
   return cell(per * price.error->p50_N) + " / " + cell(per * price.error->p99_N);

@@ -6,7 +6,7 @@
 #include "haptic_station/tissue/fem/prism_touch.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/needle/section.h"
-#include "tests/haptic_station/tissue/fem/prisms.h"
+#include "tests/haptic_station/tissue/fem/prism_runs.h"
 
 namespace telepalp::bench {
 namespace {
@@ -16,15 +16,6 @@ using tissue::ElementOrder;
 
 constexpr double kLong_m = 0.1;
 constexpr double kPeriod_s = 0.016;
-constexpr double kPressing_s = 0.62831853071795865;
-
-/// A hand that presses the right side of a prism of 20 x 20 x 100 mm, 90 mm above its foot: from 5 mm beside it to 15
-/// mm into it and back, at up to 0.1 m/s.
-Vector3d pressing_at(double time_s) {
-  constexpr double kHalf_m = 0.01;
-  constexpr double kFastest_m_per_s = 0.1;
-  return {0.015 - kHalf_m * (1.0 - std::cos(kFastest_m_per_s / kHalf_m * time_s)), 0.09, 0.0};
-}
 
 /// Cells of a mesh with cubes.
 double cubes_per_Pa(int across, ElementOrder order, double poisson) {
@@ -85,9 +76,9 @@ Distribution step_ms(const tissue::PrismGrid& grid) {
   settings.grid = grid;
   tissue::PrismTouch touch(*tissue::make_prism_model(settings));
   Distribution taken_ms;
-  for (double t = 0.0; t < kPressing_s; t += kPeriod_s) {
+  for (double t = 0.0; t < tissue::kPressing_s; t += kPeriod_s) {
     const std::int64_t before_ns = station::thread_ns();
-    (void)touch.step(pressing_at(t), kPeriod_s);
+    (void)touch.step(tissue::pressing_at(t), kPeriod_s);
     taken_ms.add(1e-6 * static_cast<double>(station::thread_ns() - before_ns));
   }
   return taken_ms;
@@ -123,9 +114,8 @@ void add_recovery(std::vector<Row>& rows) {
                            left_over(motion), "m/m", 1e-6));
   }
   motion.put(tissue::mirrored(*model->body));
-  rows.push_back(
-      measured("fem: a prism mirrored at its floor: distance from rest after 3 s, over its length",
-               left_over(motion), "m/m"));
+  rows.push_back(measured("fem: a prism mirrored at its floor: distance from rest after 3 s, over its length",
+                          left_over(motion), "m/m"));
   motion.set_to_rest();
   constexpr double kPushes_N_per_m = 28000.0;
   tissue::PatchContact push{.patch = tissue::top_of(motion.body().mesh()), .stiffness_N_per_m = kPushes_N_per_m};

@@ -19,6 +19,7 @@ const std::vector<NeedleSection> kSections{
     {"force", "steps of the force", run_needle_force_section},
     {"relaxation", "the force of a stopped needle", run_needle_relaxation_section},
     {"fem", "a prism of finite elements: return to rest, stiffness, price", run_needle_fem_section},
+    {"hand-over", "the prism's local models at 62 Hz: force and energy", run_needle_hand_over_section},
 };
 
 }  // namespace

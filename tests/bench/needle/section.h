@@ -27,6 +27,8 @@ struct NeedleSection {
 [[nodiscard]] std::vector<Row> run_needle_relaxation_section();
 /// A prism of finite elements: its return to rest, its stiffness, the price of its meshes.
 [[nodiscard]] std::vector<Row> run_needle_fem_section();
+/// Local models of the prism at 62 Hz in the place of the prism itself: force, energy, steps.
+[[nodiscard]] std::vector<Row> run_needle_hand_over_section();
 /// Error of tissues that are fitted to measured insertions. `folder` has files liver_NN.csv or liver_NN.csv.gz with the
 /// columns displacement_mm and force_N.
 [[nodiscard]] std::vector<Row> run_needle_insertion_section(const std::string& folder);

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "haptic_station/core/built_effects.h"
+#include "haptic_station/core/virtual_effects.h"
+#include "haptic_station/device/breathing_plane.h"
 #include "haptic_station/scenes/scene.h"
 #include "haptic_station/scenes/scene_objects.h"
 #include "haptic_station/tissue/fem/prism_model.h"
+#include "haptic_station/trials/virtual_station.h"
 #include "where.h"
 
 namespace telepalp::scenes {
@@ -59,6 +62,33 @@ TEST(PrismScene, IsDrawnAsABox) {
   EXPECT_EQ(objects[0].name, "nominal");
   EXPECT_NEAR(objects[0].tree->box().high.y(), -0.01, 1e-9);
   EXPECT_NEAR(objects[1].tree->box().low.x(), 0.03, 1e-9);
+}
+
+/// The hand holds the end-effector by friction alone.
+TEST(PrismScene, ItsHandPressesBothPrisms) {
+  const auto file = find_scene("prisms_to_compare");
+  ASSERT_TRUE(file.ok());
+  const Result<Scene> scene = read_scene(*file);
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  core::BuiltEffects built = core::build_effects(scene->effects);
+  core::VirtualEffects slow(std::move(built.stages));
+  trials::VirtualStationSettings settings;
+  settings.control = scene->control;
+  settings.effects = built.bank;
+  trials::VirtualStation station(settings);
+  station.place({{0.0, 0.03, 0.0}}, {{0.0, 0.07, 0.0}});
+  device::ScriptedIntention person(device::waypoints(scene->trial), {});
+  const device::BreathingPlane skin{.amplitude_m = 0.0};
+  double left_N = 0.0;
+  double right_N = 0.0;
+  while (station.time_s() < device::duration_s(scene->trial)) {
+    slow.advance(SessionTime{from_seconds(station.time_s())}, {station.pair().device()}, std::chrono::milliseconds(12));
+    const auto out = station.step(skin, [&](const device::TrialView& view) { return person.step(view, 0.0005); });
+    left_N = std::max(left_N, out.force.N.x());
+    right_N = std::max(right_N, -out.force.N.x());
+  }
+  EXPECT_GT(left_N, 1.0);
+  EXPECT_GT(right_N, 1.0);
 }
 
 TEST(PrismScene, OnlyAPrismHasASlowStage) {

@@ -107,6 +107,18 @@ TEST(Bill, AnEffectThatTheSceneDoesNotNamePublishesNothing) {
   EXPECT_LT(without.at(placements).bytes, with.at(placements).bytes) << "an object's place is sent only if it is there";
 }
 
+TEST(Bill, OnlyASceneWithAPrismRunsASlowEffect) {
+  const auto runs_of = [](const std::string& name) {
+    BilledStation station(scene_named(name), {}, stream());
+    StationCost cost;
+    station.run(3.0, cost);
+    return cost.steps[static_cast<std::size_t>(Part::Effects)].total();
+  };
+  EXPECT_EQ(runs_of("palpation"), 0U);
+  EXPECT_EQ(runs_of("amniocentesis"), 0U);
+  EXPECT_GT(runs_of("prisms_to_compare"), 300U) << "two prisms, 62 times a second";
+}
+
 /// Bytes and calls of the heap in which a builder makes the surfaces of the images from `first` on.
 test::HeapUse heap_of(surface::SurfaceBuilder& builder, int first, int count) {
   (void)body();  // made before the counting begins

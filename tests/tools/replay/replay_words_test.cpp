@@ -56,7 +56,7 @@ TEST(ReplayWords, GlitchesAndClockStepsHaveAValue) {
 }
 
 TEST(ReplayWords, AHandIsPrintedAsItIsRead) {
-  for (const HandScript script : {HandScript::Examine, HandScript::Tap, HandScript::Search})
+  for (const HandScript script : {HandScript::Examine, HandScript::Tap, HandScript::Search, HandScript::Scene})
     EXPECT_EQ(hand_script(name(script)), script);
   EXPECT_EQ(hand_script("recorded"), std::nullopt);
 }

@@ -54,12 +54,14 @@ constexpr auto kSearch = std::to_array<device::Waypoint>({
     {1.0, 0.0, 0.07, 0.0},
 });
 
-std::span<const device::Waypoint> waypoints(HandScript script) noexcept {
+std::span<const device::Waypoint> waypoints(HandScript script, device::Trial trial) noexcept {
   switch (script) {
     case HandScript::Tap:
       return kTaps;
     case HandScript::Search:
       return kSearch;
+    case HandScript::Scene:
+      return device::waypoints(trial);
     case HandScript::Examine:
       return kExamination;
   }
@@ -105,11 +107,11 @@ class RecordedRig final : public ports::Rig {
 
 }  // namespace
 
-std::unique_ptr<ports::Rig> scripted_hand(HandScript script, std::uint64_t seed) {
+std::unique_ptr<ports::Rig> scripted_hand(HandScript script, device::Trial trial, std::uint64_t seed) {
   return std::make_unique<loop::SimulatedRig>(
       loop::SimulatedRig::Settings{
           .device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, kRestHeight_m, 0.0}}, .seed = seed},
-      device::ScriptedIntention(waypoints(script), Point<HapticBase>{}));
+      device::ScriptedIntention(waypoints(script, trial), Point<HapticBase>{}));
 }
 
 std::unique_ptr<ports::Rig> recorded_hand(const RecordedHand& recorded) {

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "haptic_station/core/built_effects.h"
-
 namespace telepalp::replay {
 namespace {
 
@@ -11,7 +9,8 @@ constexpr std::uint64_t kTicksPerState = 20;  // 100 Hz
 constexpr std::uint64_t kTicksPerTotals = 2000;
 
 std::unique_ptr<ports::Rig> rig_of(const StationSetup& setup, const Scenario& scenario) {
-  return setup.recorded != nullptr ? recorded_hand(*setup.recorded) : scripted_hand(scenario.hand, scenario.seed);
+  return setup.recorded != nullptr ? recorded_hand(*setup.recorded)
+                                   : scripted_hand(scenario.hand, setup.scene.trial, scenario.seed);
 }
 
 }  // namespace
@@ -55,12 +54,17 @@ class ReplayedStation::Telemetry {
 };
 
 ReplayedStation::ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish)
+    : ReplayedStation(setup, scenario, std::move(publish), core::build_effects(setup.scene.effects)) {}
+
+ReplayedStation::ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish,
+                                 core::BuiltEffects effects)
     : scenario_(scenario),
       rig_(rig_of(setup, scenario)),
-      ticks_(setup.scene.control, core::bank_of(setup.scene.effects)),
+      ticks_(setup.scene.control, effects.bank),
       surfaces_(
           setup.surface, [placed = setup.haptic_from_camera](const DepthImage&, const Intrinsics&) { return placed; },
-          core::bank_of(setup.scene.effects)),
+          effects.bank),
+      slow_effects_(std::move(effects.stages)),
       telemetry_(publish ? std::make_unique<Telemetry>(setup.scene.name, std::move(publish)) : nullptr) {
   if (!surface::runs_in_tick(setup.surface)) collision_.emplace();
 }
@@ -108,7 +112,7 @@ std::optional<loop::TouchableSurface> ReplayedStation::newer_surface(SessionTime
     if (step == core::StageStep::Done) laps.end(Part::Build);
     return scenario_.stages.decode + (step == core::StageStep::Done ? scenario_.stages.build : Nanoseconds{0});
   };
-  surface_driver_.begin(true_now, surfaces_, cost, device_);
+  surface_driver_.begin(true_now, surfaces_, cost, device());
   return std::nullopt;
 }
 
@@ -117,7 +121,7 @@ std::optional<loop::TouchableSurface> ReplayedStation::newer_plane(SessionTime t
   if ((true_now - kBegin) % core::CollisionStage::kPeriod == Nanoseconds{0})
     collision_driver_.begin(
         true_now, *collision_, [&](core::StageStep) { return scenario_.stages.collision; },
-        std::exchange(to_collision_, std::nullopt), device_);
+        std::exchange(to_collision_, std::nullopt), device());
   return result ? result->plane : std::nullopt;
 }
 
@@ -129,6 +133,7 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
     if (newer) to_collision_ = std::move(newer);
     newer = newer_plane(true_now);
   }
+  if (tool_) slow_effects_.advance(true_now, *tool_, scenario_.stages.effects);
   TickOutcome out{.at = true_now, .tracker_lost = any_contains(scenario_.faults.tracker_lost, since)};
   watch.sample(Part::Loop, [&] {
     out.act = ticks_.run(
@@ -137,7 +142,7 @@ TickOutcome ReplayedStation::tick(SessionTime true_now, Stopwatch& watch) {
           if (out.tracker_lost) in.hand.reset();
           out.device = ticks_.in_patient_frame(in.reading.at);
           in.reading = spoiled(in.reading, since);
-          device_ = ticks_.in_patient_frame(in.reading.at);
+          tool_ = core::ToolAt{.device = ticks_.in_patient_frame(in.reading.at), .attitude = in.reading.attitude};
         },
         [](const loop::TickIn&, const loop::TickOut&) {});
   });

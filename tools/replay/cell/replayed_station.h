@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "foxglove/CameraCalibration.pb.h"
+#include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/collision_stage.h"
 #include "haptic_station/core/outbox/outbox.h"
 #include "haptic_station/core/surface_stage.h"
 #include "haptic_station/core/tick_stage.h"
 #include "haptic_station/core/virtual_driver.h"
+#include "haptic_station/core/virtual_effects.h"
 #include "haptic_station/scenes/scene.h"
 #include "tools/replay/cell/hands.h"
 #include "tools/replay/cell/station_output.h"
@@ -53,6 +55,8 @@ class ReplayedStation {
 
  private:
   class Telemetry;
+  ReplayedStation(const StationSetup& setup, const Scenario& scenario, Publish publish, core::BuiltEffects effects);
+  [[nodiscard]] Point<HapticBase> device() const noexcept { return tool_ ? tool_->device : Point<HapticBase>{}; }
   [[nodiscard]] SessionTime clock(SessionTime now) const noexcept;
   [[nodiscard]] ports::DeviceReading spoiled(ports::DeviceReading reading, Nanoseconds since) const noexcept;
   [[nodiscard]] std::optional<loop::TouchableSurface> newer_surface(SessionTime true_now, Stopwatch& watch);
@@ -64,13 +68,14 @@ class ReplayedStation {
   core::TickStage ticks_;
   core::SurfaceStage surfaces_;
   core::VirtualDriver<core::SurfaceStage> surface_driver_;
+  core::VirtualEffects slow_effects_;
   std::optional<core::CollisionStage> collision_;  // nullopt: the surface is evaluated in the tick
   core::VirtualDriver<core::CollisionStage> collision_driver_;
   std::optional<loop::TouchableSurface> to_collision_;  // the newest surface that the collision detection has not got
   loop::TouchableSurface touched_;                      // the loop refers to it
   std::optional<FrameTimes> touchable_;
   std::unique_ptr<Telemetry> telemetry_;  // nullptr: no message is published
-  Point<HapticBase> device_;              // as the device measured it at the last tick
+  std::optional<core::ToolAt> tool_;      // as the device measured it at the last tick; nullopt: before the first
   bool key_frame_wanted_ = false;
   std::uint64_t undecodable_ = 0;
 };

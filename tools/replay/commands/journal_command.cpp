@@ -75,6 +75,10 @@ Result<bool> run_journal(const Request& request) {
   if (!reader) return reader.error();
   const Result<station::JournaledScene> journaled = station::journaled_scene(reader->header());
   if (!journaled) return journaled.error();
+  if (core::has_slow_stage(journaled->scene.effects))
+    return Error{.what = "the scene has an effect that a slow stage computes, and a journal does not keep its models",
+                 .where = request.journal.string(),
+                 .fix = "replay the session instead: telepalp-replay --scene SCENE"};
   ForceFiles files;
   const JournalVerdict verdict = verdict_of(*reader, *journaled, request.out.empty() ? nullptr : &files);
   const ReadJournal read{.file = request.journal.string(),

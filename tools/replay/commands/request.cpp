@@ -59,20 +59,24 @@ Result<void> read_hand(const program::Arguments& arguments, Request& request) {
   if (!asked.empty() && asked != "recorded" && !hand_script(asked))
     return Error{.what = "'" + asked + "' is neither recorded nor a script of the hand",
                  .where = "--hand",
-                 .fix = "give recorded, examine, tap or search"};
+                 .fix = "give recorded, examine, tap, search or scene"};
+  if (hand_script(asked) == HandScript::Scene && request.scene->hand_trace)
+    return Error{.what = "the scene's hand is a recording of a tracker, and no script",
+                 .where = "--hand scene",
+                 .fix = "give --hand examine, tap or search"};
   const std::string session = session_file_of(request.source);
   if (hand_script(asked) || (session.empty() && asked.empty())) return {};
   if (session.empty())
     return Error{.what = "the source has no recorded hand: only a session file holds a hand",
                  .where = "--hand recorded",
-                 .fix = "give --hand examine, tap or search"};
+                 .fix = "give --hand examine, tap, search or scene"};
   Result<RecordedHand> hand = read_session_hand(session);
   if (!hand) return hand.error();
   if (hand->empty() && asked == "recorded")
     return Error{
         .what = "holds no recorded hand: a hand needs messages on /station/ticks, /camera/info and /camera/depth",
         .where = session,
-        .fix = "give --hand examine, tap or search"};
+        .fix = "give --hand examine, tap, search or scene"};
   request.recorded = std::move(*hand);
   return {};
 }
@@ -245,7 +249,7 @@ program::Usage usage() {
       .commands = {{"diff", "", "print the first message in which two sessions differ", diff_command}}};
   for (const program::Option& option : network_options()) usage.options.push_back(option);
   usage.options.insert(usage.options.end(),
-                       {{"hand", "HAND", "recorded, or a script: examine, tap or search"},
+                       {{"hand", "HAND", "recorded, or a script: examine, tap, search or scene"},
                         {"depth-mode", "MODE", "depth codec: fast, intra, temporal or bounded", "fast"},
                         {"seconds", "S", "length; 0: whole recording, 20 s if simulated", "0"},
                         {"threads", "N", "0: one per core; no influence on the results", "0"},

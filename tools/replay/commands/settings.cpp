@@ -63,6 +63,7 @@ std::map<std::string, std::string> settings_of(const Request& request, const Sce
           {"decode_ms", milliseconds(scenario.stages.decode)},
           {"build_ms", milliseconds(scenario.stages.build)},
           {"collision_ms", milliseconds(scenario.stages.collision)},
+          {"slow_effects_ms", milliseconds(scenario.stages.effects)},
           {"deadline_ms", milliseconds(scenario.deadline)},
           {"network_down", direction(scenario.down)},
           {"network_up", direction(scenario.up)},

@@ -46,13 +46,15 @@ struct StageTimes {
   Nanoseconds decode = std::chrono::milliseconds(3);
   Nanoseconds build = std::chrono::milliseconds(5);
   Nanoseconds collision = std::chrono::milliseconds(1);  ///< of settings that need the collision detection
+  Nanoseconds effects = std::chrono::milliseconds(12);   ///< of a slow effect: a run of its stage
 };
 
 /// What a simulated person does at the device, round after round.
 enum class HandScript : std::uint8_t {
   Examine,  ///< approaches, presses, holds, rubs to both sides, leaves
   Tap,      ///< taps the skin quickly at several places
-  Search    ///< stays in the skin and searches along it, shallow and deep
+  Search,   ///< stays in the skin and searches along it, shallow and deep
+  Scene     ///< does what the scene's hand does: its trial
 };
 
 /// The network, the faults and the script of one run. Equal sources, scenes and scenarios give equal runs.

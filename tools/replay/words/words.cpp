@@ -10,7 +10,8 @@
 namespace telepalp::replay {
 namespace {
 
-constexpr std::array<std::string_view, 3> kHandScripts{"examine", "tap", "search"};  // in the order of HandScript
+constexpr std::array<std::string_view, 4> kHandScripts{"examine", "tap", "search",
+                                                       "scene"};  // in the order of HandScript
 
 constexpr std::size_t kMostWindows = 64;
 constexpr double kLongest_s = 86400.0;
