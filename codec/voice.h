@@ -7,7 +7,7 @@
 #include <string>
 
 #include "proto/words/result.h"
-#include "proto/words/voice_packet.h"
+#include "proto/words/voice/voice_packet.h"
 
 namespace telepalp::codec {
 

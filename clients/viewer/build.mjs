@@ -11,7 +11,8 @@ const out = process.argv[2] ?? 'dist';
 await mkdir(out, {recursive: true});
 const {metafile} = await build({
   entryPoints: {start: 'src/start.ts', viewer: 'src/main.ts', link_worker: 'src/site/link_worker.ts',
-                depth_worker: 'src/depth/depth_worker.ts', mixed: 'src/mixed/headset_anchor.ts'},
+                depth_worker: 'src/depth/depth_worker.ts', mixed: 'src/mixed/headset_anchor.ts',
+                voice: 'src/voice/voice.ts', voice_worker: 'src/voice/voice_worker.ts', voice_worklet: 'src/voice/voice_worklet.ts'},
   outdir: out,
   bundle: true,
   format: 'esm',

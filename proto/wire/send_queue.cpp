@@ -92,7 +92,8 @@ std::optional<Message> SendQueue::pop() {
 
 std::optional<Message> SendQueue::pop_newest(std::vector<Message>& gone) {
   if (datagrams_.empty()) return std::nullopt;
-  const std::string_view topic = datagrams_.front().topic.name;
+  const auto spoken = std::ranges::find_if(datagrams_, [](const Message& message) { return message.topic.spoken; });
+  const std::string_view topic = (spoken == datagrams_.end() ? datagrams_.front() : *spoken).topic.name;
   const auto is_key = [&](const Message& message) { return message.topic.name == topic && message.key_frame; };
   const auto of_topic = [&](const Message& message) { return message.topic.name == topic; };
   const auto newest_key = std::find_if(datagrams_.rbegin(), datagrams_.rend(), is_key);

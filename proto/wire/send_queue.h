@@ -29,7 +29,8 @@ class SendQueue {
   /// quarter of their bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
-  /// The next message to send by datagram. Its topic is that of the oldest queued message of the deadline topics. It is
+  /// The next message to send by datagram. Its topic is a spoken one, if a message of one is queued: it is small, and a
+  /// word does not wait for a picture. Else it is that of the oldest queued message of the deadline topics. It is
   /// the newest key frame of that topic; without a queued key frame, the oldest message. Older messages of the topic go
   /// to `gone`.
   std::optional<Message> pop_newest(std::vector<Message>& gone);

@@ -36,11 +36,11 @@ bool ViewerCommands::is_hands(std::uint32_t channel) const {
   return found != channels_.end() && !found->second.spoken;
 }
 
-std::optional<wire::Topic> ViewerCommands::spoken(std::string_view bytes) const {
-  const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
+std::optional<ViewerCommands::Spoken> ViewerCommands::spoken(std::string_view bytes) const {
+  std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
   const auto found = data ? channels_.find(data->channel) : channels_.end();
   if (found == channels_.end() || !found->second.spoken) return std::nullopt;
-  return found->second;
+  return Spoken{found->second, std::move(data->payload)};
 }
 
 std::optional<msg::ViewerHand> ViewerCommands::read(std::string_view bytes) const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "messages/viewer.pb.h"
@@ -23,8 +24,12 @@ class ViewerCommands {
   [[nodiscard]] Result<void> advertise(const foxglove::Request::Channel& channel);
   void unadvertise(std::uint32_t channel) { channels_.erase(channel); }
 
-  /// The spoken topic on whose channel the viewer's binary message came; nullopt: it came on another channel.
-  [[nodiscard]] std::optional<wire::Topic> spoken(std::string_view bytes) const;
+  struct Spoken {
+    wire::Topic topic;
+    std::string payload;  ///< not checked yet
+  };
+  /// The viewer's binary message, if it came on the channel of a spoken topic; nullopt: it came on another channel.
+  [[nodiscard]] std::optional<Spoken> spoken(std::string_view bytes) const;
 
   /// True if the viewer's binary message lets go of the hand.
   [[nodiscard]] bool lets_go(std::string_view bytes) const;

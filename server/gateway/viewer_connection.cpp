@@ -13,8 +13,8 @@
 #include "server/gateway/foxglove/playback_control.h"
 #include "server/gateway/foxglove_protocol.h"
 #include "server/gateway/viewer_commands.h"
-#include "server/gateway/viewer_voice.h"
 #include "server/gateway/visit.h"
+#include "server/gateway/voice/viewer_voice.h"
 
 namespace telepalp::gateway {
 namespace {
@@ -284,7 +284,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   void publish(const std::string& bytes) {
     if (reading_) return;  // its picture is of the past, and no station follows a hand there
-    if (const std::optional<wire::Topic> topic = commands_.spoken(bytes)) return speak(*topic, bytes);
+    if (const auto words = commands_.spoken(bytes)) return speak(words->topic, words->payload);
     if (!may_touch()) return;
     if (commands_.lets_go(bytes)) {
       context()->holder.let_go(*subscriber_);
@@ -310,12 +310,12 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
   }
 
   /// Passes on what the visitor says, if it may speak there and nobody else does.
-  void speak(const wire::Topic& topic, const std::string& bytes) {
+  void speak(const wire::Topic& topic, const std::string& payload) {
     const SessionTime now = context()->now();
     const auto refuse = [this](std::string_view why) { voice_.refuse(why, [this](const auto& text) { warn(text); }); };
     if (!may(operation_to_speak(topic))) return refuse(kMayNotSpeak);
     if (offer().playback) return refuse(kPlayedSession);
-    std::optional<wire::Message> message = voice_.hear(topic, bytes, *subscriber_, now);
+    std::optional<wire::Message> message = voice_.hear(topic, payload, *subscriber_, now);
     if (!message) return refuse(kNotSpeech);
     if (!floor_of(topic).speaks(*subscriber_, now)) return refuse(kAnotherSpeaks);
     context()->hub.publish(std::move(*message));

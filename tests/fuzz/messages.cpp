@@ -8,6 +8,7 @@
 #include "messages/station.pb.h"
 #include "proto/wire/topics.h"
 #include "proto/wire/viewer/viewer_hand.h"
+#include "proto/wire/voice/voice_message.h"
 #include "proto/words/demand.h"
 #include "server/hub/upstream.h"
 
@@ -34,6 +35,17 @@ void move_hand(const std::string& payload) {
     demand(std::isfinite(at_m) && std::abs(at_m) <= 10.0, "a hand is within 10 m");
 }
 
+/// Words that are accepted are bounded, and stay acceptable after the server has written the talker's number.
+void speak(const std::string& payload) {
+  auto frame = wire::read_voice_frame(payload);
+  if (!frame) return;
+  demand(frame->begun() <= frame->number() && frame->earlier_size() <= wire::kMaxEarlierVoicePackets,
+         "no packet is of a time before the microphone was opened");
+  frame->set_talker(7);
+  const auto again = wire::read_voice_frame(frame->SerializeAsString());
+  demand(!again || again->talker() == 7, "a viewer cannot choose its number");
+}
+
 /// A control message keeps its kind when it is parsed, serialised and parsed again.
 void control(const std::string& payload) {
   msg::Control read;
@@ -51,5 +63,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (data[0] < wire::kTopics.size()) publish(wire::kTopics[data[0]], payload);
   if (data[0] == 100) move_hand(payload);
   if (data[0] == 101) control(payload);
+  if (data[0] == 102) speak(payload);
   return 0;
 }

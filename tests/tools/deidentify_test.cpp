@@ -13,6 +13,7 @@
 #include "foxglove/CompressedVideo.pb.h"
 #include "messages/clock.pb.h"
 #include "messages/inside.pb.h"
+#include "proto/wire/camera/color_message.h"
 #include "proto/wire/mcap/format/schemas.h"
 #include "proto/wire/mcap/notes_file.h"
 #include "proto/wire/mcap/reader.h"
@@ -238,20 +239,32 @@ void clear_texts(Message& message) {
   }
 }
 
-std::vector<wire::Message> without_color(const std::filesystem::path& file) {
+std::vector<wire::Message> without_color_and_speech(const std::filesystem::path& file) {
   auto reader = wire::McapReader::open(file);
   EXPECT_TRUE(reader) << to_string(reader.error());
   std::vector<wire::Message> all;
   for (auto next = reader->next(); next && *next; next = reader->next())
-    if (!(**next).topic.name.starts_with(wire::kCameraColor.name) || (**next).topic.name.ends_with("info"))
-      all.push_back(**next);
+    if (const wire::Topic& topic = (**next).topic; !wire::carries_color(topic) && !topic.spoken) all.push_back(**next);
   return all;
+}
+
+TEST_F(Deidentify, NothingThatWasSaidIsInTheCopy) {
+  const Result<Deidentified> report = write_deidentified(in("session.mcap"), in("out.mcap"), ColorRule::Blur);
+  ASSERT_TRUE(report);
+  for (const wire::Topic& topic : wire::kTopics) {
+    if (!topic.spoken) continue;
+    EXPECT_GT(report->topics.at(std::string(topic.name)).removed, 0u) << topic.name;
+    EXPECT_EQ(report->topics.at(std::string(topic.name)).kept, 0u) << topic.name;
+  }
+  auto reader = wire::McapReader::open(in("out.mcap"));
+  ASSERT_TRUE(reader);
+  for (auto next = reader->next(); next && *next; next = reader->next()) EXPECT_FALSE((**next).topic.spoken);
 }
 
 TEST_F(Deidentify, AllNumbersDepthForcesAndTimesAreAsRecorded) {
   ASSERT_TRUE(write_deidentified(in("session.mcap"), in("out.mcap"), ColorRule::Blur));
-  const std::vector<wire::Message> before = without_color(in("session.mcap"));
-  const std::vector<wire::Message> after = without_color(in("out.mcap"));
+  const std::vector<wire::Message> before = without_color_and_speech(in("session.mcap"));
+  const std::vector<wire::Message> after = without_color_and_speech(in("out.mcap"));
   ASSERT_EQ(before.size(), after.size());
   codec::DepthReader depths;
   int frame = 0;

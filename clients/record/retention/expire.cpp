@@ -28,6 +28,11 @@ WallTime wall_time(std::uint64_t ns) {
       std::chrono::nanoseconds(static_cast<std::int64_t>(std::min<std::uint64_t>(ns, INT64_MAX)))));
 }
 
+/// The patient's consents, to the recording and to that of what is said.
+std::string consents_of(const wire::SessionInfo& session) {
+  return session.voice_consent.empty() ? session.consent : session.consent + "; " + session.voice_consent;
+}
+
 /// The facts of a finished session, by its index.
 Result<RecordedSession> facts_of_finished(const fs::path& file) {
   Result<wire::McapReader> reader = wire::McapReader::open(file);
@@ -35,7 +40,7 @@ Result<RecordedSession> facts_of_finished(const fs::path& file) {
   const Result<wire::SessionInfo> session = reader->session();
   if (!session) return session.error();
   return RecordedSession{file.filename().string(), wall_time(reader->summary().statistics.message_start_time),
-                         session->consent};
+                         consents_of(*session)};
 }
 
 /// The facts of an unfinished session, by its first message and the record before it.
@@ -47,7 +52,7 @@ Result<RecordedSession> facts_of_unfinished(const fs::path& file) {
   RecordedSession facts{file.filename().string(), {}, {}};
   if (*first) facts.began = wall_time((**first).record.log_time);
   for (const wire::mcap::Metadata& metadata : stream->metadata())
-    if (metadata.name == wire::kSessionMetadata) facts.consent = wire::session_info(metadata).consent;
+    if (metadata.name == wire::kSessionMetadata) facts.consent = consents_of(wire::session_info(metadata));
   return facts;
 }
 

@@ -6,6 +6,7 @@ import type {ThemeSwitch} from './theme';
 import type {Details} from './views/details';
 import type {FoldingCards} from './views/folding_cards';
 import type {ViewSwitch} from './views/view_switch';
+import type {VoiceButton} from './voice_button';
 
 const TURN_RAD = 0.09;
 const ZOOM = 1.12;
@@ -31,7 +32,7 @@ function takesKey(focus: EventTarget | null, key: string): boolean {
 /** Wires buttons and keys to the view. */
 export function wireControls(
     view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView,
-    {details, cards, markButton}: {details: Details; cards: FoldingCards; markButton: MarkButton}): void {
+    {details, cards, markButton, voice}: {details: Details; cards: FoldingCards; markButton: MarkButton; voice: VoiceButton}): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.setHandShown(shown)},
@@ -77,10 +78,13 @@ export function wireControls(
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || help.open) return;
     if (takesKey(event.target, event.key)) return;
+    if (event.key.toLowerCase() === 'v') return voice.talk(true);
     if (views.takeKey(event.key)) return event.preventDefault();
     const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act === undefined) return;
     event.preventDefault();
     act();
   });
+  window.addEventListener('keyup', ({key}) => key.toLowerCase() === 'v' && voice.talk(false));
+  window.addEventListener('blur', () => voice.talk(false));
 }

@@ -42,6 +42,7 @@ import {FoldingCards} from './views/folding_cards';
 import {KeptLayout} from './views/kept_layout';
 import type {View} from './views/view';
 import {ViewSwitch} from './views/view_switch';
+import {sideOf, VoiceButton} from './voice_button';
 
 const READOUTS_EVERY_MS = 100;
 /** What only one view shows. */
@@ -164,6 +165,7 @@ const status = publishStatus(() => ({
   probeImages: inside.imagesShown,
   innerTriangles: view.inner.triangles,
   anchor: anchor(),
+  voice: voice.counts,
 }));
 
 const technician = new TechnicianPanel(view, canvas, {recording, source, exposure, people}, (place) => link.takePlace(place));
@@ -191,7 +193,9 @@ const markButton = new MarkButton(
       return shownAgo_s(pictureInstant_ms, sessionNow_ns);
     },
     (text) => readouts.showNotice({level: 'warn', title: 'The moment is not marked', text}));
-wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards, markButton});
+const voice = new VoiceButton(
+    () => sideOf(read().role, views.view, playback.state !== undefined), (text) => readouts.showNotice({level: 'warn', title: 'Voice', text}));
+wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards, markButton, voice});
 new TimelineBar(playback);
 const colorSwitch = new ColorSwitch(browserStore(), (coding) => link.askForColor(coding));
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
@@ -218,6 +222,7 @@ window.setInterval(() => {
   link.ask('news');
   const reading = showReadings();
   views.setRole(reading.role);
+  voice.showFor(reading.role);
   steering.feel(reading.force_N);
   readouts.showDetail(view.detail);
   colorSwitch.show(reading.colorSaid);

@@ -2,6 +2,7 @@ import {inWords} from './depth/depth_fidelity';
 import {lookOf} from './words/phases';
 import type {TimeAccount} from './present/time_account';
 import type {Reading} from './state/viewer_state';
+import type {VoiceButton} from './voice_button';
 
 interface Facts extends Reading {
   meshVertices: number;
@@ -12,6 +13,7 @@ interface Facts extends Reading {
   probeImages: number;
   innerTriangles: number;
   anchor: {touches: number; rms_m: number | undefined};
+  voice: VoiceButton['counts'];
 }
 
 /** The status in `window.telepalp`, for tests and for debugging; read-only. */
@@ -52,6 +54,7 @@ export interface ViewerStatus {
   readonly innerTriangles: number;  // of the layers below the skin
   readonly anchorTouches: number;
   readonly anchorRms_m: number | undefined;  // the headset is anchored to the device, and its touches miss by this; NaN: by one pose
+  readonly voice: VoiceButton['counts'];     // of the conversation that the page has joined
 }
 
 /** Sets `window.telepalp` to a live, read-only status. Returns an object for values that other code sets. */
@@ -96,6 +99,7 @@ export function publishStatus(facts: () => Facts): {decode_ms: number} {
       innerTriangles: now.innerTriangles,
       anchorTouches: now.anchor.touches,
       anchorRms_m: now.anchor.rms_m,
+      voice: now.voice,
     });
   };
   Object.defineProperty(window, 'telepalp', {get: snapshot, enumerable: true});

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "proto/words/voice_packet.h"
+#include "proto/words/voice/voice_packet.h"
 
 namespace telepalp::wire {
 namespace {

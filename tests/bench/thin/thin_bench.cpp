@@ -14,6 +14,7 @@
 #include "tests/bench/effects/thread_time.h"
 #include "tests/bench/thin/live_rows.h"
 #include "tests/bench/thin/ssim.h"
+#include "tests/bench/thin/voice_rows.h"
 #include "tests/bench/thin/window_rows.h"
 #include "where.h"
 
@@ -183,8 +184,8 @@ Result<Report> run_thin(const program::Arguments& arguments) {
   Report report{.bench = "thin", .rows = {}, .notes = {}};
   const std::string part = arguments.text("part");
   const std::string input = arguments.text("input");
-  if (!part.empty() && part != "color" && part != "window" && part != "live")
-    return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color, window or live"};
+  if (!part.empty() && part != "color" && part != "window" && part != "live" && part != "voice")
+    return Error{.what = "'" + part + "' is not a part", .where = "--part", .fix = "give color, window, live or voice"};
   if (part.empty() && !input.empty())
     return Error{.what = "an input belongs to one part of the bench",
                  .where = "--input",
@@ -192,6 +193,8 @@ Result<Report> run_thin(const program::Arguments& arguments) {
   const auto has = [&](std::string_view one) { return part.empty() || part == one; };
   if (has("live"))
     if (const auto added = add_live_rows(report, input); !added) return added.error();
+  if (has("voice"))
+    if (const auto added = add_voice_rows(report); !added) return added.error();
   if (has("color"))
     if (const auto added = add_color_rows(report, input); !added) return added.error();
   if (has("window"))

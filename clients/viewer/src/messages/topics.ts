@@ -3,7 +3,7 @@ import type {
   InnerStructures, MarksState,
   NetworkState, PeopleState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList,
   SessionNotes, SourceState,
-  StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand,
+  StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand, VoiceFrame,
 } from './generated';
 
 /** The fields `Name` of a message, each of them given. */
@@ -19,11 +19,16 @@ type AcceptObject = Given<ViewerHand, 'acceptObject'>;
 type LetGo = Given<ViewerHand, 'letGo'>;
 /** Passes the hand to a viewer that asks for it. */
 type HandOver = Given<ViewerHand, 'handOverTo'>;
+/** What this viewer says; the server adds the viewer's number. */
+type SpokenWords = Given<VoiceFrame, 'capturedNs' | 'number' | 'begun' | 'opus' | 'earlier'>;
 
 /** The topics that the viewer publishes: topic name -> fields of its messages. */
 export interface OwnTopics {
   '/viewer/hand': HandSample | LetGo | HandOver | Rearm | AcceptObject;
+  '/patient/voice': SpokenWords;
+  '/doctor/voice': SpokenWords;
 }
+export type VoiceTopic = '/patient/voice' | '/doctor/voice';
 
 /** The states of the server's resources: path of the resource, which is the topic's name -> fields of its messages. */
 export interface StateTopics {
@@ -71,4 +76,6 @@ export interface Topics extends StateTopics {
   '/station/inside': InnerStructures;
   '/server/stats': ServerStats;
   '/viewer/hand_holder': HandHolder;
+  '/patient/voice': VoiceFrame;
+  '/doctor/voice': VoiceFrame;
 }

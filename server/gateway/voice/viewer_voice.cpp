@@ -1,7 +1,6 @@
-#include "server/gateway/viewer_voice.h"
+#include "server/gateway/voice/viewer_voice.h"
 
 #include "proto/wire/voice/voice_message.h"
-#include "server/gateway/foxglove_protocol.h"
 
 namespace telepalp::gateway {
 
@@ -9,13 +8,12 @@ keys::Operation operation_to_speak(const wire::Topic& topic) noexcept {
   return topic.name == wire::kDoctorVoice.name ? keys::Operation::SpeakAsDoctor : keys::Operation::SpeakAtPatient;
 }
 
-std::optional<wire::Message> ViewerVoice::hear(const wire::Topic& topic, std::string_view bytes, std::uint64_t viewer,
-                                               SessionTime now) {
+std::optional<wire::Message> ViewerVoice::hear(const wire::Topic& topic, const std::string& payload,
+                                               std::uint64_t viewer, SessionTime now) {
   constexpr std::chrono::seconds kFurthest{10};
   if (!rate_.has(1.0, now.time_since_epoch())) return std::nullopt;
   rate_.spend(1.0);
-  const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
-  std::optional<msg::VoiceFrame> frame = data ? wire::read_voice_frame(data->payload) : std::nullopt;
+  std::optional<msg::VoiceFrame> frame = wire::read_voice_frame(payload);
   if (!frame) return std::nullopt;
   frame->set_talker(viewer);
   const std::uint64_t at = frame->captured_ns();

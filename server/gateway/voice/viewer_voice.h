@@ -29,9 +29,10 @@ inline constexpr std::string_view kNotSpeech =
 /// Checks what one viewer says. Pure; owner: the server's network thread.
 class ViewerVoice {
  public:
-  /// A viewer's binary message as one of `topic`, with the id `viewer`. nullopt: it is not speech, or the viewer has
-  /// sent more than kMessages_per_s. A time of the microphone that differs from `now` by more than 10 s is replaced.
-  [[nodiscard]] std::optional<wire::Message> hear(const wire::Topic& topic, std::string_view bytes,
+  /// The payload of a viewer's message as a message of `topic`, with the id `viewer`. nullopt: it is not speech, or the
+  /// viewer has sent more than kMessages_per_s. A time of the microphone that differs from `now` by more than 10 s is
+  /// replaced.
+  [[nodiscard]] std::optional<wire::Message> hear(const wire::Topic& topic, const std::string& payload,
                                                   std::uint64_t viewer, SessionTime now);
 
   /// Says `why`, unless this was the last thing that was said.

@@ -1,4 +1,4 @@
-#include "server/gateway/voice_floor.h"
+#include "server/gateway/voice/voice_floor.h"
 
 namespace telepalp::gateway {
 
