@@ -12,6 +12,7 @@
 #include "tests/bench/cluster/model_rows.h"
 #include "tests/bench/cluster/nats_cluster.h"
 #include "tests/bench/cluster/running_server.h"
+#include "tests/bench/cluster/soak_rows.h"
 #include "tests/bench/cluster/sweep_rows.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/distribution.h"
@@ -211,6 +212,7 @@ Result<Report> run_cluster(const program::Arguments& arguments) {
   const std::vector<Section> all{{"relay", add_steady_rows},
                                  {"nodes", add_lost_nodes},
                                  {"model", add_model_rows},
+                                 {"soak", add_soak_rows},
                                  {"sweep", add_sweeps}};
   const Result<std::vector<Section>> chosen = chosen_sections(all, arguments, "cluster");
   if (!chosen) return chosen.error();
