@@ -5,6 +5,8 @@
 
 #include "haptic_station/core/effect_stage.h"
 #include "haptic_station/effects/effect_bank.h"
+#include "haptic_station/tissue/fem/prism_model.h"
+#include "haptic_station/tissue/fem/prism_touch.h"
 
 namespace telepalp::tissue {
 class PrismTouch;
