@@ -8,10 +8,6 @@
 #include "haptic_station/tissue/fem/prism_model.h"
 #include "haptic_station/tissue/fem/prism_touch.h"
 
-namespace telepalp::tissue {
-class PrismTouch;
-}
-
 namespace telepalp::core {
 
 /// The slow stage of the effect FemPrism: one step of the prism in each run. A run that is late makes the prism's time

@@ -15,16 +15,17 @@ constexpr double kFewest_images = 4.0;    ///< the share says little of fewer im
 constexpr Nanoseconds kLongQueue = 40ms;  ///< above the 33 ms between two images: each one waits for the one before
 constexpr double kMargin = 1.15;          ///< of the share that other flows leave, over the budget: for repairs
 // The budget after a cut:
-constexpr double kCut = 0.92;       ///< of the rate at which images left, so that the queue empties
-constexpr double kFits = 0.98;      ///< of the budget that fitted, after a try for more that did not fit
-constexpr double kSameLine = 0.75;  ///< the line is as wide as before the try if this share of the budget still leaves
-constexpr double kFell = 0.6;       ///< less than this share of the mean rate leaves in one step: the line fell
+constexpr double kCut = 0.92;   ///< of the rate at which images left, so that the queue empties
+constexpr double kFits = 0.98;  ///< of the budget that fitted, after a try for more that did not fit
+constexpr double kSameLine =
+    0.75;                      ///< after a failed try, the line has kept its width if this share of the budget is sent
+constexpr double kFell = 0.6;  ///< less than this share of the mean rate leaves in one step: the line fell
 constexpr std::uint64_t kEnough_images = 6;  ///< a rate of fewer images says little
 constexpr double kLeast_B_per_s = 4000.0;    ///< a try multiplies the budget, so it must not become 0
 // Tries for more:
 constexpr double kStep = 1.1;
 constexpr double kLargeStep = 1.3;      ///< while the line proves to be wider
-constexpr double kOutgrown = 1.2;       ///< it is wider if the budget is this many times that before the tries
+constexpr double kOutgrown = 1.2;       ///< the line proves to be wider when tries have multiplied the budget by this
 constexpr Nanoseconds kTryFor = 800ms;  ///< long enough for a queue to build up if the step does not fit
 constexpr double kRoom = 1.1;           ///< the budget ends at this many times the full rate
 constexpr Nanoseconds kPatience = 800ms;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kMarginUp = 1.05;         ///< images of the same settings differ by a few percent
 constexpr double kShareStep = 1.0 / 30.0;  ///< one image per second of a 30 Hz camera
-// A measured size within this factor of the guess is one rung's own; beyond it, the scene itself has changed.
+// Where a measured size and its guess differ by more than this factor, the scene has changed, and with it the sizes at
+// all rungs. Where they differ by less, only the guess for this rung was wrong.
 constexpr double kGuessIsWithin = 2.0;
 
 constexpr double kThird = 1.0 / 3.0;

@@ -41,7 +41,8 @@ class WorkItem {
 /// Owner: one thread.
 class WorkQueue {
  public:
-  static constexpr std::chrono::seconds kSilence{10};  ///< after it, an item counts as lost with its program
+  static constexpr std::chrono::seconds kSilence{
+      10};  ///< without a report, after which an item goes to another program
 
   /// `filter`: subjects of the consumer's items. Error: there is no such stream, or no JetStream.
   [[nodiscard]] static Result<std::unique_ptr<WorkQueue>> open(const Streams& streams, const std::string& stream,

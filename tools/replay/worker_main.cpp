@@ -1,5 +1,4 @@
-// telepalp-worker: takes runs of a sweep from a NATS cluster, in which telepalp-replay --sweep … --workers has put
-// them, and makes them.
+// telepalp-worker: makes the runs of sweeps that telepalp-replay --sweep … --workers has put into a NATS cluster.
 
 #include <unistd.h>
 

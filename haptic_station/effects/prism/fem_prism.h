@@ -10,10 +10,6 @@
 #include "haptic_station/tissue/fem/slewed_plane.h"
 #include "proto/words/latest_value.h"
 
-namespace telepalp::tissue {
-struct PrismModel;
-}
-
 namespace telepalp::effects {
 
 struct FemPrismSettings {

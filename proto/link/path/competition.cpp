@@ -78,7 +78,7 @@ std::uint64_t Competition::step(const PathMoment& moment, std::uint64_t delay_li
   held_back_ += ((moment.saturated ? 1.0 : 0.0) - held_back_) * span_s / to_seconds(kEmptyFor);
   stepped_at_ = moment.now;
   note_usual_rate(moment, span_s);
-  // What was lost before the yield began is reported long after it, and says nothing of the yield.
+  // Losses are known many datagrams later. Those of datagrams sent before the yield began say nothing of the yield.
   if (static_cast<std::int32_t>(settled_until_ - onset_.sent) >= 0) {
     settled_ += moment.settled;
     lost_ += moment.lost;
@@ -89,7 +89,7 @@ std::uint64_t Competition::step(const PathMoment& moment, std::uint64_t delay_li
       if (moment.queue > kQueueBegins) yield(moment, Phase::Yielding);
       break;
     case Phase::Yielding:
-      onset_.queue = std::max(onset_.queue, moment.queue);  // the yield takes effect a round trip later
+      onset_.queue = std::max(onset_.queue, moment.queue);  // it rises until the yield takes effect
       if (moment.queue < kQueueBegins / 2 && !overflowed())
         phase_ = Phase::Alone;
       else if (yielded_enough(moment) && fell(moment))

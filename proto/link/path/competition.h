@@ -24,12 +24,13 @@ struct PathMoment {
 
 /// Decides whether other flows fill the path's queue, and then holds a fair share of the path.
 ///
-/// When a queue builds up, the sender yields: it halves its rate. Alone, its queue then falls at least by half in a few
-/// round trips. A queue that does not fall is another flow's, which fills every buffer it finds; a sender that keeps to
-/// a short queue would starve beside it. So the congestion window then follows losses, as the flow's beside it does
-/// (CUBIC, RFC 9438, with the window of two connections). While the window holds datagrams back, the sender yields
-/// again after 3, 6, and then every 12 s. It returns to a short queue when the queue falls, or is nearly empty for 1 s.
-/// The detection is Copa's (NSDI 2018, section 2.2) with an explicit yield, because a camera does not fill the path.
+/// When a queue builds up, the sender yields: it halves its rate. Alone, its queue then falls in a few round trips,
+/// at least to half of the longest one since the yield began. A queue that does not fall is another flow's, which fills
+/// every buffer it finds; a sender that keeps to a short queue would starve beside it. So the congestion window then
+/// follows losses, as the flow's beside it does (CUBIC, RFC 9438, with the window of two connections). While the window
+/// holds datagrams back, the sender yields again after 3, 6, and then every 12 s. It returns to a short queue when the
+/// queue falls, or is nearly empty for 1 s. The detection is Copa's (NSDI 2018, section 2.2) with an explicit yield,
+/// because a camera does not fill the path.
 ///
 /// Pure: time is part of each moment.
 class Competition {

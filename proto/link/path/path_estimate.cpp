@@ -55,7 +55,6 @@ constexpr std::size_t kMostOnTheWay = 65'536;
 void PathEstimate::sent(std::uint64_t sequence, std::size_t bytes, SessionTime now) {
   if (sent_bytes_ == 0) last_heard_ = now;
   sent_bytes_ += bytes;
-  next_sequence_ = sequence + 1;
   if (const std::optional<double> pace = pace_B_per_s(); pace && *pace > 0.0)
     paced_until_ = std::max(paced_until_, now - kPaceBurst) + from_seconds(static_cast<double>(bytes) / *pace);
   on_the_way_.push_back({sequence, now, sent_bytes_});
@@ -82,7 +81,7 @@ void PathEstimate::on_feedback(const Feedback& feedback, SessionTime now) {
   reported_age_ = std::chrono::microseconds(feedback.age_us);
   measure_rate(feedback, now);
   const Losses losses = measure_loss(feedback);
-  adapt_limit(acknowledged_ - before, losses, now);
+  adapt_limit(acknowledged_ - before, losses, feedback.settled, now);
   last_ = feedback;
 }
 
@@ -115,13 +114,10 @@ void PathEstimate::measure_rate(const Feedback& feedback, SessionTime now) {
 
 PathEstimate::Losses PathEstimate::measure_loss(const Feedback& feedback) {
   const Feedback before = last_.value_or(Feedback{});
-  const Losses now{.settled_until = feedback.settled,
-                   .settled = feedback.settled - before.settled,
-                   .lost = feedback.lost - before.lost};
+  const Losses now{.settled = feedback.settled - before.settled, .lost = feedback.lost - before.lost};
   const double settled = now.settled, lost = now.lost;
   const double bursts = static_cast<std::uint32_t>(feedback.bursts - before.bursts);
-  if (lost > settled || bursts > lost)
-    return {.settled_until = feedback.settled};  // the receiver's counts contradict each other
+  if (lost > settled || bursts > lost) return {};  // the receiver's counts contradict each other
   const double keep = std::exp(-settled / (beside_others() ? kLossMemoryBeside_packets : kLossMemory_packets));
   settled_ = settled_ * keep + settled;
   lost_ = lost_ * keep + lost;
@@ -138,8 +134,8 @@ bool PathEstimate::recovers() noexcept {
   return recover_to_B_ > 0;
 }
 
-/// Bound from below on the limit: what the path delivers in its least round trip and the target, if that is less than
-/// kLeastLimit_B.
+/// The least value of the limit: kLeastLimit_B, or on a thin path what it delivers in its least round trip and
+/// kQueueTarget.
 std::uint64_t PathEstimate::least_limit_B() const noexcept {
   if (best_rate_B_per_s_ <= 0.0) return kLeastLimit_B;
   const double thin_B = best_rate_B_per_s_ * to_seconds(least_round_trip_ + kQueueTarget);
@@ -149,8 +145,8 @@ std::uint64_t PathEstimate::least_limit_B() const noexcept {
 /// Grows the limit while the round trip is near its least. When a queue builds up, the limit becomes what the path
 /// delivers in a round trip without the queue, jitter included, and the target.
 void PathEstimate::keep_queue_short(std::uint64_t acknowledged_now) {
-  // Behind a long queue the path never idles, so its rate is the present one. The best rate may be older than a fall,
-  // and so may the part of the smoothed round trip that seems to be jitter.
+  // A path with a long queue is never idle, so its rate of delivery is all that it carries. If its rate has just
+  // fallen, the best rate is still that from before, and the smoothed round trip lags behind the queue.
   const bool is_long = queue_delay_ > kLongQueue;
   const double path_B_per_s = is_long ? rate_B_per_s_ : best_rate_B_per_s_;
   const Nanoseconds without_queue = is_long ? least_round_trip_ : round_trip_ - queue_delay_;
@@ -162,7 +158,9 @@ void PathEstimate::keep_queue_short(std::uint64_t acknowledged_now) {
   delay_limit_B_ = std::clamp(delay_limit_B_, least_limit_B(), kMostLimit_B);
 }
 
-void PathEstimate::adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, SessionTime now) {
+/// `settled_until`: Feedback::settled. on_feedback() has checked that on_the_way_ is not empty.
+void PathEstimate::adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, std::uint32_t settled_until,
+                               SessionTime now) {
   if (recovers()) {
     limit_B_ = delay_limit_B_ = std::min(limit_B_ + acknowledged_now, recover_to_B_);
     return;
@@ -175,8 +173,8 @@ void PathEstimate::adapt_limit(std::uint64_t acknowledged_now, const Losses& los
                                 .rate_B_per_s = rate_B_per_s_,
                                 .acknowledged_B = acknowledged_now,
                                 .in_flight_B = in_flight_B(),
-                                .sent = static_cast<std::uint32_t>(next_sequence_),
-                                .settled_until = losses.settled_until,
+                                .sent = static_cast<std::uint32_t>(on_the_way_.back().sequence + 1),
+                                .settled_until = settled_until,
                                 .settled = losses.settled,
                                 .lost = losses.lost,
                                 .saturated = std::exchange(saturated_, false)},

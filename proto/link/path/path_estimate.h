@@ -66,12 +66,11 @@ class PathEstimate {
   void measure_rate(const Feedback& feedback, SessionTime now);
   /// Packets that a report adds to the counts.
   struct Losses {
-    std::uint32_t settled_until = 0;  ///< Feedback::settled
     std::uint32_t settled = 0;
     std::uint32_t lost = 0;
   };
   [[nodiscard]] Losses measure_loss(const Feedback& feedback);
-  void adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, SessionTime now);
+  void adapt_limit(std::uint64_t acknowledged_now, const Losses& losses, std::uint32_t settled_until, SessionTime now);
   void keep_queue_short(std::uint64_t acknowledged_now);
   [[nodiscard]] std::uint64_t least_limit_B() const noexcept;
   [[nodiscard]] bool recovers() noexcept;
@@ -81,7 +80,6 @@ class PathEstimate {
 
   std::deque<Sent> on_the_way_;
   std::uint64_t sent_bytes_ = 0;
-  std::uint64_t next_sequence_ = 0;  ///< one more than that of the newest datagram
   std::uint64_t acknowledged_ = 0;
   std::optional<Feedback> last_;
   std::uint64_t answers_ = 0;

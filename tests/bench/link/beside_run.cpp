@@ -94,14 +94,10 @@ class Session {
  private:
   void capture(Nanoseconds now, Nanoseconds queue) {
     next_image_ += kPeriod;
-    if (scenario_.planned && now >= planned_at_ + kPlanEvery) plan(now);
-    const auto& sender = server_.sender();
-    const auto frame_B = [this] { return image_B(); };
-    level_.step(
-        {.share_B_per_s = server_.path().share_B_per_s(),
-         .demand_B_per_s = frame_B() / to_seconds(kPeriod) * (level_.level() == level_.kLast ? kSentAtLast : 1.0),
-         .dropped = drops_.step(offered_, sender.replaced + sender.expired)},
-        SessionTime{now});
+    if (scenario_.planned)
+      plan(now);
+    else
+      choose_level(now);
     if (!scenario_.planned && telepalp::link::ContentLevel::leaves_out(level_.level(), ++captured_)) return;
     queue_at_capture_[numbers_ % queue_at_capture_.size()] = queue;
     for (const std::uint8_t channel : {std::uint8_t{0}, std::uint8_t{1}}) {
@@ -110,17 +106,26 @@ class Session {
       server_.offer({.channel = channel,
                      .number = numbers_,
                      .captured = SessionTime{now},
-                     .bytes = std::vector<std::byte>(static_cast<std::size_t>(frame_B() * share))});
+                     .bytes = std::vector<std::byte>(static_cast<std::size_t>(image_B() * share))});
     }
     ++numbers_;
   }
   [[nodiscard]] double image_B() const {
     if (!scenario_.planned) return scenario_.image_B[std::min(level_.level(), scenario_.image_B.size() - 1)];
-    const double full_B_per_s = scenario_.image_B.front() / to_seconds(kPeriod);
-    return std::clamp(budget_.B_per_s().value_or(full_B_per_s) * to_seconds(kPeriod), kLeastImage_B,
+    return std::clamp(budget_.B_per_s().value_or(full_B_per_s()) * to_seconds(kPeriod), kLeastImage_B,
                       scenario_.image_B.front());
   }
+  [[nodiscard]] double full_B_per_s() const { return scenario_.image_B.front() / to_seconds(kPeriod); }
+  void choose_level(Nanoseconds now) {
+    const auto& sender = server_.sender();
+    level_.step(
+        {.share_B_per_s = server_.path().share_B_per_s(),
+         .demand_B_per_s = image_B() / to_seconds(kPeriod) * (level_.level() == level_.kLast ? kSentAtLast : 1.0),
+         .dropped = drops_.step(offered_, sender.replaced + sender.expired)},
+        SessionTime{now});
+  }
   void plan(Nanoseconds now) {
+    if (now < planned_at_ + kPlanEvery) return;
     planned_at_ = now;
     const auto& sender = server_.sender();
     budget_.step({.offered = offered_,
@@ -128,7 +133,7 @@ class Session {
                   .sent_B = sender.data_shards * telepalp::link::kDatagramBytes,
                   .share_B_per_s = server_.path().share_B_per_s(),
                   .queue = server_.path().queue_delay()},
-                 scenario_.image_B.front() / to_seconds(kPeriod), SessionTime{now});
+                 full_B_per_s(), SessionTime{now});
   }
   void complete(const telepalp::link::Frame& frame, Nanoseconds now) {
     if (!frame.newest || frame.channel != 0) return;

@@ -65,7 +65,7 @@ class Site {
       count += one.stream == stream && one.at_s >= from_s && one.at_s < until_s ? 1.0 : 0.0;
     return count / (until_s - from_s);
   }
-  /// Age at arrival of the depth images at the first subscriber: 95 % are at most as old [s].
+  /// 95 % of the depth images are at most this old when they arrive at the first subscriber [s].
   [[nodiscard]] double age_p95(double from_s, double until_s) const {
     std::vector<double> ages;
     for (const SimulatedLine::Arrived& one : subscribers_.front().path.arrived())

@@ -104,7 +104,7 @@ Result<void> SharedSweep::connect() {
   return cluster_.connection->subscribe(kWorkerIsHere, into(watch_.inbox()));
 }
 
-/// Room for a chunk in the cluster's largest payload [B].
+/// The largest chunk that fits into the cluster's largest payload [B].
 std::uint64_t SharedSweep::most_chunk_B() const {
   return std::max(cluster_.connection->most_payload_B(), kHeader_B) - kHeader_B;
 }

@@ -21,7 +21,7 @@ enum class CellEvent {
   Order,    ///< its order is in the work queue
   Report,   ///< its report has come
   Refusal,  ///< a worker has removed its order from the queue
-  Vanished  ///< the work queue has no order of it, though no answer came
+  Vanished  ///< its order has left the work queue, and no answer has come
 };
 inline constexpr std::size_t kCellPhases = 4;
 inline constexpr std::size_t kCellEvents = 4;

@@ -30,7 +30,7 @@ inline constexpr const char* kSweepIsHere = "telepalp-sweep.here.sweep";
 /// `cell`: "*" for all.
 [[nodiscard]] std::string answer_subject(const std::string& sweep, const std::string& cell);
 
-/// A cell, by the identities in a subject.
+/// The identities of a cell, as a subject states them.
 struct CellPlace {
   std::string sweep;
   std::string cell;

@@ -19,7 +19,7 @@ std::optional<double> TimeLeft::left_s(std::size_t cells, double now_s) const {
   const auto made = static_cast<double>(times_s_.size() - 1);
   if (made < 1.0) return std::nullopt;
   const double last_s = times_s_.back() - times_s_.front();
-  // The pace of the window, or a slower one if the next cell is late.
+  // If the next cell is late, each one takes longer than the last ones did.
   const double per_cell_s = std::max(last_s / made, (now_s - times_s_.front()) / (made + 1.0));
   return per_cell_s * static_cast<double>(cells);
 }

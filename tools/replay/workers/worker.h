@@ -16,11 +16,12 @@ inline constexpr std::uint64_t kMostDeliveries = 3;
 
 struct WorkerOptions {
   nats::Address cluster;
-  std::string name;                      ///< in the sweep's log
-  std::filesystem::path cache;           ///< folder of recordings
-  std::uint64_t cache_B = 0;             ///< room for recordings in `cache`
-  std::size_t memory_B = 0;              ///< room for the images of a sweep's source
-  std::chrono::duration<double> idle{};  ///< the worker ends after so long without a cell; 0: it does not
+  std::string name;             ///< in the sweep's log
+  std::filesystem::path cache;  ///< folder of recordings
+  std::uint64_t cache_B = 0;    ///< room for recordings in `cache`
+  std::size_t memory_B = 0;     ///< room for the images of a sweep's source
+  std::chrono::duration<double>
+      idle{};  ///< the worker ends when no cell comes for this time; 0: it never ends by itself
 };
 
 struct WorkerCounts {
