@@ -34,8 +34,6 @@ tissue::PrismSettings read_settings(FieldCheck& check, const Message& given) {
 effects::FemPrismSettings read_prism(FieldCheck& check, const Message& given) {
   effects::FemPrismSettings recipe;
   const tissue::PrismSettings prism = read_settings(check, given);
-  const tissue::Limit tank_J{0.0, recipe.slew.tank_holds_J, "J"};
-  NumberReader{check, given, "fem_prism."}(given.has_tank_j(), "tank_J", given.tank_j(), tank_J, recipe.slew.tank_J);
   if (check.error()) return recipe;
   if (prism.coupling_N_per_m > 0.0)  // springs in series are softer than each of them
     recipe.slew.stiffest_N_per_m = std::min(recipe.slew.stiffest_N_per_m, prism.coupling_N_per_m);

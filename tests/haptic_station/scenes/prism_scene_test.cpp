@@ -28,10 +28,9 @@ TEST(PrismScene, ItsFieldsAreReadIntoTheirSettings) {
   const Result<Scene> scene = scene_with(
       "name: \"soft\" foot_m { x: 0.1 y: -0.2 z: 0.03 } size_m { x: 0.03 y: 0.09 z: 0.02 } top_N_per_m: 900 poisson: "
       "0.3 "
-      "coupling_N_per_m: 150 spread_m: 0.01 lets_go_N: 20 tank_J: 0.03 elements: ELEMENTS_LINEAR across: 1 along: 3");
+      "coupling_N_per_m: 150 spread_m: 0.01 lets_go_N: 20 elements: ELEMENTS_LINEAR across: 1 along: 3");
   ASSERT_TRUE(scene.ok()) << to_string(scene.error());
   const auto& recipe = std::get<effects::FemPrismSettings>(scene->effects[0]);
-  EXPECT_EQ(recipe.slew.tank_J, 0.03);
   const tissue::PrismSettings& prism = recipe.model->settings;
   EXPECT_EQ(prism.name, "soft");
   EXPECT_EQ(prism.foot_m, Eigen::Vector3d(0.1, -0.2, 0.03));

@@ -71,11 +71,12 @@ TEST(DatagramQueue, OfStatesTheNewestGoesAndTheOlderOnesAreDropped) {
 }
 
 TEST(DatagramQueue, TheWireFixesTheChannelOfEachTopic) {
-  const std::string_view expected[] = {"/camera/depth", "/camera/color", "/station/state", "/viewer/hand",
-                                       "/camera/color/video", "/camera/depth/window"};
+  const std::string_view expected[] = {"/camera/depth",  "/camera/color",       "/station/state",
+                                       "/viewer/hand",   "/camera/color/video", "/camera/depth/window",
+                                       "/patient/voice", "/doctor/voice"};
   for (std::uint8_t channel = 0; channel < std::size(expected); ++channel)
     EXPECT_EQ(topic_of_datagram_channel(channel).value_or(kClock).name, expected[channel]);
-  for (int channel = 6; channel < 256; ++channel)
+  for (int channel = 8; channel < 256; ++channel)
     EXPECT_FALSE(topic_of_datagram_channel(static_cast<std::uint8_t>(channel))) << channel;
 }
 
