@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "haptic_station/effects/skin_law.h"
+#include "haptic_station/effects/laws/skin_law.h"
 #include "proto/words/result.h"
 
 namespace telepalp::calibration {

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "haptic_station/effects/prism/fem_prism.h"
+#include "haptic_station/effects/fem_prism.h"
 #include "haptic_station/effects/friction.h"
 #include "haptic_station/effects/inner_cylinder.h"
 #include "haptic_station/effects/inner_sphere.h"

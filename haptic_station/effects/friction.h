@@ -1,7 +1,7 @@
 #pragma once
 
 #include "haptic_station/effects/effect.h"
-#include "haptic_station/effects/skin_law.h"
+#include "haptic_station/effects/laws/skin_law.h"
 
 namespace telepalp::effects {
 

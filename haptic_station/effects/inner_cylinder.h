@@ -2,7 +2,7 @@
 
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/effects/entry_side.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 
 namespace telepalp::effects {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "haptic_station/effects/effect.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 #include "haptic_station/tissue/layered_tissue.h"
 
 namespace telepalp::effects {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "haptic_station/effects/effect.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 
 namespace telepalp::effects {
 

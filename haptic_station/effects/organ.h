@@ -5,7 +5,7 @@
 
 #include "haptic_station/effects/effect.h"
 #include "haptic_station/effects/entry_side.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 #include "haptic_station/solids/distance_lattice.h"
 
 namespace telepalp::effects {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "haptic_station/effects/effect.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 #include "haptic_station/solids/solid_proxy.h"
 
 namespace telepalp::effects {

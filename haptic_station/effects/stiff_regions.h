@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "haptic_station/effects/effect.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 
 namespace telepalp::effects {
 

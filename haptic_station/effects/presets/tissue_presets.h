@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "haptic_station/effects/skin_law.h"
+#include "haptic_station/effects/laws/skin_law.h"
 
 namespace telepalp::effects {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "haptic_station/effects/skin_law.h"
+#include "haptic_station/effects/laws/skin_law.h"
 #include "haptic_station/scenes/scene.h"
 #include "server/capture/synthetic/synthetic_patient.h"
 #include "tools/replay/cell/replayed_station.h"

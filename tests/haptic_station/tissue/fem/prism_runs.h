@@ -5,7 +5,7 @@
 
 #include "haptic_station/core/prism_stage.h"
 #include "haptic_station/core/virtual_driver.h"
-#include "haptic_station/effects/prism/fem_prism.h"
+#include "haptic_station/effects/fem_prism.h"
 #include "tests/haptic_station/tissue/fem/hand_over.h"
 #include "tests/haptic_station/tissue/fem/prisms.h"
 

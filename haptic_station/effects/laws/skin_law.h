@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 
 namespace telepalp::effects {
 

@@ -1,4 +1,4 @@
-#include "haptic_station/effects/prism/fem_prism.h"
+#include "haptic_station/effects/fem_prism.h"
 
 namespace telepalp::effects {
 

@@ -1,4 +1,4 @@
-#include "haptic_station/effects/skin_law.h"
+#include "haptic_station/effects/laws/skin_law.h"
 
 #include <algorithm>
 #include <cmath>

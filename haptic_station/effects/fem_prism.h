@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "haptic_station/effects/effect.h"
-#include "haptic_station/effects/spring.h"
+#include "haptic_station/effects/laws/spring.h"
 #include "haptic_station/tissue/fem/prism_model.h"
 #include "haptic_station/tissue/fem/slewed_plane.h"
 #include "proto/words/latest_value.h"
