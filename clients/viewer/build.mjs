@@ -33,7 +33,7 @@ if (unlisted.length > 0) {
   process.exit(1);
 }
 
-const styles = ['viewer.css', 'views.css', 'inside.css'];
+const styles = ['viewer.css', 'views.css', 'inside.css', 'said.css'];
 for (const name of styles) {
   const {code} = await transform(await readFile(join('src', name), 'utf8'), {loader: 'css', minify: true});
   await writeFile(join(out, name), code);

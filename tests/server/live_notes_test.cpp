@@ -46,10 +46,24 @@ TEST_F(Marking, AWrongCommandIsNamedAndMarksNothing) {
   const std::string longest(wire::kMostNoteText_B + 1, 'x');
   for (const std::string& wrong :
        {std::string("nonsense"), std::string(R"({"ago_s": -1})"), std::string(R"({"ago_s": "NaN"})"),
-        std::string(R"({"ago_s": 61})"), std::string(R"({"text": "two\nlines"})"), R"({"text": ")" + longest + R"("})"})
+        std::string(R"({"ago_s": 61})"), std::string(R"({"at_m": {"z": 10.1}})"), std::string(R"({"at_m": {"x": "NaN"}})"), std::string(R"({"text": "two\nlines"})"), R"({"text": ")" + longest + R"("})"})
     EXPECT_FALSE(notes_.mark(wrong, "doctor Anna").ok()) << wrong;
   EXPECT_TRUE(published_.empty());
   EXPECT_EQ(notes_.state().count(), 0u);
+}
+
+TEST_F(Marking, WordsAndAPlaceReachTheOthersAndTheNewestFourAreKept) {
+  for (const char* text : {"one", "two", "three", "four"})
+    ASSERT_TRUE(notes_.mark(std::string(R"({"text": ")") + text + "\"}", "technician Ben").ok());
+  ASSERT_TRUE(notes_.mark(R"({"text": "turn him to the left", "at_m": {"x": 0.1, "z": 0.8}})", "doctor Anna").ok());
+  ASSERT_EQ(notes_.state().newest_size(), 4);
+  EXPECT_EQ(notes_.state().newest(0).text(), "two");
+  for (const msg::LiveNote& note : {notes_.state().newest(3), published_.back()}) {
+    EXPECT_EQ(note.text(), "turn him to the left");
+    EXPECT_EQ(note.at_m().x(), 0.1);
+    EXPECT_EQ(note.at_m().z(), 0.8);
+  }
+  EXPECT_FALSE(notes_.state().newest(0).has_at_m());
 }
 
 TEST_F(Marking, IsBoundedInNumber) {

@@ -1,5 +1,6 @@
 import type {InsideView} from './inside/inside_view';
 import type {MarkButton} from './mark_button';
+import type {SayBar} from './said/say_bar';
 import type {ViewerHandInput} from './touch/viewer_hand';
 import type {SceneView} from './scene/scene_view';
 import type {ThemeSwitch} from './theme';
@@ -32,7 +33,8 @@ function takesKey(focus: EventTarget | null, key: string): boolean {
 /** Wires buttons and keys to the view. */
 export function wireControls(
     view: SceneView, viewerHand: ViewerHandInput, views: ViewSwitch, theme: ThemeSwitch, inside: InsideView,
-    {details, cards, markButton, voice}: {details: Details; cards: FoldingCards; markButton: MarkButton; voice: VoiceButton}): void {
+    {details, cards, markButton, sayBar, voice}:
+        {details: Details; cards: FoldingCards; markButton: MarkButton; sayBar: SayBar; voice: VoiceButton}): void {
   const help = document.getElementById('help') as HTMLDialogElement;
   const toggles: Toggle[] = [
     {button: 'show-hand', key: 'h', apply: (shown) => view.setHandShown(shown)},
@@ -72,6 +74,7 @@ export function wireControls(
     d: () => details.flip(),
     z: () => cards.foldAll(),
     m: () => void markButton.mark(),
+    w: () => sayBar.open(true),
     '?': () => help.showModal(),
   };
   for (const toggle of toggles) keys[toggle.key] = () => flip(toggle);

@@ -1,6 +1,7 @@
 import {offerAnchor} from './anchor_button';
 import {wireControls} from './controls';
-import {MarkButton, type MarkCommand, shownAgo_s} from './mark_button';
+import {MarkButton, shownAgo_s} from './mark_button';
+import {type MarkCommand, SayBar} from './said/say_bar';
 import {ViewerHandInput} from './touch/viewer_hand';
 import {offerHeadset} from './headset_button';
 import {measureHeight} from './page/layout';
@@ -195,7 +196,10 @@ const markButton = new MarkButton(
     (text) => readouts.showNotice({level: 'warn', title: 'The moment is not marked', text}));
 const voice = new VoiceButton(
     () => sideOf(read().role, views.view, playback.state !== undefined), (text) => readouts.showNotice({level: 'warn', title: 'Voice', text}));
-wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards, markButton, voice});
+const sayBar = new SayBar(
+    marks, canvas, (x, y) => view.placeUnder(x, y), (places) => view.showPointed(places),
+    (text) => readouts.showNotice({level: 'warn', title: 'Nothing is said', text}));
+wireControls(view, viewerHand, views, new ThemeSwitch(view), inside, {details, cards, markButton, sayBar, voice});
 new TimelineBar(playback);
 const colorSwitch = new ColorSwitch(browserStore(), (coding) => link.askForColor(coding));
 void offerHeadset(view, (problem) => readouts.showNotice({level: 'warn', title: 'Headset', text: problem}));
@@ -223,6 +227,7 @@ window.setInterval(() => {
   const reading = showReadings();
   views.setRole(reading.role);
   voice.showFor(reading.role);
+  sayBar.show(reading.sessionNow_ns, markButton.mayMark);
   steering.feel(reading.force_N);
   readouts.showDetail(view.detail);
   colorSwitch.show(reading.colorSaid);

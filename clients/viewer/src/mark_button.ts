@@ -1,14 +1,7 @@
-import type {Resource} from './link/resource';
-import type {MarksState} from './messages/generated';
 import {element} from './page/page';
+import type {Marks} from './said/say_bar';
 
 const LONGEST_AGO_S = 60;  // the server takes no older moment
-
-/** The body of POST /marks. */
-export interface MarkCommand {
-  ago_s: number;
-}
-export type Marks = Resource<MarksState, MarksState, MarkCommand>;
 
 /** How long ago the shown picture was taken [s]; undefined: none is shown, or the server's clock is not known. */
 export function shownAgo_s(pictureInstant_ms: number | undefined, sessionNow_ns: bigint | undefined): number | undefined {
@@ -29,6 +22,11 @@ export class MarkButton {
   async mark(): Promise<void> {
     if (this.button.hidden) return;
     if (!(await this.marks.command({ago_s: this.ago_s() ?? 0}))) this.explain(this.marks.problem);
+  }
+
+  /** This visitor may mark moments and say words to the others. */
+  get mayMark(): boolean {
+    return !this.button.hidden;
   }
 
   private show(): void {

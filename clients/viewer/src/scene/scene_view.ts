@@ -18,13 +18,16 @@ import {
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 
 import type {DepthSummary} from '../depth/depth_summary';
+import type {Vec3} from '../messages/generated';
 import {DrawnAside} from './drawn_aside';
 import {type Detail, FramePacer} from './frame_pacer';
 import {drawsInSoftware, plainContext} from './graphics';
+import {fromCamera, toCamera} from './frames';
 import {Halo} from './halo';
 import {Hand} from './hand';
 import {Headset} from './headset';
 import {InnerStructuresView} from './inner_structures';
+import {Pointed} from './pointed';
 import {Probe} from './probe';
 import {ProbePlane} from './probe_plane';
 import {Surface} from './surface';
@@ -64,6 +67,7 @@ export class SceneView {
   readonly probePlane = new ProbePlane();
   readonly probe = new Probe();
   readonly halo = new Halo();
+  private readonly pointed = new Pointed();
 
   /**
    * Callbacks of each drawing: when it begins, when it is put into the canvas, which the browser shows together with all
@@ -123,7 +127,7 @@ export class SceneView {
     this.scene.add(this.world);
     this.world.add(
         this.surface.mesh, this.hand.mesh, this.transducer.group, this.inner.group, this.probePlane.mesh, this.probe.group,
-        this.halo.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
+        this.halo.group, this.pointed.group, new HemisphereLight('#cfe3ff', '#3a2a22', 1.1),
         new AmbientLight('#ffffff', 0.25), lamp);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
@@ -243,6 +247,18 @@ export class SceneView {
   pixelUnder(clientX: number, clientY: number): {column: number; row: number; depth_m: number} | undefined {
     const at = this.surfaceUnder(clientX, clientY);
     return at && {...this.surface.pixelOf(at), depth_m: -at.z};
+  }
+
+  /** The same place in the camera's frame. */
+  placeUnder(clientX: number, clientY: number): Vec3 | undefined {
+    const at = this.surfaceUnder(clientX, clientY);
+    return at && toCamera(at);
+  }
+
+  /** Arrows at these places in the camera's frame. */
+  showPointed(places: readonly Vec3[]): void {
+    this.pointed.show(places.map(fromCamera));
+    this.invalidate();
   }
 
   resetView(): void {
