@@ -24,7 +24,8 @@ Outbox::Messages Outbox::ticks(std::span<const loop::TickSample> batch, SessionT
       messages.push_back(
           wire::make_message(wire::kStationEvents, session_time(tick.stamp_ns), phase_event(tick, change.from)));
   last_ = batch.back();
-  messages.push_back(wire::make_message(wire::kStationTicks, now, ticks_message(batch)));
+  for (const auto run : unbroken_runs(batch))
+    messages.push_back(wire::make_message(wire::kStationTicks, now, ticks_message(run)));
   for (const loop::TickSample& tick : batch)
     if (begins_state_period(tick))
       messages.push_back(wire::make_message(wire::kStationState, now, state_message(tick)));

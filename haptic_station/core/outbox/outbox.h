@@ -44,10 +44,10 @@ class Outbox {
   /// A batch holds at most a tenth of a second, so that a viewer that plots ticks gets them promptly after a pause.
   static constexpr std::size_t kMostInBatch = 200;
 
-  /// The messages of consecutive ticks, at most kMostInBatch: an event at each phase change, all ticks, the state at
-  /// the first tick of each 10 ms of session time, and a warning 4 s before the warm motors can no longer hold the
-  /// contact force. The warning comes again only after the contact has ended, or after its force has been one that the
-  /// motors hold without a time limit.
+  /// The messages of ticks in their order, at most kMostInBatch: an event at each phase change, all ticks in a message
+  /// for each unbroken run, the state at the first tick of each 10 ms of session time, and a warning 4 s before the
+  /// warm motors can no longer hold the contact force. The warning comes again only after the contact has ended, or
+  /// after its force has been one that the motors hold without a time limit.
   [[nodiscard]] Messages ticks(std::span<const loop::TickSample> batch, SessionTime now);
 
   [[nodiscard]] wire::Message compensation(const loop::Compensation& compensation, SessionTime now) const;

@@ -1,6 +1,7 @@
 #include "haptic_station/core/outbox/tick_messages.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "haptic_station/control/phases/phase.h"
 #include "haptic_station/loop/tick.h"
@@ -123,6 +124,22 @@ msg::StationEvent fault_event(const loop::TickSample& first) {
   event.set_kind(msg::EVENT_KIND_FAULT);
   event.set_text(control::name(static_cast<control::FaultCause>(first.fault)));
   return event;
+}
+
+std::vector<std::span<const loop::TickSample>> unbroken_runs(std::span<const loop::TickSample> samples) {
+  constexpr std::int64_t kPeriod_ns = Nanoseconds(loop::kTickPeriod).count();
+  // Half a period, because the session clock is steered and so a period of it is not exactly one of the timer.
+  const auto follows = [](const loop::TickSample& before, const loop::TickSample& tick) {
+    return tick.tick == before.tick + 1 && std::abs(tick.stamp_ns - before.stamp_ns - kPeriod_ns) <= kPeriod_ns / 2;
+  };
+  std::vector<std::span<const loop::TickSample>> runs;
+  while (!samples.empty()) {
+    std::size_t size = 1;
+    while (size < samples.size() && follows(samples[size - 1], samples[size])) ++size;
+    runs.push_back(samples.first(size));
+    samples = samples.subspan(size);
+  }
+  return runs;
 }
 
 msg::StationTicks ticks_message(std::span<const loop::TickSample> samples) {

@@ -33,7 +33,8 @@ Result<void> write_batch(wire::McapWriter& file, const std::vector<loop::TickSam
   const auto put = [&](const wire::Topic& topic, const loop::TickSample& at, const auto& message) {
     return file.write(wire::make_message(topic, session_time(at.stamp_ns), message));
   };
-  if (auto done = put(wire::kStationTicks, batch.front(), core::ticks_message(batch)); !done) return done;
+  for (const auto run : core::unbroken_runs(batch))
+    if (auto done = put(wire::kStationTicks, run.front(), core::ticks_message(run)); !done) return done;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const loop::TickSample& sample = batch[i];
     if (i % kTicksPerState == 0)

@@ -200,6 +200,18 @@ TEST(TicksMessage, EveryArrayHasOneEntryForEachTick) {
   EXPECT_EQ(ticks.surface_age_s_size(), 2);
 }
 
+TEST(TicksMessage, ABatchIsCutWhereThePeriodOfALateThreadWasSkippedOrATickIsMissing) {
+  std::vector<loop::TickSample> samples;
+  for (const std::uint64_t tick : {7U, 8U, 9U, 10U, 12U}) samples.push_back(sample(tick, msg::PHASE_IN_BODY, 1));
+  for (std::size_t i = 2; i < samples.size(); ++i)
+    samples[i].stamp_ns += 500'000;  // the period before tick 9 was skipped
+  samples[3].stamp_ns += 900;        // the session clock is steered
+  std::vector<std::pair<std::uint64_t, std::size_t>> runs;
+  for (const auto run : unbroken_runs(samples)) runs.emplace_back(run.front().tick, run.size());
+  EXPECT_EQ(runs, (std::vector<std::pair<std::uint64_t, std::size_t>>{{7, 2}, {9, 2}, {12, 1}}));
+  EXPECT_TRUE(unbroken_runs({}).empty());
+}
+
 TEST(TicksMessage, HasTorquesOnlyInABatchWithATorque) {
   std::vector<loop::TickSample> samples{sample(7, msg::PHASE_IN_BODY, 1), sample(8, msg::PHASE_IN_BODY, 2)};
   EXPECT_EQ(ticks_message(samples).torque_z_size(), 0);
