@@ -7,7 +7,7 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
-import {openBrowser, untilStatus} from './browser.mjs';
+import {lookAtMiddle, openBrowser, untilStatus} from './browser.mjs';
 import {until, Workplace} from './running_program.mjs';
 
 const [binDir, viewer] = process.argv.slice(2);
@@ -75,6 +75,34 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   assert.match(stdout, /ticked in the web viewer by local: study 17, signed/);
   await until('the next recording needs a new tick', async () => (await page.isDisabled('#record')) && !(await page.isChecked('#consent-given')));
   assert.deepEqual(browser.problems, []);
+});
+
+test('words and an arrow on the patient reach the other pages', async () => {
+  const other = await browser.context.newPage();
+  await other.goto(`${address}?view=doctor`);
+  await untilStatus(other, 'a picture is drawn', (now) => now.connected && now.frames > 0);
+  await page.bringToFront();
+  await page.keyboard.press('w');
+  await page.fill('#say-text', 'turn him to the left');
+  await page.click('#say-point');
+  await page.mouse.click(450, 300);
+  await until('the press gave the place', async () => (await page.getAttribute('#say-point', 'aria-pressed')) === 'false');
+  await page.keyboard.press('Enter');
+  await until('the writer sees the words', async () => (await page.textContent('#said')).includes('turn him to the left'));
+  await other.bringToFront();
+  await until('the other page has them', async () => (await other.textContent('#said')).includes('turn him to the left'));
+  const arrow = await until('the other page draws the arrow', async () => {
+    const seen = await lookAtMiddle(browser.context, await other.screenshot(), [255, 95, 162]);
+    return seen.alike > 50 ? seen : undefined;
+  });
+  assert.ok(arrow.alike > 50);
+  const {newest} = await (await fetch(`${address}marks`)).json();
+  const {text, at_m} = newest.at(-1);
+  assert.equal(text, 'turn him to the left');
+  assert.ok(at_m.z > 0.3 && at_m.z < 2, `the place is ${JSON.stringify(at_m)}`);
+  await other.close();
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#say-form'), false);
 });
 
 test('the moment that was marked with the key M is a note on the timeline of the recording, and in its report', async () => {

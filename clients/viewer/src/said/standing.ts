@@ -10,7 +10,8 @@ export function standing(state: MarksState | undefined, now_ns: bigint | undefin
   return state.newest.filter(({atNs, text, atM}) => atNs > since_ns && (text !== '' || atM !== undefined));
 }
 
-/** As "doctor Anna: turn him to the left". */
+/** As "doctor Anna: turn him to the left". A page on the server's own computer has neither name nor role. */
 export function inWords({who, text}: LiveNote): string {
-  return text === '' ? `${who} points here` : `${who}: ${text}`;
+  const writer = who === 'local local' ? 'At the server' : who;
+  return text === '' ? `${writer} points here` : `${writer}: ${text}`;
 }
