@@ -54,6 +54,7 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   assert.equal(await page.isDisabled('#record'), true, 'without the tick there is nothing to press');
   await page.fill('#consent-note', 'study 17, signed');
   await page.check('#consent-given');
+  await page.check('#voice-consent');
   await page.click('#record');
   await until('it records', async () => (await state()).phase === 'PHASE_RECORDING' && Number((await state()).bytes) > 100_000);
   await until('the page says so', async () => (await page.textContent('#recording-rows')).includes('Nowrecording'));
@@ -73,7 +74,9 @@ test('the technician ticks the consent, records, and ends it; the file is whole'
   await run(join(binDir, 'telepalp-record'), ['verify', file]);
   const {stdout} = await run(join(binDir, 'telepalp-record'), ['info', file]);
   assert.match(stdout, /ticked in the web viewer by local: study 17, signed/);
+  assert.match(stdout, /consent to recording what is said: ticked in the web viewer/);
   await until('the next recording needs a new tick', async () => (await page.isDisabled('#record')) && !(await page.isChecked('#consent-given')));
+  assert.equal(await page.isChecked('#voice-consent'), false);
   assert.deepEqual(browser.problems, []);
 });
 

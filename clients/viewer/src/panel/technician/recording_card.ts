@@ -1,7 +1,7 @@
 import {RecordingState_Phase as Phase} from '../../messages/generated';
 import {element, setText} from '../../page/page';
 import {RowList} from '../../page/rows';
-import {consentText, type Recording, recordingRows} from './recording_state';
+import {beginRecording, type Recording, recordingRows} from './recording_state';
 
 /** Begins and ends a recording at the server's machine. It begins only after the tick for the patient's consent. */
 export class RecordingCard {
@@ -9,6 +9,7 @@ export class RecordingCard {
   private readonly rows = new RowList(element('recording-rows'));
   private readonly button = element<HTMLButtonElement>('record');
   private readonly given = element<HTMLInputElement>('consent-given');
+  private readonly withVoice = element<HTMLInputElement>('voice-consent');
   private readonly note = element<HTMLInputElement>('consent-note');
   private role = '';
 
@@ -33,14 +34,14 @@ export class RecordingCard {
     this.rows.show(recordingRows(state));
     setText(this.button, records ? 'End recording' : 'Record');
     this.button.disabled = state.phase === Phase.COMPLETING || (!records && !this.given.checked);
-    this.given.disabled = this.note.disabled = records;
+    this.given.disabled = this.withVoice.disabled = this.note.disabled = records;
     setText(element('recording-said'), problem === '' ? state.problem : problem);
   }
 
   private async flip(): Promise<void> {
     const records = this.recording.state?.phase === Phase.RECORDING;
-    await this.recording.command(records ? {record: false} : {record: true, consent: consentText(this.role, this.note.value)});
-    if (records) this.given.checked = false;  // consent is for one recording
+    await this.recording.command(records ? {record: false} : beginRecording(this.role, this.note.value, this.withVoice.checked));
+    if (records) this.given.checked = this.withVoice.checked = false;  // consent is for one recording
     this.write();
   }
 }

@@ -4,7 +4,7 @@ import {oneLine} from '../../page/page';
 import type {Row} from '../../page/rows';
 
 /** The body of POST /recording. */
-export type RecordingCommand = {record: true; consent: string} | {record: false};
+export type RecordingCommand = {record: true; consent: string; voice_consent?: string} | {record: false};
 export type Recording = Resource<RecordingMessage, RecordingState, RecordingCommand>;
 
 export interface RecordingState {
@@ -25,6 +25,12 @@ export function consentText(role: string, note: string): string {
   const who = `ticked in the web viewer by ${role === '' ? 'a visitor' : role}`;
   const text = oneLine(note);
   return text === '' ? who : `${who}: ${text.slice(0, MOST_NOTE)}`;
+}
+
+/** The command to begin a recording, with what is said only if all who speak consent to it. */
+export function beginRecording(role: string, note: string, withVoice: boolean): RecordingCommand {
+  const consent = consentText(role, note);
+  return {record: true, consent, ...(withVoice && {voice_consent: consent})};
 }
 
 /** The state as rows of a card. */
