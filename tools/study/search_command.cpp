@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <optional>
 
 #include "proto/words/numbers/fixed_text.h"
 #include "support/program/ending.h"
@@ -95,8 +94,7 @@ Result<Choice> read(const program::Arguments& arguments) {
 class Teller {
  public:
   void tell(const SearchState& state) {
-    if (stage_ != state.held_out) restart(state.done);  // the time before the first judgement made the operators
-    stage_ = state.held_out;
+    if (state.done <= 1) restart(state.done);  // before the first judgement, the operators are made
     const bool ends = state.done == state.total;
     const std::string text = words(state);
     if (bar_)
@@ -123,7 +121,6 @@ class Teller {
   }
 
   bool bar_ = program::takes_progress(stderr);
-  std::optional<bool> stage_;  // SearchState::held_out of the last call
   Clock::time_point begin_ = Clock::now();
   int begun_at_ = 0;
 };

@@ -24,7 +24,7 @@ std::string text_of(const fs::path& file) {
 }
 
 SearchSettings small(int threads = 1) {
-  return {.operators = 2, .penetrations = 1, .held_out = 2, .seed = 1, .evaluations = 60, .threads = threads};
+  return {.operators = 2, .penetrations = 1, .held_out = 2, .seed = 1, .evaluations = 44, .threads = threads};
 }
 
 std::string refusal(const Result<void>& result) { return result ? "" : to_string(result.error()); }
@@ -155,7 +155,7 @@ TEST(DesignSearch, TheFrontIsJudgedAgainByOthersAndProgressCountsToTheEnd) {
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->paper.size(), 36U);
   EXPECT_EQ(last, static_cast<int>(result->paper.size() + result->searched.size()));
-  EXPECT_LE(last, 60);
+  EXPECT_LE(last, 44);
   ASSERT_FALSE(result->front.empty());
   EXPECT_EQ(again, static_cast<int>(result->front.size()) + 2);
   for (const SearchedDesign& one : result->front) {

@@ -36,6 +36,7 @@ class Search {
 
   /// S4's mechanisms that lie in the box are starts of the search; the others are judged for the comparison alone.
   [[nodiscard]] Result<SearchResult> run() {
+    tell(0);
     const Result<Panel> panel = Panel::of(settings_.seed, 0, settings_.operators, settings_.threads);
     if (!panel) return panel.error();
     judge_paper(*panel);
@@ -43,6 +44,7 @@ class Search {
     result_.front = front();
     name_paper_best();
     if (!stop_.stop_requested()) {
+      tell_again(0);
       const Result<Panel> others = Panel::of(settings_.seed, kFirstHeldOut, settings_.held_out, settings_.threads);
       if (!others) return others.error();
       judge_again(*others);
@@ -64,7 +66,7 @@ class Search {
     for (const Configuration& mechanism : amniocentesis_design().configurations) {
       if (stop_.stop_requested()) return;
       result_.paper.push_back({mechanism, judge(panel, false, mechanism), std::nullopt});
-      tell(result_.paper.back(), place_in(box_, mechanism).has_value());
+      add(result_.paper.back(), place_in(box_, mechanism).has_value());
     }
   }
 
@@ -97,7 +99,7 @@ class Search {
     mechanism.name = "search " + std::to_string(result_.searched.size() + 1);
     Judgement judgement = judge(panel, false, mechanism);
     result_.searched.push_back({std::move(mechanism), std::move(judgement), std::nullopt});
-    tell(result_.searched.back(), true);
+    add(result_.searched.back(), true);
     return score_of(result_.searched.back().searched);
   }
 
@@ -130,18 +132,20 @@ class Search {
         result_.paper[static_cast<std::size_t>(std::min_element(table.begin(), table.end()) - table.begin())];
   }
 
-  void judge_again(const Panel& others) {
+  [[nodiscard]] std::vector<SearchedDesign*> to_be_judged_again() {
     std::vector<SearchedDesign*> again;
     for (SearchedDesign& one : result_.front) again.push_back(&one);
     for (std::optional<SearchedDesign>* one : {&result_.paper_best, &result_.table_2_best})
       if (*one) again.push_back(&**one);
-    for (std::size_t i = 0; i < again.size() && !stop_.stop_requested(); ++i) {
-      again[i]->held_out = judge(others, true, again[i]->mechanism);
-      progress_({.held_out = true,
-                 .done = static_cast<int>(i) + 1,
-                 .total = static_cast<int>(again.size()),
-                 .best = best_,
-                 .front = result_.front});
+    return again;
+  }
+
+  void judge_again(const Panel& others) {
+    int done = 0;
+    for (SearchedDesign* one : to_be_judged_again()) {
+      if (stop_.stop_requested()) return;
+      one->held_out = judge(others, true, one->mechanism);
+      tell_again(++done);
     }
     if (!result_.front.empty() && result_.paper_best) result_.gain_mm = gain(result_.front.back(), *result_.paper_best);
   }
@@ -159,15 +163,20 @@ class Search {
     return bootstrap(differences, kGainSeed);
   }
 
-  void tell(const SearchedDesign& judged, bool in_box) {
+  void add(const SearchedDesign& judged, bool in_box) {
     const bool feasible = in_box && judged.searched.feasible();
     if (feasible && (!best_ || judged.searched.overshoot_mm.mean < best_->searched.overshoot_mm.mean)) best_ = judged;
     if (feasible) front_ = front();
-    progress_({.held_out = false,
-               .done = static_cast<int>(result_.paper.size() + result_.searched.size()),
-               .total = settings_.evaluations,
-               .best = best_,
-               .front = front_});
+    tell(static_cast<int>(result_.paper.size() + result_.searched.size()));
+  }
+
+  void tell(int done) const {
+    progress_({.held_out = false, .done = done, .total = settings_.evaluations, .best = best_, .front = front_});
+  }
+
+  void tell_again(int done) {
+    const int total = static_cast<int>(to_be_judged_again().size());
+    progress_({.held_out = true, .done = done, .total = total, .best = best_, .front = result_.front});
   }
 
   const SearchBox& box_;

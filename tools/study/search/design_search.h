@@ -40,12 +40,13 @@ struct SearchedDesign {
 /// How far a search is. The references hold during the call alone.
 struct SearchState {
   bool held_out = false;  ///< false: mechanisms are searched; true: the front is judged again by other operators
-  int done = 0;           ///< mechanisms judged in this stage
+  int done = 0;           ///< mechanisms judged in this stage; 0: its operators are being made, which takes seconds
   int total = 0;          ///< mechanisms of this stage; known when it begins
   const std::optional<SearchedDesign>& best;  ///< feasible, with the least overshoot so far
   const std::vector<SearchedDesign>& front;   ///< as SearchResult::front, so far
 };
-/// Called after each mechanism, from the thread that called search_designs().
+/// Called before the first mechanism of each stage, and after each mechanism, from the thread that called
+/// search_designs().
 using SearchProgress = std::function<void(const SearchState&)>;
 
 struct SearchResult {

@@ -53,7 +53,7 @@ std::string front_chart(const SearchResult& result) {
   }
   const plot::Chart chart{
       .title = "Overshoot against the largest force on the hand; lower left is better",
-      .x = {.label = "largest force of the needle on the hand [N]"},
+      .x = {.label = "largest force of the needle on the hand [N]", .logarithmic = true},
       .y = {.label = "overshoot [mm]"},
       .series = {feasible(result.searched, "mechanisms of the search", "#c3c8cf"),
                  feasible(result.paper, "S4's 36", plot::kBlack), intervals, by_others, other_dots, by_search, dots},
@@ -61,28 +61,35 @@ std::string front_chart(const SearchResult& result) {
   return plot::to_svg(chart);
 }
 
-std::string design_table(const SearchResult& result) {
-  std::vector<std::string> head{
-      "", "overshoot [mm], search", "held out", "hand [N], search", "held out", "noticed", "failed"};
+std::string judged_table(const SearchResult& result) {
+  Rows rows;
+  for (const ShownDesign& one : shown_designs(result)) {
+    const Judgement& searched = one.design->searched;
+    std::vector<std::string> row{one.from, in_words_2(searched.overshoot_mm), "", in_words_2(searched.hand_N)};
+    row.resize(7);
+    if (const std::optional<Judgement>& others = one.design->held_out) {
+      row[2] = others->refused.empty() ? in_words_2(others->overshoot_mm) : "refused";
+      row[4] = others->refused.empty() ? in_words_2(others->hand_N) : "refused";
+      row[5] = fixed_text(100.0 * others->noticed_share, 0) + " %";
+      row[6] = std::to_string(others->failed);
+    }
+    rows.push_back(std::move(row));
+  }
+  return "<div class=\"scroll\">" +
+         report::table({"", "overshoot [mm], search", "overshoot [mm], held out", "hand [N], search",
+                        "hand [N], held out", "noticed, held out", "failed, held out"},
+                       rows) +
+         "</div>";
+}
+
+std::string parameter_table(const SearchResult& result) {
+  std::vector<std::string> head{"", "name"};
   for (const MechanismParameter& one : mechanism_parameters())
     head.push_back(std::string(one.name) + (one.unit == 1.0 ? " [rad]" : " [mm]"));
   Rows rows;
   for (const ShownDesign& one : shown_designs(result)) {
-    const SearchedDesign& design = *one.design;
-    std::vector<std::string> row{one.from + ": " + design.mechanism.name,
-                                 in_words_2(design.searched.overshoot_mm),
-                                 "",
-                                 in_words_2(design.searched.hand_N),
-                                 "",
-                                 "",
-                                 ""};
-    if (design.held_out) {
-      row[2] = design.held_out->refused.empty() ? in_words_2(design.held_out->overshoot_mm) : "refused";
-      row[4] = design.held_out->refused.empty() ? in_words_2(design.held_out->hand_N) : "refused";
-      row[5] = fixed_text(100.0 * design.held_out->noticed_share, 0) + " %";
-      row[6] = std::to_string(design.held_out->failed);
-    }
-    for (std::string& text : parameter_texts(design.mechanism)) row.push_back(std::move(text));
+    std::vector<std::string> row{one.from, one.design->mechanism.name};
+    for (std::string& text : parameter_texts(one.design->mechanism)) row.push_back(std::move(text));
     rows.push_back(std::move(row));
   }
   return "<div class=\"scroll\">" + report::table(head, rows) + "</div>";
@@ -131,11 +138,11 @@ std::string search_html(const SearchBox& box, const SearchSettings& settings, co
   page += report::section("The front",
                           "Each mechanism of the front has the least overshoot that was found within a bound on the "
                           "hand's force. Lines through red dots are 95 % intervals.",
-                          front_chart(result) + design_table(result));
+                          front_chart(result) + judged_table(result));
   page += report::section("The mechanisms",
                           "When the tip touches the sac. Link 4, grey, is fixed; link 1 is blue, link 2 green, link 3 "
                           "purple, the handle red. All have one scale.",
-                          drawings(result));
+                          drawings(result) + parameter_table(result));
   page += report::section("Where was searched", "Lengths in mm, angles in rad.", box_table(box));
   page += report::section("Rules", "What the words of this page mean.", std::string(kRules));
   return page + "</body></html>\n";

@@ -102,6 +102,9 @@ std::vector<std::string> search_findings(const SearchSettings& settings, const S
                  judged_by_others(best) + " mm by " + std::to_string(settings.held_out) +
                  " others. The first number chose the mechanism, so it is biased towards too good; take the second.");
   if (result.gain_mm) said.push_back(gain_sentence(result));
+  if (best.held_out && best.held_out->refused.empty())
+    said.push_back("With it, the held-out operators notice " + fixed_text(100.0 * best.held_out->noticed_share, 0) +
+                   " % of the punctures; otherwise they stop by the depth that they have learned.");
   if (result.front.size() == 1)
     said.push_back("The front is one mechanism: it has both the least overshoot and the least force on the hand.");
   const auto refused = std::count_if(result.searched.begin(), result.searched.end(),
