@@ -53,7 +53,7 @@ std::string front_chart(const SearchResult& result) {
   }
   const plot::Chart chart{
       .title = "Overshoot against the largest force on the hand; lower left is better",
-      .x = {.label = "largest force of the needle on the hand [N]", .logarithmic = true},
+      .x = {.label = "largest force of the needle on the hand [N]"},
       .y = {.label = "overshoot [mm]"},
       .series = {feasible(result.searched, "mechanisms of the search", "#c3c8cf"),
                  feasible(result.paper, "S4's 36", plot::kBlack), intervals, by_others, other_dots, by_search, dots},
