@@ -14,12 +14,7 @@ namespace {
 
 using mechanism::FourBar;
 
-struct Word {
-  std::string_view name;
-  double FourBar::*value;
-  double unit;
-};
-constexpr Word kWords[] = {
+constexpr MechanismParameter kParameters[] = {
     {"l1", &FourBar::l1_m, 1e-3},       {"l2", &FourBar::l2_m, 1e-3},         {"l3", &FourBar::l3_m, 1e-3},
     {"l4", &FourBar::l4_m, 1e-3},       {"theta", &FourBar::needle_rad, 1.0}, {"phi", &FourBar::handle_rad, 1.0},
     {"h", &FourBar::handle_at_m, 1e-3}, {"l_h", &FourBar::handle_m, 1e-3},    {"needle", &FourBar::needle_m, 1e-3}};
@@ -47,7 +42,7 @@ Result<void> read_pair(std::string_view pair, const Place& at, Configuration& ou
     out.name = value;
     return {};
   }
-  for (const Word& word : kWords) {
+  for (const MechanismParameter& word : kParameters) {
     if (word.name != name) continue;
     double number = 0.0;
     const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
@@ -79,6 +74,8 @@ Result<Configuration> read_line(const std::string& line, const Place& at) {
 }
 
 }  // namespace
+
+std::span<const MechanismParameter> mechanism_parameters() noexcept { return kParameters; }
 
 Design amniocentesis_design() {
   constexpr double kLinks[3][4] = {{0.08, 0.15, 0.12, -0.31}, {0.1, 0.1, 0.1, -0.17}, {0.12, 0.15, 0.08, 0.31}};

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "haptic_station/mechanism/four_bar.h"
@@ -22,6 +24,14 @@ struct Design {
   std::vector<Configuration> configurations;
   bool of_the_paper = false;  ///< its configurations have the order of S4's Table 2
 };
+
+/// A parameter of a mechanism as lists name it: l1, l2, l3, l4, theta, phi, h, l_h, needle.
+struct MechanismParameter {
+  std::string_view name;
+  double mechanism::FourBar::*value;
+  double unit;  ///< what one unit of text is in SI: 1e-3 for mm, 1 for rad
+};
+[[nodiscard]] std::span<const MechanismParameter> mechanism_parameters() noexcept;
 
 /// S4's Table 1: 3 linkages, 3 angles phi, 2 places h and 2 lengths l_h of the handle.
 [[nodiscard]] Design amniocentesis_design();
