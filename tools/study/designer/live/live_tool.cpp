@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "haptic_station/mechanism/crank_range.h"
 #include "tools/study/task/penetration.h"
@@ -14,8 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kTick_s = 0.0005;
-constexpr int kTraceEach = 10;           // ticks
-constexpr int kAfterPuncture = 200;      // ticks in which the force falls to its least
+constexpr int kTraceEach = 10;       // ticks
+constexpr int kAfterPuncture = 200;  // ticks in which the force falls to its least
 constexpr double kInserts_m_per_s = 0.04;
 constexpr double kSettles_s = 0.2;
 constexpr double kDeadPointSine = 0.03;  // about 2 degrees between links 1 and 2
@@ -50,8 +49,7 @@ void LiveTool::aim(const Vector2d& hand_m) noexcept {
 void LiveTool::turn(double by_rad) noexcept {
   const mechanism::LinkagePlane& plane = held_.plane();
   const mechanism::Lever lever = mechanism::lever_of(held_.bar());
-  const double link3_rad =
-      mechanism::crank_range(held_.bar(), held_.link3_rad()).nearest(held_.link3_rad() + by_rad);
+  const double link3_rad = mechanism::crank_range(held_.bar(), held_.link3_rad()).nearest(held_.link3_rad() + by_rad);
   const double angle = link3_rad + lever.from_link3_rad;
   const Vector3d to_m = plane.pivot_a.m + (held_.bar().l4_m + lever.length_m * std::cos(angle)) * plane.x.v +
                         lever.length_m * std::sin(angle) * plane.y.v;
@@ -64,7 +62,7 @@ void LiveTool::note_punctures(double before_N) {
   for (std::size_t layer = 0; layer < tissue_.size(); ++layer) {
     const bool known =
         std::ranges::any_of(punctures_, [&](const Puncture& puncture) { return puncture.layer == layer; });
-    if (known || model_->settings.layers[layer].surface == std::nullopt || !tissue_.punctured(layer)) continue;
+    if (known || !tissue_.punctured(layer)) continue;
     punctures_.push_back({.layer = layer, .depth_m = depth_m(), .before_N = before_N, .after_N = before_N});
     since_puncture_ = 0;
   }
@@ -103,8 +101,9 @@ std::vector<TracePoint> LiveTool::insert(double depth_m) {
     trace.insert(trace.end(), more.begin(), more.end());
   };
   constexpr double kPiece_s = 0.02;
+  constexpr int kMostPieces = 500;  // 10 s; the tip of a long handle's needle is slow
   const double piece_rad = kInserts_m_per_s * kPiece_s / mechanism::lever_of(held_.bar()).length_m;
-  for (double turned_rad = 0.0; turned_rad < std::numbers::pi && this->depth_m() < depth_m; turned_rad += piece_rad) {
+  for (int piece = 0; piece < kMostPieces && this->depth_m() < depth_m; ++piece) {
     const double before_rad = held_.link3_rad();
     turn(piece_rad);
     add(step(kPiece_s));
