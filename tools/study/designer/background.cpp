@@ -13,16 +13,22 @@ constexpr int kHeldOut = 36;
 
 /// The judgement of all operators, made one operator at a time, so that it can be followed and given up. `tell` gets
 /// the progress. nullopt: given up.
-std::optional<Result<Judgement>> judge(const Configuration& design, const JudgeSettings& settings,
-                                       const std::stop_token& stop, const std::function<void(std::string)>& tell) {
+std::optional<Result<Judgement>> judge(const Configuration& design, Workers& workers, const std::stop_token& stop,
+                                       const std::function<void(std::string)>& tell) {
+  const JudgeSettings& settings = workers.settings;
   Judgement all;
   double noticed = 0.0;
   int punctured = 0;
   for (int i = 0; i < settings.operators; ++i) {
     tell(predicting_json(i, settings.operators));
-    const Result<Panel> one = Panel::of(settings.seed, static_cast<std::size_t>(i), 1);
-    if (!one) return one.error();
-    const Judgement own = one->judge(design, kPenetrations, 1);
+    const auto number = static_cast<std::size_t>(i);
+    if (number == workers.panels.size()) {  // a tissue takes much longer to make than to use
+      Result<Panel> one = Panel::of(settings.seed, number, 1);
+      if (!one) return Result<Judgement>(one.error());
+      workers.panels.push_back(std::move(*one));
+    }
+    if (stop.stop_requested()) return std::nullopt;
+    const Judgement own = workers.panels[number].judge(design, kPenetrations, 1);
     if (stop.stop_requested()) return std::nullopt;
     if (!own.refused.empty())
       return Result<Judgement>(Error{.what = own.refused, .where = "prediction", .fix = "change a length or an angle"});
@@ -63,9 +69,9 @@ void Background::predict(const Configuration& design) {
   prediction_.request_stop();
   prediction_ = {};
   const std::stop_token stop = prediction_.get_token();
-  boost::asio::post(workers_.predictions, [design, stop, settings = workers_.settings, tell = from_worker(stop)] {
+  boost::asio::post(workers_.predictions, [design, stop, &workers = workers_, tell = from_worker(stop)] {
     if (stop.stop_requested()) return;
-    const auto judged = judge(design, settings, stop, tell);
+    const auto judged = judge(design, workers, stop, tell);
     if (judged) tell(*judged ? prediction_json(**judged) : refused_json("prediction", judged->error()));
   });
 }

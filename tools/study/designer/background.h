@@ -24,6 +24,7 @@ struct JudgeSettings {
 struct Workers {
   explicit Workers(const JudgeSettings& given) : settings(given) {}
   JudgeSettings settings;
+  std::vector<Panel> panels;  ///< one operator each, made when first asked. Owner: the thread of `predictions`
   boost::asio::thread_pool predictions{1};
   boost::asio::thread_pool searches{1};
 };

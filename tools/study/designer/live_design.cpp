@@ -19,21 +19,22 @@ LiveDesign::LiveDesign(Configuration design, LiveTool tool, LiveTool::Model tiss
 std::string LiveDesign::choose(const Configuration& wanted) {
   Result<LiveTool> next = LiveTool::make(wanted, Plant{}, tissue_);
   if (!next) return refused_json("design", next.error());
-  const double depth_m = tool_.depth_m();
   design_ = wanted;
   tool_ = std::move(*next);
   reach_ = reach_of(tool_.held());
-  return answer(depth_m > 0.0 ? tool_.insert(depth_m) : std::vector<TracePoint>{});
+  return answer(put_in_m_ > 0.0 ? tool_.insert(put_in_m_) : std::vector<TracePoint>{});
 }
 
 std::string LiveDesign::renew() {
   tool_.renew();
+  put_in_m_ = 0.0;
   return answer({});
 }
 
 std::optional<std::string> LiveDesign::step(double seconds) {
   if (tool_.at_rest()) return std::nullopt;
   const std::vector<TracePoint> trace = tool_.step(seconds);
+  put_in_m_ = tool_.depth_m();
   return frame_json(tool_, trace);
 }
 

@@ -36,6 +36,7 @@ class LiveDesign {
   LiveTool tool_;
   LiveTool::Model tissue_;
   Reach reach_;
+  double put_in_m_ = 0.0;  ///< depth to which the hand put the tip; a change of the linkage leaves it
 };
 
 }  // namespace telepalp::study

@@ -177,7 +177,7 @@ function showFacts() {
   const {reach} = design;
   const tips = reach.map(([, , , x, y]) => [x, y]);
   const depths = tips.map(([, y]) => -y);
-  const inside = tips.filter(([, y]) => y <= 0 && -y <= design.sac_depth + 10).map(([x]) => x);
+  const inside = reach.filter(([link3, , , , y]) => y <= 0 && link3 <= design.sac_link3 + 0.02).map(([, , , x]) => x);
   const [shape, meaning] = design.grashof.split(': ');
   const mm = (value) => `${short(value, 0)} mm`;
   facts(byId('facts'), [
@@ -225,7 +225,7 @@ function drawCharts() {
   const gain = byId('gain-chart');
   const {reach} = design;
   const across = axes(gain, {least: reach[0][0] / DEGREE, most: reach.at(-1)[0] / DEGREE, title: 'angle of link 3, °'},
-                      {least: 0, most: 1.08 * Math.max(0.5, ...reach.map((point) => point[5])), title: 'N'});
+                      {least: 0, most: 1.08 * Math.max(0.5, ...reach.map((point) => point[5])), title: ''});
   mark(gain, across, design.sac_link3 / DEGREE, 'sac');
   gain.append(polyline(reach.map((point) => [point[0] / DEGREE, point[5]]), across, 'hand'));
   const nearest = reach.reduce((best, point) => (Math.abs(point[0] - frame.link3) < Math.abs(best[0] - frame.link3) ? point : best));

@@ -16,7 +16,7 @@ export const PARAMETERS = [
 
 /** At most `digits` decimals, without zeros at the end. */
 export const short = (value, digits = 2) => String(Number(value.toFixed(digits)));
-export const shown = (parameter, value) => short(value / parameter.unit, parameter.sign === '°' ? 1 : 2);
+export const shown = (parameter, value) => short(value / parameter.unit, 1);
 
 /** S4's Table 1 (docs/sources.md). S4 does not give l4: here it is 0.875 l2, the middle of the study's range. */
 export function presets() {

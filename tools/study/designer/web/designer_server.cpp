@@ -178,11 +178,9 @@ class FileConnection final : public DesignerServer::Connection, public std::enab
   void answer(const HttpRequest& request) {
     if (!websocket::is_upgrade(request)) return write(reply_to(request, shared_->files, shared_->door));
     if (std::optional<HttpReply> refusal = refusal_of_live(request, shared_->door)) return write(std::move(*refusal));
-    Result<LiveDesign> live = LiveDesign::make();
-    if (!live) return close();  // the tissue is made of constants
     stream_.expires_never();
     // shared_ptr: the pending read, write or wait owns the page
-    const auto page = std::make_shared<LivePage>(stream_.release_socket(), shared_, std::move(*live));
+    const auto page = std::make_shared<LivePage>(stream_.release_socket(), shared_, shared_->first);
     add_(page);
     page->start(request);
   }
@@ -219,6 +217,8 @@ Error cannot_listen(const Door& door, const beast::error_code& failed) {
 Result<std::unique_ptr<DesignerServer>> DesignerServer::open(asio::io_context& io, Door door, Workers& workers) {
   Result<PageFiles> files = read_page_files();
   if (!files) return files.error();
+  Result<LiveDesign> first = LiveDesign::make();
+  if (!first) return first.error();
   beast::error_code failed;
   const asio::ip::address address = asio::ip::make_address(door.listen, failed);
   tcp::acceptor acceptor(io);
@@ -231,7 +231,8 @@ Result<std::unique_ptr<DesignerServer>> DesignerServer::open(asio::io_context& i
   door.port = acceptor.local_endpoint().port();
   return std::unique_ptr<DesignerServer>(new DesignerServer(
       std::move(acceptor),
-      std::make_shared<const Shared>(Shared{.door = std::move(door), .files = std::move(*files), .workers = workers})));
+      std::make_shared<const Shared>(Shared{
+          .door = std::move(door), .files = std::move(*files), .workers = workers, .first = std::move(*first)})));
 }
 
 DesignerServer::DesignerServer(tcp::acceptor acceptor, std::shared_ptr<const Shared> shared)

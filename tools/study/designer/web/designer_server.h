@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tools/study/designer/background.h"
+#include "tools/study/designer/live_design.h"
 #include "tools/study/designer/web/door.h"
 #include "tools/study/designer/web/page_files.h"
 
@@ -35,6 +36,7 @@ class DesignerServer {
     Door door;
     PageFiles files;
     Workers& workers;
+    LiveDesign first;  ///< with which each page begins, because its tissue takes long to make
   };
   class Connection;  ///< one of a browser
 
