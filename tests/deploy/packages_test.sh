@@ -39,6 +39,8 @@ for name in telepalp-clients telepalp-tools; do
   for banned in libpcl libopenni; do needs "$name" "$banned" && fail "$name needs $banned: $(field "$name" Depends)"; done
 done
 needs telepalp-clients libprotobuf || fail "the libraries of telepalp-clients are not named: $(field telepalp-clients Depends)"
+needs telepalp-tools libnlopt0 || fail "telepalp-tools does not name the library of its search: $(field telepalp-tools Depends)"
+needs telepalp-clients libnlopt && fail "a thin client needs the library of the search"
 needs telepalp-station libpcl || fail "the station, which shows PCL's indexes, does not need PCL: is the check above vain?"
 for part in clients server station tools; do
   needs "telepalp-$part" telepalp-data || fail "telepalp-$part does without scenes and demo data"

@@ -23,6 +23,7 @@ struct RunChoice {
 [[nodiscard]] Result<RunChoice> read_run_choice(const program::Arguments& arguments);
 
 /// The commands of telepalp-study besides the needle's study; each returns the process's exit code.
+int run_search(int argc, const char* const* argv);
 int run_obstruction(int argc, const char* const* argv);
 int run_stiffness_jnd(int argc, const char* const* argv);
 int run_rib_count(int argc, const char* const* argv);

@@ -32,6 +32,7 @@ const program::Usage kUsage{
         },
     .example = "telepalp-study --operators 2 --penetrations 2 --out study",
     .commands = {{"designer", "", "a page in which a mechanism is turned, changed and compared", run_designer},
+                 {"search", "", "the mechanism that overshoots least, for each bound on the hand's force", run_search},
                  {"obstruction", "", "a ball is pushed with the device in sight or hidden (S3 8.3)", run_obstruction},
                  {"stiffness-jnd", "", "the least difference in stiffness that is told (S3 8.4)", run_stiffness_jnd},
                  {"rib-count", "", "ribs are counted by touch and by sight (S2's scene)", run_rib_count}},

@@ -23,10 +23,10 @@ class JudgementStore {
 
 struct SearchSettings {
   int operators = 12;    ///< who judge each mechanism during the search
-  int penetrations = 5;  ///< of each mechanism by each operator
+  int penetrations = 3;  ///< of each mechanism by each operator
   int held_out = 36;     ///< other operators, who judge the front after the search
   std::uint64_t seed = 1;
-  int evaluations = 400;            ///< mechanisms that are judged in the search, S4's 36 included
+  int evaluations = 300;            ///< mechanisms that are judged in the search, S4's 36 included
   int threads = 1;                  ///< does not change the result
   JudgementStore* store = nullptr;  ///< borrowed; may be null
 };

@@ -30,8 +30,9 @@ void summarise(Judgement& judgement);
 /// mechanisms differ by the mechanism alone (common random numbers).
 class Panel {
  public:
-  /// Operators `first` to `first` + `count` - 1 of the study with this seed. Error: a tissue cannot be made.
-  [[nodiscard]] static Result<Panel> of(std::uint64_t seed, std::size_t first, int count);
+  /// Operators `first` to `first` + `count` - 1 of the study with this seed. Each tissue takes about a second to make.
+  /// Error: a tissue cannot be made.
+  [[nodiscard]] static Result<Panel> of(std::uint64_t seed, std::size_t first, int count, int threads);
 
   /// Each operator begins as after training: knows the mean depth of the puncture on the own plant from five
   /// penetrations, and learns from each of `penetrations` more. The result does not depend on `threads`.
@@ -39,7 +40,7 @@ class Panel {
 
  private:
   struct Member {
-    std::size_t number;
+    std::size_t number = 0;
     Person person;
     std::shared_ptr<const tissue::TissueModel> tissue;
   };
