@@ -23,7 +23,7 @@ std::optional<Result<Judgement>> judge(const Configuration& design, Workers& wor
     tell(predicting_json(i, settings.operators));
     const auto number = static_cast<std::size_t>(i);
     if (number == workers.panels.size()) {  // a tissue takes much longer to make than to use
-      Result<Panel> one = Panel::of(settings.seed, number, 1);
+      Result<Panel> one = Panel::of(settings.seed, number, 1, 1);
       if (!one) return Result<Judgement>(one.error());
       workers.panels.push_back(std::move(*one));
     }
