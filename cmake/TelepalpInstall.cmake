@@ -16,6 +16,7 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/viewer DESTINATION ${TELEPALP_DATADIR} C
 install(DIRECTORY haptic_station/scenes DESTINATION ${TELEPALP_DATADIR}/haptic_station COMPONENT data
   FILES_MATCHING PATTERN "*.scene.textproto")
 install(DIRECTORY deploy/demo_data DESTINATION ${TELEPALP_DATADIR}/deploy COMPONENT data PATTERN "*.py" EXCLUDE)
+install(DIRECTORY tools/study/designer/page DESTINATION ${TELEPALP_DATADIR}/tools/study/designer COMPONENT tools)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
 install(FILES README.md CHANGELOG.md LICENSE proto/WIRE.md clients/viewer/THIRD_PARTY.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)

@@ -31,6 +31,7 @@ holds telepalp-server server keys meet
 holds telepalp-station station
 holds telepalp-tools codec probe study worker
 holds telepalp demo
+files telepalp-tools | grep -q 'study/designer/page/index.html' || fail "the study has no designer's page"
 files telepalp-server | grep -q 'telepalp/viewer/index.html' || fail "the server has no web page"
 
 needs() { field "$1" Depends | tr ',' '\n' | grep -qE "^ *$2"; }

@@ -3,6 +3,7 @@
 
 #include "support/program/files/whole_file.h"
 #include "tools/study/commands.h"
+#include "tools/study/designer/designer_command.h"
 #include "tools/study/page/files.h"
 #include "tools/study/progress.h"
 
@@ -30,7 +31,8 @@ const program::Usage kUsage{
             kJsonOption,
         },
     .example = "telepalp-study --operators 2 --penetrations 2 --out study",
-    .commands = {{"search", "", "the mechanism that overshoots least, for each bound on the hand's force", run_search},
+    .commands = {{"designer", "", "a page in which a mechanism is turned, changed and compared", run_designer},
+                 {"search", "", "the mechanism that overshoots least, for each bound on the hand's force", run_search},
                  {"obstruction", "", "a ball is pushed with the device in sight or hidden (S3 8.3)", run_obstruction},
                  {"stiffness-jnd", "", "the least difference in stiffness that is told (S3 8.4)", run_stiffness_jnd},
                  {"rib-count", "", "ribs are counted by touch and by sight (S2's scene)", run_rib_count}},

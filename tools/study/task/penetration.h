@@ -48,8 +48,11 @@ class HeldTool {
   [[nodiscard]] virtual Eigen::Vector3d on_the_way_m(double way_m) const noexcept = 0;
 };
 
-/// The linkage of `configuration` on `plant`, its tip kAbove_m above the skin. Error: the links cannot close on the
-/// way.
+/// The linkage of `configuration` on `plant`, held at the handle's end, its tip kAbove_m above the skin. The tip touches
+/// the sac while link 3 has the angle Plant::link3_rad. All lies in the plane z = 0 of the tissue's frame. Error: the
+/// links cannot close on the way.
+[[nodiscard]] Result<mechanism::HeldLinkage> placed_linkage(const Configuration& configuration, const Plant& plant);
+/// The same as a tool.
 [[nodiscard]] Result<std::unique_ptr<HeldTool>> linkage_tool(const Configuration& configuration, const Plant& plant);
 /// A needle in the hand that moves along y alone, as in Gerovich 2004.
 [[nodiscard]] std::unique_ptr<HeldTool> straight_tool();

@@ -63,7 +63,7 @@ Vector3d tip_at(const FourBar& bar, double link3_rad) {
 
 }  // namespace
 
-Result<std::unique_ptr<HeldTool>> linkage_tool(const Configuration& configuration, const Plant& plant) {
+Result<HeldLinkage> placed_linkage(const Configuration& configuration, const Plant& plant) {
   FourBar bar = configuration.bar;
   if (!configuration.l4_given) bar.l4_m = plant.l4_of_l2 * bar.l2_m;
   if (!configuration.needle_given) bar.needle_m = plant.needle_m;
@@ -80,10 +80,15 @@ Result<std::unique_ptr<HeldTool>> linkage_tool(const Configuration& configuratio
                    .fix = "make l4 shorter, or the links longer"};
   }
   const mechanism::LinkagePlane plane = plane_at(Vector3d(0.0, -plant.sac_depth_m, 0.0) - touches_m);
-  const HeldLinkage held(bar, plane, begins_rad, mechanism::Branch::Open, {.stiffness_N_per_m = plant.grip_N_per_m});
-  const mechanism::Lever lever = mechanism::lever_of(bar);
+  return HeldLinkage(bar, plane, begins_rad, mechanism::Branch::Open, {.stiffness_N_per_m = plant.grip_N_per_m});
+}
+
+Result<std::unique_ptr<HeldTool>> linkage_tool(const Configuration& configuration, const Plant& plant) {
+  const Result<HeldLinkage> held = placed_linkage(configuration, plant);
+  if (!held) return held.error();
+  const mechanism::Lever lever = mechanism::lever_of(held->bar());
   return std::unique_ptr<HeldTool>(
-      std::make_unique<LinkageTool>(held, lever.length_m, begins_rad + lever.from_link3_rad));
+      std::make_unique<LinkageTool>(*held, lever.length_m, held->link3_rad() + lever.from_link3_rad));
 }
 
 std::unique_ptr<HeldTool> straight_tool() { return std::make_unique<StraightTool>(); }

@@ -1,0 +1,110 @@
+#include "tools/study/designer/command.h"
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace telepalp::study {
+namespace {
+
+constexpr double kMostLength_m = 1.0;
+constexpr double kMostAngle_rad = 2.0 * std::numbers::pi;
+constexpr double kMostHand_mm = 10'000.0;
+
+Error error(std::string what, std::string fix) {
+  return {.what = std::move(what), .where = "designer", .fix = std::move(fix)};
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t from = text.find_first_not_of(' '); from != std::string_view::npos;) {
+    const std::size_t end = std::min(text.size(), text.find(' ', from));
+    words.push_back(text.substr(from, end - from));
+    from = text.find_first_not_of(' ', end);
+  }
+  return words;
+}
+
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> bounded(std::string_view text, double most) {
+  const std::optional<double> value = number_in<double>(text);
+  return value && std::abs(*value) <= most ? value : std::nullopt;  // NaN compares false
+}
+
+/// A linkage of a size that a hand can hold: it bounds what the program computes for one message.
+Result<Command> design_of(std::string_view text) {
+  Result<Design> read = parse_design(std::string(text), "design");
+  if (!read) return read.error();
+  if (read->configurations.size() != 1) return error("more than one linkage is given", "give one linkage");
+  const Configuration& one = read->configurations.front();
+  const mechanism::FourBar& bar = one.bar;
+  for (const double length_m :
+       {bar.l1_m, bar.l2_m, bar.l3_m, bar.l4_m, bar.needle_m, bar.handle_m, std::abs(bar.handle_at_m)})
+    if (length_m > kMostLength_m) return error("a length is over 1000 mm", "give lengths up to 1000 mm");
+  for (const double angle_rad : {bar.needle_rad, bar.handle_rad})
+    if (std::abs(angle_rad) > kMostAngle_rad)
+      return error("theta or phi is over a full turn", "give angles from -2 pi to 2 pi rad");
+  return Command(ChooseDesign{one});
+}
+
+Result<Command> hand_of(const std::vector<std::string_view>& words) {
+  const auto x = words.size() == 2 ? bounded(words[0], kMostHand_mm) : std::nullopt;
+  const auto y = words.size() == 2 ? bounded(words[1], kMostHand_mm) : std::nullopt;
+  if (!x || !y) return error("the place of the hand is not two numbers of at most 10 m", "send hand X Y, in mm");
+  return Command(AimHand{{1e-3 * *x, 1e-3 * *y}});
+}
+
+Result<Command> turn_of(const std::vector<std::string_view>& words) {
+  const auto by_rad = words.size() == 1 ? bounded(words[0], 1.0) : std::nullopt;
+  if (!by_rad) return error("the turn is not one number of at most 1 rad", "send turn ANGLE, in rad");
+  return Command(TurnHandle{*by_rad});
+}
+
+Result<Command> search_of(const std::vector<std::string_view>& words) {
+  const auto evaluations = words.empty() ? std::nullopt : number_in<int>(words[0]);
+  if (!evaluations || *evaluations < kLeastEvaluations || *evaluations > kMostEvaluations)
+    return error("the number of mechanisms to judge is not from 10 to 2000", "send search NUMBER NAME=MIN:MAX ...");
+  BeginSearch search{.box = {}, .evaluations = *evaluations};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    if (equals == std::string_view::npos)
+      return error("'" + std::string(words[i]) + "' is not NAME=MIN:MAX", "give a range, such as l1=60:120");
+    const std::string name(words[i].substr(0, equals));
+    if (const Result<void> set = set_range(search.box, name, words[i].substr(equals + 1), name); !set)
+      return set.error();
+  }
+  const Result<SearchBox> good = checked(search.box);
+  if (!good) return good.error();
+  return Command(std::move(search));
+}
+
+}  // namespace
+
+Result<Command> parse_command(std::string_view message) {
+  if (message.size() > kMostCommandBytes)
+    return error("the message has more than " + std::to_string(kMostCommandBytes) + " bytes", "send a shorter one");
+  const std::size_t end = std::min(message.size(), message.find(' '));
+  const std::string_view verb = message.substr(0, end);
+  if (verb == "design") return design_of(message.substr(end));
+  const std::vector<std::string_view> words = words_of(message.substr(end));
+  if (verb == "hand") return hand_of(words);
+  if (verb == "turn") return turn_of(words);
+  if (verb == "search") return search_of(words);
+  if (verb == "renew" && words.empty()) return Command(RenewTissue{});
+  if (verb == "predict" && words.empty()) return Command(AskPrediction{});
+  if (verb == "cancel" && words.empty()) return Command(EndSearch{});
+  return error("this is no message of the designer's page",
+               "send design, hand, turn, renew, predict, search or cancel");
+}
+
+}  // namespace telepalp::study

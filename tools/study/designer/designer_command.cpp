@@ -1,0 +1,93 @@
+#include "tools/study/designer/designer_command.h"
+
+#include <boost/asio/ip/address.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <csignal>
+
+#include "support/program/ending.h"
+#include "support/program/log.h"
+#include "support/program/options.h"
+#include "support/program/parallel.h"
+#include "tools/study/designer/web/designer_server.h"
+
+namespace telepalp::study {
+namespace {
+
+namespace asio = boost::asio;
+constexpr const char* kProgram = "telepalp-study";
+
+const program::Usage kUsage{
+    .program = "telepalp-study designer",
+    .purpose =
+        "serves a page in which a four-bar linkage with a needle is turned, changed and compared: forces at needle and "
+        "hand, reach, dead points, the overshoot that simulated operators make, and a search for the best linkage",
+    .positional = {},
+    .options = {{"port", "PORT", "port of the page; 0: any free one", "0"},
+                {"listen", "ADDRESS", "address of this machine; another than loopback lets the network see the page",
+                 "127.0.0.1"},
+                {"operators", "N", "simulated operators who judge each linkage", "12"},
+                {"seed", "N", "the same seed gives the same operators, as for telepalp-study", "1"},
+                {"threads", "N", "of a search; 0: one for each processor", "0"}},
+    .example = "telepalp-study designer --port 8766",
+};
+
+struct Asked {
+  Door door;
+  JudgeSettings judges;
+};
+
+Result<Asked> read(const program::Arguments& arguments) {
+  const Result<std::int64_t> port = arguments.whole("port", 0, 65'535);
+  if (!port) return port.error();
+  const Result<std::int64_t> operators = arguments.whole("operators", 2, 200);
+  if (!operators) return operators.error();
+  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
+  if (!seed) return seed.error();
+  const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
+  if (!threads) return threads.error();
+  boost::system::error_code failed;
+  const std::string listen = arguments.text("listen");
+  asio::ip::make_address(listen, failed);
+  if (failed) return Error{.what = "'" + listen + "' is no IP address", .where = "--listen", .fix = "give 127.0.0.1"};
+  return Asked{.door = {.listen = listen, .port = static_cast<std::uint16_t>(*port), .token = new_token()},
+               .judges = {.operators = static_cast<int>(*operators),
+                          .seed = static_cast<std::uint64_t>(*seed),
+                          .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads)}};
+}
+
+int run(const Asked& asked) {
+  asio::io_context io(1);
+  Workers workers(asked.judges);  // ends before `io`, to which its threads post
+  Result<std::unique_ptr<DesignerServer>> server = DesignerServer::open(io, asked.door, workers);
+  if (!server) return program::fail(server.error());
+  asio::signal_set signals(io, SIGINT, SIGTERM);
+  signals.async_wait([&](const boost::system::error_code& cancelled, int) {
+    if (cancelled) return;
+    program::end_within(program::kTimeToEnd, "telepalp-study: a search did not end within 5 s; the program ends");
+    server->reset();
+    workers.searches.stop();
+    workers.predictions.stop();
+    io.stop();
+  });
+  if (!asio::ip::make_address(asked.door.listen).is_loopback())
+    program::log(kProgram, "the page is not encrypted: whoever can read this network can use it");
+  if (const int printed = program::print(page_address((*server)->door()) + "\n"); printed != program::kDone)
+    return printed;
+  program::log(kProgram, "open this address in a browser; Ctrl-C ends the program");
+  io.run();
+  workers.searches.join();
+  workers.predictions.join();
+  program::work_is_done();
+  return program::kDone;
+}
+
+}  // namespace
+
+int run_designer(int argc, const char* const* argv) {
+  return program::run_program(kUsage, argc, argv, [](const program::Arguments& arguments) {
+    const Result<Asked> asked = read(arguments);
+    return asked ? run(*asked) : program::fail(asked.error(), program::kAskedWrongly);
+  });
+}
+
+}  // namespace telepalp::study

@@ -1,0 +1,137 @@
+#include "tools/study/designer/live/live_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptic_station/mechanism/crank_range.h"
+#include "tools/study/task/penetration.h"
+
+namespace telepalp::study {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kTick_s = 0.0005;
+constexpr int kTraceEach = 10;       // ticks
+constexpr int kAfterPuncture = 200;  // ticks in which the force falls to its least
+constexpr double kInserts_m_per_s = 0.04;
+constexpr double kSettles_s = 0.2;
+constexpr double kDeadPointSine = 0.03;  // about 2 degrees between links 1 and 2
+constexpr double kAtRest_N = 1e-5;       // change of force over one step
+
+}  // namespace
+
+Result<LiveTool> LiveTool::make(const Configuration& configuration, const Plant& plant, Model tissue) {
+  const Result<mechanism::HeldLinkage> held = placed_linkage(configuration, plant);
+  if (!held) return held.error();
+  return LiveTool(*held, std::move(tissue));
+}
+
+LiveTool::LiveTool(const mechanism::HeldLinkage& held, Model tissue)
+    : outside_(held),
+      model_(std::move(tissue)),
+      held_(held),
+      tissue_(model_),
+      hand_m_(held.grasp().m),
+      aim_m_(hand_m_) {
+  tissue_.begin({.tip_m = held_.tip().m, .axis = held_.needle_axis().v});
+}
+
+void LiveTool::renew() { *this = LiveTool(outside_, model_); }
+
+void LiveTool::aim(const Vector2d& hand_m) noexcept {
+  if (!hand_m.allFinite()) return;
+  aim_m_ = {hand_m.x(), hand_m.y(), 0.0};
+  at_rest_ = false;
+}
+
+void LiveTool::turn(double by_rad) noexcept {
+  const mechanism::LinkagePlane& plane = held_.plane();
+  const mechanism::Lever lever = mechanism::lever_of(held_.bar());
+  const double link3_rad = mechanism::crank_range(held_.bar(), held_.link3_rad()).nearest(held_.link3_rad() + by_rad);
+  const double angle = link3_rad + lever.from_link3_rad;
+  const Vector3d to_m = plane.pivot_a.m + (held_.bar().l4_m + lever.length_m * std::cos(angle)) * plane.x.v +
+                        lever.length_m * std::sin(angle) * plane.y.v;
+  aim(to_m.head<2>());
+}
+
+double LiveTool::hand_N() const noexcept { return held_.hand_force({tissue_.wrench().force_N}).N.norm(); }
+
+void LiveTool::note_punctures(double before_N) {
+  for (std::size_t layer = 0; layer < tissue_.size(); ++layer) {
+    const bool known =
+        std::ranges::any_of(punctures_, [&](const Puncture& puncture) { return puncture.layer == layer; });
+    if (known || !tissue_.punctured(layer)) continue;
+    punctures_.push_back({.layer = layer, .depth_m = depth_m(), .before_N = before_N, .after_N = before_N});
+    since_puncture_ = 0;
+  }
+  if (!punctures_.empty() && since_puncture_++ < kAfterPuncture)
+    punctures_.back().after_N = std::min(punctures_.back().after_N, hand_N());
+}
+
+void LiveTool::tick() {
+  const double before_N = hand_N();
+  held_.step({hand_m_}, kTick_s);
+  (void)tissue_.step({.tip_m = held_.tip().m, .axis = held_.needle_axis().v}, kTick_s);
+  note_punctures(before_N);
+  ++ticks_;
+}
+
+std::vector<TracePoint> LiveTool::step(double seconds) {
+  const int count = std::max(1, static_cast<int>(std::lround(seconds / kTick_s)));
+  const double most_m = kFastest_m_per_s * count * kTick_s;
+  const Vector3d way_m = aim_m_ - hand_m_;
+  const Vector3d each_m = way_m * std::min(1.0, most_m / std::max(way_m.norm(), 1e-12)) / count;
+  const Vector3d before_N = tissue_.wrench().force_N;
+  std::vector<TracePoint> trace;
+  for (int i = 0; i < count; ++i) {
+    hand_m_ += each_m;
+    tick();
+    if (ticks_ % kTraceEach == 0)
+      trace.push_back({.depth_m = depth_m(), .needle_N = tissue_.wrench().force_N.norm(), .hand_N = hand_N()});
+  }
+  at_rest_ = way_m.norm() < 1e-9 && (tissue_.wrench().force_N - before_N).norm() < kAtRest_N;
+  return trace;
+}
+
+std::vector<TracePoint> LiveTool::insert(double depth_m) {
+  std::vector<TracePoint> trace;
+  const auto add = [&trace](const std::vector<TracePoint>& more) {
+    trace.insert(trace.end(), more.begin(), more.end());
+  };
+  constexpr double kPiece_s = 0.02;
+  constexpr int kMostPieces = 500;  // 10 s; the tip of a long handle's needle is slow
+  const double piece_rad = kInserts_m_per_s * kPiece_s / mechanism::lever_of(held_.bar()).length_m;
+  for (int piece = 0; piece < kMostPieces && this->depth_m() < depth_m; ++piece) {
+    const double before_rad = held_.link3_rad();
+    turn(piece_rad);
+    add(step(kPiece_s));
+    if (std::abs(held_.link3_rad() - before_rad) < 1e-9) break;  // a dead point
+  }
+  add(step(kSettles_s));
+  return trace;
+}
+
+LiveFrame LiveTool::frame() const noexcept {
+  const mechanism::LinkagePlane& plane = held_.plane();
+  const auto place = [&plane](const mechanism::InPlane<double>& at) -> Vector2d {
+    return (plane.pivot_a.m + at.x * plane.x.v + at.y * plane.y.v).head<2>();
+  };
+  const mechanism::FourBarPose<double>& pose = held_.pose();
+  LiveFrame frame{.a_m = place({0.0, 0.0}),
+                  .o_m = place({held_.bar().l4_m, 0.0}),
+                  .b_m = place(pose.b),
+                  .p_m = place(pose.p),
+                  .d_m = place(pose.d),
+                  .c_m = place(pose.c),
+                  .tip_m = place(pose.tip),
+                  .link3_rad = held_.link3_rad(),
+                  .at_dead_point = std::abs(held_.sine_of_links()) < kDeadPointSine,
+                  .needle_N = tissue_.wrench().force_N.head<2>(),
+                  .hand_N = held_.hand_force({tissue_.wrench().force_N}).N.head<2>()};
+  for (std::size_t layer = 0; layer < frame.layers.size(); ++layer) frame.layers[layer] = tissue_.layer(layer).state;
+  return frame;
+}
+
+}  // namespace telepalp::study

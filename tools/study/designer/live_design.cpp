@@ -1,0 +1,43 @@
+#include "tools/study/designer/live_design.h"
+
+#include "tools/study/designer/answers.h"
+
+namespace telepalp::study {
+
+Result<LiveDesign> LiveDesign::make() {
+  auto tissue = tissue::make_tissue(tissue_of(Plant{}));
+  if (!tissue) return tissue.error();
+  const Configuration first = amniocentesis_design().configurations.front();
+  Result<LiveTool> tool = LiveTool::make(first, Plant{}, *tissue);
+  if (!tool) return tool.error();
+  return LiveDesign(first, std::move(*tool), std::move(*tissue));
+}
+
+LiveDesign::LiveDesign(Configuration design, LiveTool tool, LiveTool::Model tissue)
+    : design_(std::move(design)), tool_(std::move(tool)), tissue_(std::move(tissue)), reach_(reach_of(tool_.held())) {}
+
+std::string LiveDesign::choose(const Configuration& wanted) {
+  Result<LiveTool> next = LiveTool::make(wanted, Plant{}, tissue_);
+  if (!next) return refused_json("design", next.error());
+  design_ = wanted;
+  tool_ = std::move(*next);
+  reach_ = reach_of(tool_.held());
+  return answer(put_in_m_ > 0.0 ? tool_.insert(put_in_m_) : std::vector<TracePoint>{});
+}
+
+std::string LiveDesign::renew() {
+  tool_.renew();
+  put_in_m_ = 0.0;
+  return answer({});
+}
+
+std::optional<std::string> LiveDesign::step(double seconds) {
+  if (tool_.at_rest()) return std::nullopt;
+  const std::vector<TracePoint> trace = tool_.step(seconds);
+  put_in_m_ = tool_.depth_m();
+  return frame_json(tool_, trace);
+}
+
+std::string LiveDesign::answer(const std::vector<TracePoint>& trace) const { return design_json(tool_, reach_, trace); }
+
+}  // namespace telepalp::study
