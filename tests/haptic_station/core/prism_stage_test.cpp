@@ -133,8 +133,8 @@ TEST(PrismStage, ItsEffectTouchesNoHeap) {
 TEST(PrismStage, ItsModelIsThatOfWhereTheToolWillBe) {
   PrismStage stage(std::get<effects::FemPrismSettings>(prism()));
   const auto height_m = [&stage](double tool_m, Nanoseconds at) {
-    ModelWanted wanted{.begun = SessionTime{at}, .displayed_in = 20ms};
-    wanted.tool.device.m = {0.015, tool_m, 0.0};
+    const ModelWanted wanted{
+        .tool = {.device = {{0.015, tool_m, 0.0}}}, .begun = SessionTime{at}, .displayed_in = 20ms};
     return stage.model_at(wanted)->at_m.y();
   };
   EXPECT_NEAR(height_m(0.05, 1000ms), 0.05, 1e-9) << "nothing is known of its velocity";
