@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <any>
 #include <memory>
 #include <optional>
@@ -16,6 +17,15 @@ namespace telepalp::core {
 struct ToolAt {
   Point<HapticBase> device;
   std::optional<Eigen::Quaterniond> attitude = {};  ///< rotation from the tool's axes to H; nullopt: not measured
+};
+
+/// What a stage is asked for: a local model around the tool.
+struct ModelWanted {
+  ToolAt tool;
+  SessionTime begun{};  ///< when the tool was there
+  /// From `begun` to the middle of the time in which the effect displays the model: from the end of this run to the end
+  /// of the next one, if they take as long as the last one.
+  Nanoseconds displayed_in{};
 };
 
 /// A slow stage that an effect owns: it computes a local model of the tissue around the tool, once in each period, and
@@ -55,7 +65,7 @@ class EffectStage {
 /// The slow stage of the effects of one kind, specialised beside the stage:
 ///   template <> struct SlowStageOf<effects::Needle> { using Stage = NeedleStage; };
 /// A stage has kPeriod, is constructed from the kind's Settings, and has std::optional<Kind::LocalModel>
-/// model_at(const ToolAt&), which may take long, and may allocate.
+/// model_at(const ModelWanted&), which may take long, and may allocate.
 template <class Kind>
 struct SlowStageOf;
 
@@ -76,8 +86,11 @@ class OwnedStage final : public EffectStage {
 
   [[nodiscard]] Result run(const Job& job, const StepTime& time) override {
     Result result;
-    if (std::optional<Model> model = stage_.model_at(job.tool)) result.model = std::move(*model);
+    const ModelWanted wanted{
+        .tool = job.tool, .begun = job.begun, .displayed_in = took_ + std::max(took_, period()) / 2};
+    if (std::optional<Model> model = stage_.model_at(wanted)) result.model = std::move(*model);
     result.done = time(StageStep::Done);
+    took_ = std::max(Nanoseconds::zero(), result.done - job.begun);
     return result;
   }
   void hand_over(Result result) override {
@@ -87,6 +100,7 @@ class OwnedStage final : public EffectStage {
 
  private:
   Stage stage_;
+  Nanoseconds took_{};                             // the last run
   std::shared_ptr<LatestValue<Model>> to_effect_;  // shared with the effect: a run may end after the effect did
 };
 

@@ -43,7 +43,7 @@ void PrismTouch::judge(const SidePoints& sides, const Vector3d& tool_m) {
 
 /// One step of the body. False: it diverged.
 bool PrismTouch::move(double dt_s, const PatchContact* contact) {
-  constexpr StepLimits kLive{.moved_m = 1e-7, .most_rounds = 1};
+  constexpr StepLimits kLive{.moved_m = 1e-6, .most_rounds = 2};
   constexpr double kRest_m = 1e-9;
   outcome_ = {};
   if (contact == nullptr && at_rest_) return true;

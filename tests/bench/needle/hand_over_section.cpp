@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/station/bill/thread_time.h"
@@ -20,28 +21,26 @@ constexpr Nanoseconds kRun = 12ms;  // from the tool's place that a run of the s
 
 effects::FemPrismSettings prism() { return {.model = *tissue::make_prism_model({}), .slew = {}}; }
 
-/// The forces of the effect, whose slow stage is at work, and of the same prism computed anew in each tick.
-void add_error(std::vector<Row>& rows) {
-  const effects::FemPrismSettings settings = prism();
-  tissue::PrismRun shown(settings, tissue::pressing_at(0.0));
-  tissue::PrismTouch truth(settings.model);
-  double error_N2 = 0.0;
-  double true_N2 = 0.0;
-  double most_N = 0.0;
+/// Forces of the prism that is computed anew in each tick of the pressing hand.
+std::vector<Vector3d> true_forces_N() {
+  tissue::PrismTouch truth(prism().model);
+  std::vector<Vector3d> forces_N;
   for (int i = 0; i * kTickOfPlane_s < tissue::kPressing_s; ++i) {
     const Vector3d at_m = tissue::pressing_at(i * kTickOfPlane_s);
-    shown.tick(at_m, kRun);
     const auto plane = truth.step(at_m, kTickOfPlane_s);
-    const Vector3d true_N = plane->force_N(at_m) * plane->normal;
-    error_N2 += (shown.force_N() - true_N).squaredNorm();
-    true_N2 += true_N.squaredNorm();
-    most_N = std::max(most_N, true_N.norm());
+    forces_N.push_back(plane ? Vector3d(plane->force_N(at_m) * plane->normal)
+                             : Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
   }
+  return forces_N;
+}
+
+void add_error(std::vector<Row>& rows) {
+  const HandOverError error = hand_over_errors({kRun}).front();
   rows.push_back(
       at_most("hand-over: slow model at 62 Hz, a hand at up to 0.1 m/s: RMS error over the RMS force of the "
               "model at 2 kHz",
-              100.0 * std::sqrt(error_N2 / true_N2), "%", 3.0));
-  rows.push_back(measured("hand-over: greatest force of this hand", most_N, "N"));
+              error.percent, "%", 3.0));
+  rows.push_back(measured("hand-over: greatest force of this hand", error.most_N, "N"));
 }
 
 /// A hand that presses and rubs for 20 s at changing speeds and places, with runs that are late now and then.
@@ -121,6 +120,27 @@ void add_tick(std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+std::vector<HandOverError> hand_over_errors(const std::vector<Nanoseconds>& costs) {
+  static const std::vector<Vector3d> kTrue_N = true_forces_N();  // takes some seconds
+  std::vector<HandOverError> errors;
+  for (const Nanoseconds cost : costs) {
+    tissue::PrismRun shown(prism(), tissue::pressing_at(0.0));
+    HandOverError error;
+    double error_N2 = 0.0;
+    double true_N2 = 0.0;
+    for (std::size_t i = 0; i < kTrue_N.size(); ++i) {
+      shown.tick(tissue::pressing_at(static_cast<double>(i) * kTickOfPlane_s), cost);
+      error_N2 += (shown.force_N() - kTrue_N[i]).squaredNorm();
+      true_N2 += kTrue_N[i].squaredNorm();
+      error.most_N = std::max(error.most_N, kTrue_N[i].norm());
+    }
+    error.percent = 100.0 * std::sqrt(error_N2 / true_N2);
+    error.models_per_s = shown.handed_over() / tissue::kPressing_s;
+    errors.push_back(error);
+  }
+  return errors;
+}
 
 std::vector<Row> run_needle_hand_over_section() {
   std::vector<Row> rows;

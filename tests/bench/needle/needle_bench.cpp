@@ -18,7 +18,10 @@ const std::vector<NeedleSection> kSections{
     {"energy", "energy of ruptures and of long paths", run_needle_energy_section},
     {"force", "steps of the force", run_needle_force_section},
     {"relaxation", "the force of a stopped needle", run_needle_relaxation_section},
+    {"contact", "the vertex nearest to a tip and its way through a mesh: wrong answers and cost",
+     run_needle_contact_section},
     {"fem", "a prism of finite elements: return to rest, stiffness, price", run_needle_fem_section},
+    {"mechanism", "a needle on a linkage: virtual work and dead points", run_needle_mechanism_section},
     {"hand-over", "the prism's local models at 62 Hz: force and energy", run_needle_hand_over_section},
 };
 

@@ -77,8 +77,8 @@ struct FeltGroundStage {
   static constexpr Nanoseconds kPeriod = std::chrono::milliseconds(10);
 
   explicit FeltGroundStage(const FeltGroundSettings& settings) : height_at(settings.height_at) {}
-  [[nodiscard]] std::optional<LocalGround> model_at(const ToolAt& tool) {
-    return LocalGround{height_at(tool.device.m)};
+  [[nodiscard]] std::optional<LocalGround> model_at(const ModelWanted& wanted) {
+    return LocalGround{height_at(wanted.tool.device.m)};
   }
 
   std::function<double(const Eigen::Vector3d&)> height_at;

@@ -129,6 +129,21 @@ TEST(PrismStage, ItsEffectTouchesNoHeap) {
   }
 }
 
+/// A tool that slides along the prism's side. The contact point of the model tells where it is expected.
+TEST(PrismStage, ItsModelIsThatOfWhereTheToolWillBe) {
+  PrismStage stage(std::get<effects::FemPrismSettings>(prism()));
+  const auto height_m = [&stage](double tool_m, Nanoseconds at) {
+    const ModelWanted wanted{
+        .tool = {.device = {{0.015, tool_m, 0.0}}}, .begun = SessionTime{at}, .displayed_in = 20ms};
+    return stage.model_at(wanted)->at_m.y();
+  };
+  EXPECT_NEAR(height_m(0.05, 1000ms), 0.05, 1e-9) << "nothing is known of its velocity";
+  EXPECT_NEAR(height_m(0.0516, 1016ms), 0.0536, 1e-9) << "0.1 m/s";
+  EXPECT_NEAR(height_m(0.0616, 1416ms), 0.0616, 1e-9) << "it was not seen for 0.4 s";
+  EXPECT_NEAR(height_m(0.0816, 1432ms), 0.0816, 1e-9) << "it jumped";
+  EXPECT_NEAR(height_m(0.0816, 1432ms), 0.0816, 1e-9) << "no time has passed";
+}
+
 TEST(PrismStage, ARecipeWithoutAPrismHasNoModelAndNoForce) {
   PrismStage stage(effects::FemPrismSettings{});
   EXPECT_FALSE(stage.model_at({}).has_value());

@@ -2,35 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "haptic_station/device/random.h"
+#include "tests/haptic_station/tissue/meshes.h"
 
 namespace telepalp::tissue {
 namespace {
 
 using Eigen::Vector3d;
-
-/// A disc whose heights are `height(x, z)`.
-template <class Height>
-SurfaceMesh bent_disc(const Height& height) {
-  const SurfaceMesh flat = lattice_disc(0.05, 0.004);
-  std::vector<Vector3d> vertices(flat.vertices().begin(), flat.vertices().end());
-  for (Vector3d& v : vertices) v.y() = height(v.x(), v.z());
-  return *make_mesh(vertices, {flat.triangles().begin(), flat.triangles().end()});
-}
-
-/// A groove that is as deep as it is wide: concave, as in the appendix of paper S4 (docs/sources.md).
-SurfaceMesh groove() {
-  return bent_disc([](double x, double) { return 0.03 * std::cos(x / 0.004); });
-}
-
-std::uint32_t brute_force(const SurfaceMesh& mesh, const Vector3d& point_m) {
-  std::uint32_t best = 0;
-  for (std::uint32_t v = 1; v < mesh.vertices().size(); ++v)
-    if ((mesh.vertices()[v] - point_m).squaredNorm() < (mesh.vertices()[best] - point_m).squaredNorm()) best = v;
-  return best;
-}
 
 TEST(ClosestVertex, IsThatOfBruteForceOnFlatAndConcaveMeshesAtAnySpeed) {
   constexpr std::uint64_t kSeed = 5;
@@ -45,7 +23,7 @@ TEST(ClosestVertex, IsThatOfBruteForceOnFlatAndConcaveMeshesAtAnySpeed) {
       const double hop_m = i % 100 == 0 ? 0.05 : 0.0005;
       at_m += hop_m * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
       at_m = at_m.cwiseMax(-0.06).cwiseMin(0.06);
-      const std::uint32_t right = brute_force(mesh, at_m);
+      const std::uint32_t right = brute_force_vertex(mesh, at_m);
       const std::uint32_t found = closest.at(at_m);
       ASSERT_EQ((mesh.vertices()[found] - at_m).norm(), (mesh.vertices()[right] - at_m).norm()) << "seed " << kSeed;
       walked = ClosestVertex::walk(mesh, walked, at_m);

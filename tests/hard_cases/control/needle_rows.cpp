@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <numbers>
 
 #include "tests/haptic_station/tissue/needle_paths.h"
@@ -208,6 +210,55 @@ AssertionResult from_inside() {
                  {run.tissue.punctured(0), "it has a hole"}});
 }
 
+/// A disc whose triangles nearer than 8 mm to its middle are left out.
+std::shared_ptr<const tissue::SurfaceMesh> disc_with_a_hole() {
+  const tissue::SurfaceMesh whole = tissue::lattice_disc(0.03, 0.005);
+  std::vector<Vector3d> vertices;
+  std::vector<tissue::Triangle> triangles;
+  std::map<std::uint32_t, std::uint32_t> kept;
+  for (tissue::Triangle triangle : whole.triangles()) {
+    if (std::ranges::any_of(triangle, [&](std::uint32_t v) { return whole.vertices()[v].norm() < 0.008; })) continue;
+    for (std::uint32_t& v : triangle) {
+      const auto [at, fresh] = kept.try_emplace(v, static_cast<std::uint32_t>(vertices.size()));
+      if (fresh) vertices.push_back(whole.vertices()[v]);
+      v = at->second;
+    }
+    triangles.push_back(triangle);
+  }
+  return std::make_shared<const tissue::SurfaceMesh>(*tissue::make_mesh(vertices, triangles));
+}
+
+/// The edge of the hole is part of the mesh's rim. The needle goes through the hole, sideways below the mesh, and up
+/// through the mesh; another one goes down through the mesh.
+AssertionResult mesh_with_a_hole() {
+  tissue::TissueSettings net = tissue::one_surface(1.5, 0.3);
+  net.mesh = disc_with_a_hole();
+  tissue::Insertion through(net, {0.0, 0.005, 0.0});
+  double in_hole_N = 0.0;
+  const auto follow = [&](const Vector3d& way_m, double& most_N) {
+    for (int i = 0; i < 1000; ++i) {
+      through.tick(through.needle.tip_m + way_m / 1000);
+      most_N = std::max(most_N, through.force_N.norm());
+    }
+  };
+  follow({0.0, -0.015, 0.0}, in_hole_N);
+  follow({0.018, 0.0, 0.0}, in_hole_N);
+  double from_below_N = 0.0;
+  follow({0.0, 0.03, 0.0}, from_below_N);
+  tissue::Insertion beside(net, {0.018, 0.005, 0.0});
+  double from_above_N = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    beside.tick(beside.needle.tip_m - Vector3d(0.0, 1e-5, 0.0));
+    from_above_N = std::max(from_above_N, beside.force_N.norm());
+  }
+  return all_of({below_N("in the hole and below the mesh", in_hole_N, 1e-12),
+                 above("ruptures from below", from_below_N, 1.4, 1.0, "N"),
+                 below_N("at its threshold", from_below_N, 1.6),
+                 above("ruptures from above", from_above_N, 1.4, 1.0, "N"),
+                 below_N("at its threshold", from_above_N, 1.6),
+                 {through.worst_gain_J <= 1e-12 && beside.worst_gain_J <= 1e-12, "no energy gained"}});
+}
+
 }  // namespace
 
 std::vector<HardCase> needle_rows() {
@@ -227,6 +278,8 @@ std::vector<HardCase> needle_rows() {
       {"withdrawn and put in again", "a second rupture would be wrong", "the hole is felt, not the skin", in_again},
       {"a sac ruptured from inside", "the contact begins inside", "it holds against the motion, then ruptures",
        from_inside},
+      {"a mesh with a hole", "a walk ends at the hole, whose edge is a rim", "free in the hole, whole beside it",
+       mesh_with_a_hole},
   };
 }
 
