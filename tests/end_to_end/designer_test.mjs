@@ -139,7 +139,7 @@ test('linkages are kept for comparison, and the address brings them back', async
 });
 
 test('a search finds a front, whose points load into the sliders', async () => {
-  await page.fill('#evaluations', '10');
+  await page.fill('#evaluations', '40');
   await page.click('#search');
   await page.waitForSelector('#front:not([hidden])');
   await page.waitForSelector('#search:not([hidden])');

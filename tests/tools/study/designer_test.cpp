@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"design theta=1e9", "full turn"}, Refused{"hand 1", "two numbers"},
                     Refused{"hand nan 0", "two numbers"}, Refused{"hand 1 2 3", "two numbers"},
                     Refused{"hand 1e99 0", "two numbers"}, Refused{"turn inf", "one number"},
-                    Refused{"turn 2", "one number"}, Refused{"search", "from 10 to 2000"},
-                    Refused{"search 9999999 l1=60:120", "from 10 to 2000"}, Refused{"search 50 l1", "NAME=MIN:MAX"},
+                    Refused{"turn 2", "one number"}, Refused{"search", "from 40 to 2000"},
+                    Refused{"search 9999999 l1=60:120", "from 40 to 2000"}, Refused{"search 50 l1", "NAME=MIN:MAX"},
                     Refused{"search 50 l1=120:60", "above the most"}, Refused{"search 50 l1=nan:nan", "out of bounds"},
                     Refused{"search 50 size=1:2", "no parameter"}, Refused{"search 50 l1=80", ""}));
 

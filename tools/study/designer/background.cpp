@@ -9,7 +9,9 @@ namespace telepalp::study {
 namespace {
 
 constexpr int kPenetrations = 5;
-constexpr int kHeldOut = 36;
+// Fewer than telepalp-study search has, because somebody waits for the answer.
+constexpr int kSearchPenetrations = 3;
+constexpr int kHeldOut = 12;
 
 /// The judgement of all operators, made one operator at a time, so that it can be followed and given up. `tell` gets
 /// the progress. nullopt: given up.
@@ -80,7 +82,7 @@ void Background::search(const SearchBox& box, int evaluations) {
   search_.request_stop();
   search_ = {};
   const SearchSettings settings{.operators = workers_.settings.operators,
-                                .penetrations = kPenetrations,
+                                .penetrations = kSearchPenetrations,
                                 .held_out = kHeldOut,
                                 .seed = workers_.settings.seed,
                                 .evaluations = evaluations,

@@ -73,7 +73,7 @@ Result<Command> turn_of(const std::vector<std::string_view>& words) {
 Result<Command> search_of(const std::vector<std::string_view>& words) {
   const auto evaluations = words.empty() ? std::nullopt : number_in<int>(words[0]);
   if (!evaluations || *evaluations < kLeastEvaluations || *evaluations > kMostEvaluations)
-    return error("the number of mechanisms to judge is not from 10 to 2000", "send search NUMBER NAME=MIN:MAX ...");
+    return error("the number of mechanisms to judge is not from 40 to 2000", "send search NUMBER NAME=MIN:MAX ...");
   BeginSearch search{.box = {}, .evaluations = *evaluations};
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::size_t equals = words[i].find('=');

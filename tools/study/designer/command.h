@@ -37,7 +37,6 @@ using Command = std::variant<ChooseDesign, AimHand, TurnHandle, RenewTissue, Ask
 
 /// A longer message is refused before it is read.
 inline constexpr std::size_t kMostCommandBytes = 1024;
-inline constexpr int kLeastEvaluations = 10;
 inline constexpr int kMostEvaluations = 2000;
 
 /// Reads a message of the page: one line, such as `design l1=80 l2=150 l4=131` (mm and rad, as in a list of

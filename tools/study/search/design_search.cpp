@@ -16,7 +16,7 @@ constexpr std::uint64_t kGainSeed = 2;
 Result<void> check_numbers(const SearchSettings& settings) {
   const bool good = settings.operators >= 1 && settings.operators <= 1000 && settings.held_out >= 1 &&
                     settings.held_out <= 1000 && settings.penetrations >= 1 && settings.penetrations <= 50 &&
-                    settings.evaluations >= 40 && settings.evaluations <= 100'000;
+                    settings.evaluations >= kLeastEvaluations && settings.evaluations <= 100'000;
   if (good) return {};
   return Error{.what = "a number of the search is out of bounds",
                .where = "the search",

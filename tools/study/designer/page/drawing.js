@@ -120,7 +120,7 @@ export class Drawing {
 
   /** Shows all that the linkage can reach. Leaves the view as it is while it shows that, and not much more. */
   fit(again) {
-    if (!this.design) return;
+    if (!this.design || this.element.clientWidth === 0 || this.element.clientHeight === 0) return;
     const {a, o, b, p} = this.frame;
     const sac = -this.design.sac_depth;
     const points = [...this.points, a, o, b, p, [a[0], sac - 25], [a[0] - 60, 0], [a[0] + 60, 0]];
