@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/study/search/design_search.h"
+
 namespace telepalp::study {
 namespace {
 
