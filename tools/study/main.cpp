@@ -3,7 +3,7 @@
 
 #include "support/program/files/whole_file.h"
 #include "tools/study/commands.h"
-#include "tools/study/designer/designer_command.h"
+#include "tools/study/designer_command.h"
 #include "tools/study/page/files.h"
 #include "tools/study/progress.h"
 

@@ -1,4 +1,4 @@
-#include "tools/study/designer/designer_command.h"
+#include "tools/study/designer_command.h"
 
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/signal_set.hpp>
