@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "tools/study/search/design_search.h"
-
 namespace telepalp::study {
 namespace {
 

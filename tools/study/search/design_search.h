@@ -21,8 +21,6 @@ class JudgementStore {
   virtual void keep(bool held_out, const Configuration& mechanism, const Judgement& judgement) = 0;
 };
 
-inline constexpr int kLeastEvaluations = 40;  ///< S4's 36, and a few more
-
 struct SearchSettings {
   int operators = 12;    ///< who judge each mechanism during the search
   int penetrations = 3;  ///< of each mechanism by each operator

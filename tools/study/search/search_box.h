@@ -17,6 +17,8 @@ struct SearchRange {
   double most = 0.0;
 };
 
+inline constexpr int kLeastEvaluations = 40;  ///< mechanisms that a search judges at least: S4's 36, and a few more
+
 /// The mechanisms among which a search looks. A parameter that is not named has the value of S4's first linkage; l4 and
 /// the needle's length, if not named, are drawn for each operator (plant_ranges()).
 struct SearchBox {
