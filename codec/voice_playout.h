@@ -21,11 +21,11 @@ struct VoicePacket {
 };
 
 /// The jitter buffer between a network and a loudspeaker. Packets come late, twice, in another order, or never; the
-/// loudspeaker takes 20 ms of sound at a time. The delay follows the path: it is as long as 99.5 % of the frames of the
-/// last ten seconds came after the fastest one, by themselves or by the repetition in the next packet, so that nearly
-/// all are there when their turn comes. A missing frame is restored from the next one, or concealed. Where the delay no
-/// longer fits, or the two clocks drift apart, single frames are skipped or stretched. Holds at most one second of
-/// frames. Pure: times are arguments, of any steady clock of the listener.
+/// loudspeaker takes 20 ms of sound at a time. The delay follows the path: with it, 99.5 % of the frames of the last
+/// ten seconds would have been there when their turn came, in their own packet or repeated in the next one. A missing
+/// frame is restored from the next one, or concealed. Where the delay no longer fits, or the two clocks drift apart,
+/// single frames are skipped or stretched. Holds at most one second of frames. Pure: times are arguments, of any steady
+/// clock of the listener.
 class VoicePlayout {
  public:
   static constexpr Nanoseconds kLeastDelay = std::chrono::milliseconds(5);

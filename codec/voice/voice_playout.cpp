@@ -99,7 +99,8 @@ void VoicePlayout::note_transit(Nanoseconds transit) {
   }
   std::vector<Nanoseconds> sorted = transits_;
   least_transit_ = std::ranges::min(sorted);
-  // A delay that would wait for them helps nobody.
+  // Frames that came even later than the longest delay are given up, so they must not lengthen the delay for the
+  // others.
   std::erase_if(sorted, [&](Nanoseconds one) { return one > least_transit_ + kMostDelay; });
   delay_ = std::min(quantile_of(sorted, kShareInTime) - least_transit_ + kMargin, kMostDelay);
 }

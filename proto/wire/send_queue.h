@@ -29,10 +29,9 @@ class SendQueue {
   /// quarter of their bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
-  /// The next message to send by datagram. Its topic is a spoken one, if a message of one is queued: it is small, and a
-  /// word does not wait for a picture. Else it is that of the oldest queued message of the deadline topics. It is
-  /// the newest key frame of that topic; without a queued key frame, the oldest message. Older messages of the topic go
-  /// to `gone`.
+  /// The next message to send by datagram. Speech goes first, because it is small and must not wait for a picture. Of
+  /// the other topics with a deadline, the one whose message has waited longest comes next. The message is the newest
+  /// key frame of its topic, or the oldest message if no key frame is queued. Older messages of the topic go to `gone`.
   std::optional<Message> pop_newest(std::vector<Message>& gone);
 
   /// Of the topics of Lane::Others that wait for TCP, finds the one with the most queued bytes and removes its

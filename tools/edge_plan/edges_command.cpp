@@ -1,8 +1,9 @@
 #include "tools/edge_plan/edges_command.h"
 
-#include <charconv>
+#include <optional>
 #include <string>
 
+#include "proto/words/number_word.h"
 #include "support/program/options.h"
 #include "tools/edge_plan/edge_plan.h"
 #include "tools/edge_plan/edges_text.h"
@@ -35,11 +36,10 @@ Result<Stream> stream_of(const std::string& content) {
     if (content == known.depth_mode) return known.stream;
     modes += std::string(known.depth_mode) + ", ";
   }
-  double Mbit_per_s = 0.0;
-  const auto [end, failed] = std::from_chars(content.data(), content.data() + content.size(), Mbit_per_s);
   constexpr double kLeast = 0.01, kMost = 10'000.0;
-  if (failed == std::errc() && end == content.data() + content.size() && Mbit_per_s >= kLeast && Mbit_per_s <= kMost)
-    return Stream{.bytes_per_s = Mbit_per_s / 8e-6, .messages_per_s = kMessages_per_s};
+  const std::optional<double> Mbit_per_s = number_of(content);
+  if (Mbit_per_s && *Mbit_per_s >= kLeast && *Mbit_per_s <= kMost)
+    return Stream{.bytes_per_s = *Mbit_per_s / 8e-6, .messages_per_s = kMessages_per_s};
   return Error{.what = "'" + content + "' is neither a depth mode nor a rate",
                .where = "--content",
                .fix = "give " + modes + "or a number of Mbit/s from 0.01 to 10000"};

@@ -1,5 +1,4 @@
 #include <chrono>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
@@ -7,8 +6,8 @@
 #include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
-#include "support/program/terminal.h"
 #include "tools/study/commands.h"
+#include "tools/study/progress.h"
 #include "tools/study/search/judgement_file.h"
 #include "tools/study/search/search_page.h"
 
@@ -78,7 +77,7 @@ Result<Choice> read(const program::Arguments& arguments) {
     std::int64_t least;
     std::int64_t most;
   };
-  for (const Number& one : {Number{"evaluations", &SearchSettings::evaluations, 40, 100'000},
+  for (const Number& one : {Number{"evaluations", &SearchSettings::evaluations, kLeastEvaluations, 100'000},
                             Number{"operators", &SearchSettings::operators, 1, 1000},
                             Number{"held-out", &SearchSettings::held_out, 1, 1000},
                             Number{"penetrations", &SearchSettings::penetrations, 1, 50}}) {
@@ -89,18 +88,12 @@ Result<Choice> read(const program::Arguments& arguments) {
   return choice;
 }
 
-/// Shows how far the search is, and the time that is left at the pace so far: in one line of a terminal, or in about
-/// ten log lines.
+/// Shows how far the search is, and the time that is left at the pace so far.
 class Teller {
  public:
   void tell(const SearchState& state) {
     if (state.done <= 1) restart(state.done);  // before the first judgement, the operators are made
-    const bool ends = state.done == state.total;
-    const std::string text = words(state);
-    if (bar_)
-      std::fprintf(stderr, "\r\033[K%s", ends ? "" : text.c_str());
-    else if (state.done % std::max(1, state.total / 10) == 0 || ends)
-      program::log("telepalp-study", text);
+    line_.show(words(state), state.done, state.total);
   }
   /// The judgements so far came from a file: they do not count for the pace.
   void restart(int done) {
@@ -120,7 +113,7 @@ class Teller {
     return text;
   }
 
-  bool bar_ = program::takes_progress(stderr);
+  ProgressLine line_;
   Clock::time_point begin_ = Clock::now();
   int begun_at_ = 0;
 };

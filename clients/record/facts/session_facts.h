@@ -53,7 +53,7 @@ struct SessionFacts {
   std::string source;         ///< the recorded server or file
   std::string recorded_by;    ///< for example "doctor anna"; empty: not stated
   std::string consent;        ///< the patient's consent, as the operator stated it; empty: not stated
-  std::string voice_consent;  ///< to the recording of what is said; empty: not stated
+  std::string voice_consent;  ///< the patient's consent to record speech; empty: not stated
   std::string depth;          ///< bound on the depth error, as text; empty: no depth
   std::map<std::string, std::string> recording;  ///< the recorder's notes: gaps, dropped messages, clock
   std::vector<std::string> repairs;              ///< each repair that led to this file, and what it lost, in words

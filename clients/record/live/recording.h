@@ -25,9 +25,9 @@ struct RecordingOptions {
   TopicFilter topics{"*"};
   wire::ColorCoding color = wire::ColorCoding::Pictures;  ///< how /camera/color is taken, if `topics` covers it
   Splitting splitting;
-  std::string consent;                             ///< the patient's, as the operator states it
-  std::string voice_consent;                       ///< to the recording of what is said; empty: it is not recorded
-  std::filesystem::path scene;                     ///< scene file to attach; empty: none
+  std::string consent;          ///< the patient's, as the operator states it
+  std::string voice_consent;    ///< the patient's consent to record speech; empty: none, so speech is left out
+  std::filesystem::path scene;  ///< scene file to attach; empty: none
   std::vector<std::filesystem::path> attachments;  ///< other files to attach
   std::chrono::duration<double> seconds{0.0};      ///< duration from the first connection; 0: until a signal
   program::Patience patience;                      ///< time limit of the first connection

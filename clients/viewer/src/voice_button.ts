@@ -2,7 +2,7 @@ import {element} from './page/page';
 import type {View} from './views/view';
 import type {Side, Voice} from './voice/voice';
 
-/** Where this page speaks and what it hears: by the visitor's role, or, if that may do all, by the view. */
+/** Where this page speaks and what it hears. The role decides, but a visitor at the server itself chooses by the view. */
 export function sideOf(role: string, view: View, played: boolean): Side {
   const who = role === 'local' ? view : role;
   const patient = '/patient/voice';

@@ -46,8 +46,8 @@ class Outbox {
 
   /// The messages of ticks in their order, at most kMostInBatch: an event at each phase change, all ticks in a message
   /// for each unbroken run, the state at the first tick of each 10 ms of session time, and a warning 4 s before the
-  /// warm motors can no longer hold the contact force. The warning comes again only after the contact has ended, or
-  /// after its force has been one that the motors hold without a time limit.
+  /// warm motors can no longer hold the contact force. The warning is repeated only in a later contact, or after the
+  /// force has once been low enough for the motors to hold it without a time limit.
   [[nodiscard]] Messages ticks(std::span<const loop::TickSample> batch, SessionTime now);
 
   [[nodiscard]] wire::Message compensation(const loop::Compensation& compensation, SessionTime now) const;

@@ -28,7 +28,7 @@ enum class Part : std::uint8_t {
   Collision,  ///< the collision thread of settings that are too slow for a tick: a plane
   Inside,     ///< the ultrasound image under the probe: an image
   Messages,   ///< the network thread without its sockets: what it does every 10 ms
-  Effects,    ///< the threads of slow effects: a run of an effect's stage
+  Effects,    ///< the threads of slow effects: one run computes one local model
 };
 inline constexpr std::size_t kPartCount = 6;
 

@@ -167,7 +167,8 @@ void HiddenSkin::look_for_way_back(const std::vector<NearerRegion>& regions, std
 /// Height [m] of the object above the device, close to its place; nullopt: the object does not lie there.
 std::optional<float> HiddenSkin::over_place_m(const NearerRegion& region) const {
   std::optional<float> over_m;
-  for_neighbours(lattice_, *place_, kPlace_blocks, [&](std::size_t at) {
+  // One block further than hidden_.over_place looks, because an object hides the blocks beside it, too (spread()).
+  for_neighbours(lattice_, *place_, kPlace_blocks + 1, [&](std::size_t at) {
     if (std::find(region.blocks.begin(), region.blocks.end(), static_cast<std::uint32_t>(at)) == region.blocks.end())
       return;
     const float here_m = static_cast<float>(device_z_m_) - depth_m_[at];
@@ -176,19 +177,23 @@ std::optional<float> HiddenSkin::over_place_m(const NearerRegion& region) const 
   return over_m;
 }
 
-/// An accepted object waits until the device is above it. Otherwise its surface would push the device out.
+/// An accepted object waits until the device is above it. Otherwise its surface would push the device out. It also
+/// waits while only its shadow reaches the place: the page says that it lies there, so the doctor's press must not be
+/// lost.
 void HiddenSkin::look_for_accepted(const std::vector<NearerRegion>& regions, std::vector<std::uint8_t>& is_object) {
   if (!accepted_ || !place_) return;
   bool waits = false;
+  bool is_near = false;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     if (is_object[i] == 0) continue;
     const std::optional<float> over_m = over_place_m(regions[i]);
+    is_near = is_near || over_m;
     if (over_m && *over_m <= 0.0F)
       is_object[i] = 0;
     else
       waits = waits || over_m;
   }
-  accepted_ = waits;
+  accepted_ = waits || (!is_near && hidden_.over_place);
 }
 
 /// After a move of the camera, all that was remembered lies elsewhere.

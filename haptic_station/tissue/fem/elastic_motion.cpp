@@ -116,8 +116,9 @@ StepOutcome ElasticMotion::step(double dt_s, const PatchContact* contact, const 
               .predicted = before + velocity_ * (dt_s / (1.0 + damping_per_s_ * dt_s)),
               .inertia_N_per_m = inertia_N_per_m_,
               .contact = contact};
-  // Newton's method begins where the body goes without forces, if the sum is lower there. Under a tool that moves
-  // steadily, the minimum is near, and two rounds do what takes three from where the body is.
+  // Newton's method looks for the shape of the least energy. It begins at the shape to which the body would move by its
+  // inertia alone, if the energy is lower there than at the present shape. Under a tool that moves steadily this saves
+  // one of three rounds.
   if (const Round::Energy there = round.energy(round.predicted); there.sum_J < round.of(elastic_J_, at_).sum_J) {
     at_ = round.predicted;
     elastic_J_ = there.elastic_J;

@@ -53,7 +53,7 @@ class ClientLink : private ConnectionOwner {
     std::string role = "viewer";  ///< doctor, recorder, technician, qa, viewer; the server limits the number of each
     std::shared_ptr<const keys::KeyFile> key{};  ///< null: plain TCP, to this machine alone
     std::string consent{};                       ///< the patient's, as whoever watches or records states it
-    std::string voice_consent{};                 ///< the patient's to the recording of what is said; empty: not stated
+    std::string voice_consent{};                 ///< the patient's consent to record speech; empty: not stated
     std::vector<std::string> subscribes{};       ///< topic names; one ending in '*' is a prefix
     std::vector<Topic> publishes{};  ///< topics that publish() accepts; the server accepts only /station/…
     bool datagrams = true;           ///< takes images and poses by sealed datagram (UDP) if the path carries UDP

@@ -63,7 +63,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::string role{};     ///< technician, doctor, recorder, viewer, qa, server
     std::string token{};    ///< of a client without a certificate, proved in Hello (keys::prove_token); empty: none
     std::string consent{};  ///< the patient's, as whoever watches or records states it
-    std::string voice_consent{};  ///< the patient's to the recording of what is said; empty: not stated
+    std::string voice_consent{};  ///< the patient's consent to record speech; empty: not stated
     std::uint64_t run = 0;        ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
         msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: wants no datagrams

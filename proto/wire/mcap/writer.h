@@ -23,7 +23,7 @@ struct SessionInfo {
   std::string scene;            ///< text of the scene file, or empty
   std::string recorded_by{};    ///< person or account: "doctor anna"; empty: not stated
   std::string consent{};        ///< the patient's consent, as stated to the recorder; empty: not stated
-  std::string voice_consent{};  ///< to the recording of what is said; empty: not stated, and it is not recorded
+  std::string voice_consent{};  ///< the patient's consent to record speech; empty: none, so speech is left out
 };
 inline constexpr std::string_view kSessionMetadata = "telepalp.session";
 inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  ///< results known at the recording's end

@@ -134,6 +134,23 @@ AssertionResult towel_is_accepted_by_the_button() {
                  below_N("step", got.worst_step_N, kMostStep_N)});
 }
 
+/// A towel is laid 25 mm beside the place, so that only the blocks at its edge reach it. It is accepted while the hand
+/// is 50 mm over the skin; then the hand goes 45 mm to the side and presses the towel.
+AssertionResult towel_beside_the_place_is_accepted() {
+  SeenPatient patient;
+  patient.over_m = [](int u, int v, double t) {
+    return t > 2.0 && u >= 96 && std::abs(v - 60) < 40 ? 0.77 : std::nan("");
+  };
+  patient.depth_m = 0.0;
+  patient.accepts = [](double t) { return t > 3.6 && t < 3.64; };
+  patient.device_x_m = [](double t) { return 0.06 * smooth_step((t - 4.0) / 0.5); };
+  patient.raised_m = [](double t) { return 0.05 * smooth_step((t - 3.0) / 0.5) - 0.03 * smooth_step((t - 4.6) / 0.8); };
+  patient.well_again_s = 6.0;  // the device rests 10 mm below the towel's surface
+  const Returned got = press_on(patient);
+  return all_of(
+      {above("the towel is felt", got.last_N, 4.5, 1.0, "N"), below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
 /// An accepted object does not push the device that is below it.
 AssertionResult hand_is_accepted_over_the_finger() {
   SeenPatient patient = visited(0.74, 5.0);
@@ -191,6 +208,8 @@ std::vector<HardCase> object_rows() {
        towel_is_pressed_anew},
       {"towel on the skin is accepted", "it looks like another's hand", "felt as soon as the hand is above it",
        towel_is_accepted_by_the_button},
+      {"towel beside the place is accepted", "only the blocks that its edge hides reach the place",
+       "felt as soon as the hand is above it", towel_beside_the_place_is_accepted},
       {"another's hand is accepted over a finger", "its surface lies 60 mm over the finger", harmless,
        hand_is_accepted_over_the_finger},
       {"the camera is pushed", "bed and body jump together", "lets go, then feels the skin where it is seen now",

@@ -34,9 +34,9 @@ struct Deidentified {
 /// The key of Deidentified::topics for messages that are not telepalp's.
 inline constexpr const char* kOtherTopics = "other programs' topics";
 
-/// Writes a copy of the session `file` to `out`, without speech, texts and colour by which the patient, the doctor or the site
-/// could be identified. Depth, forces and all times are as recorded. Error: `file` cannot be read, or `out` exists or
-/// cannot be written.
+/// Writes a copy of the session `file` to `out`, without speech, and without the texts and colours by which the
+/// patient, the doctor or the site could be identified. Depth, forces and all times are as recorded. Error: `file`
+/// cannot be read, or `out` exists or cannot be written.
 [[nodiscard]] Result<Deidentified> write_deidentified(const std::filesystem::path& file,
                                                       const std::filesystem::path& out, ColorRule color);
 

@@ -46,7 +46,7 @@ struct StageTimes {
   Nanoseconds decode = std::chrono::milliseconds(3);
   Nanoseconds build = std::chrono::milliseconds(5);
   Nanoseconds collision = std::chrono::milliseconds(1);  ///< of settings that need the collision detection
-  Nanoseconds effects = std::chrono::milliseconds(12);   ///< of a slow effect: a run of its stage
+  Nanoseconds effects = std::chrono::milliseconds(12);   ///< for one local model of a slow effect
 };
 
 /// What a simulated person does at the device, round after round.

@@ -9,12 +9,13 @@ namespace telepalp::study {
 namespace {
 
 constexpr int kPenetrations = 5;
-// Fewer than telepalp-study search has, because somebody waits for the answer.
 constexpr int kSearchPenetrations = 3;
+// The operators who judge the front again. `telepalp-study search` has 36 of them, but here somebody waits for the
+// answer.
 constexpr int kHeldOut = 12;
 
-/// The judgement of all operators, made one operator at a time, so that it can be followed and given up. `tell` gets
-/// the progress. nullopt: given up.
+/// The judgement of all operators, made one operator at a time, so that the page can show how far it is, and can give
+/// it up. `tell` gets the progress. nullopt: it was given up.
 std::optional<Result<Judgement>> judge(const Configuration& design, Workers& workers, const std::stop_token& stop,
                                        const std::function<void(std::string)>& tell) {
   const JudgeSettings& settings = workers.settings;
@@ -87,7 +88,7 @@ void Background::search(const SearchBox& box, int evaluations) {
                                 .seed = workers_.settings.seed,
                                 .evaluations = evaluations,
                                 .threads = workers_.settings.threads};
-  // The answer of a search that was ended is told, too: it is the front so far.
+  // A search that was stopped answers, too, with the front that it has found so far.
   boost::asio::post(workers_.searches, [box, settings, stop = search_.get_token(), tell = from_worker({})] {
     const SearchProgress progress = [&tell](const SearchState& state) { tell(searching_json(state)); };
     const Result<SearchResult> found = search_designs(box, settings, progress, stop);

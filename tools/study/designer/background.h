@@ -39,10 +39,10 @@ class Background {
   Background& operator=(const Background&) = delete;
 
   void predict(const Configuration& design);
-  /// Ends what predict() began: the linkage is another one.
+  /// Gives up the prediction that predict() began, because the linkage has changed.
   void forget_prediction() { prediction_.request_stop(); }
   void search(const SearchBox& box, int evaluations);
-  /// Ends the search after the linkage that is being judged; what it has found is told.
+  /// Stops the search as soon as the linkage that it is judging is done. The page still gets what the search has found.
   void end_search() { search_.request_stop(); }
 
  private:

@@ -1,11 +1,12 @@
 #include "tools/study/designer/command.h"
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "proto/words/number_word.h"
 
 namespace telepalp::study {
 namespace {
@@ -28,16 +29,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::optional<double> bounded(std::string_view text, double most) {
-  const std::optional<double> value = number_in<double>(text);
+  const std::optional<double> value = number_of(text);
   return value && std::abs(*value) <= most ? value : std::nullopt;  // NaN compares false
 }
 
@@ -71,7 +64,7 @@ Result<Command> turn_of(const std::vector<std::string_view>& words) {
 }
 
 Result<Command> search_of(const std::vector<std::string_view>& words) {
-  const auto evaluations = words.empty() ? std::nullopt : number_in<int>(words[0]);
+  const auto evaluations = words.empty() ? std::nullopt : number_of<int>(words[0]);
   if (!evaluations || *evaluations < kLeastEvaluations || *evaluations > kMostEvaluations)
     return error("the number of mechanisms to judge is not from 40 to 2000", "send search NUMBER NAME=MIN:MAX ...");
   BeginSearch search{.box = {}, .evaluations = *evaluations};

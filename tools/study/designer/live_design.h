@@ -9,7 +9,7 @@
 namespace telepalp::study {
 
 /// The linkage on the page, and the answers of the program about it, as JSON (mm, N, rad). A linkage that cannot be
-/// used is refused with a sentence, and the last one that could be used stays. Pure. Owner: the page's session.
+/// used is refused with a sentence, and the last one that could be used stays. Pure. Owner: the connection of one page.
 class LiveDesign {
  public:
   /// The linkage is S4's first one, on Plant{}. Error: the tissue cannot be made.

@@ -11,12 +11,13 @@
 
 namespace telepalp::study {
 
-/// Judgements that outlive a search, so that the same search resumes: it asks for the same mechanisms in the same
-/// order.
+/// Keeps judgements longer than a search lasts. A search that was stopped resumes, because it asks for the same
+/// mechanisms in the same order and finds their judgements here.
 class JudgementStore {
  public:
   virtual ~JudgementStore() = default;
-  /// nullopt: not kept. `held_out`: by the operators who took no part in the search.
+  /// The judgement of `mechanism` that was kept; nullopt: there is none. `held_out`: true for the judgement by the
+  /// operators who take no part in the search.
   [[nodiscard]] virtual std::optional<Judgement> find(bool held_out, const Configuration& mechanism) = 0;
   virtual void keep(bool held_out, const Configuration& mechanism, const Judgement& judgement) = 0;
 };

@@ -38,7 +38,8 @@ using Scoring = std::function<std::optional<Score>(const std::vector<double>& at
 [[nodiscard]] std::vector<ScoredPoint> search_front(const FrontSettings& settings, const Scoring& score,
                                                     const std::stop_token& stop);
 
-/// Indices of the feasible scores that no other one beats: as good in both values and better in one. From the least
+/// Indices of the feasible scores that no other one beats. A score beats another one if it is as good in both values
+/// and better in one. From the least
 /// `bounded` to the least objective; of equal scores, the first.
 [[nodiscard]] std::vector<std::size_t> non_dominated(std::span<const std::optional<Score>> scores);
 

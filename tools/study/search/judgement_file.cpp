@@ -1,11 +1,11 @@
 #include "tools/study/search/judgement_file.h"
 
-#include <charconv>
 #include <iterator>
 #include <vector>
 
 #include "codec/bytes/crc32c.h"
 #include "proto/words/error_line.h"
+#include "proto/words/number_word.h"
 #include "proto/words/numbers/number_row.h"
 #include "support/program/files/whole_file.h"
 #include "tools/study/run/parts.h"
@@ -48,8 +48,9 @@ std::string row_of(const std::string& key, const Judgement& judgement) {
 
 template <class Number>
 bool read(std::string_view text, Number& out) {
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), out);
-  return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+  const std::optional<Number> number = number_of<Number>(text);
+  out = number.value_or(Number{});
+  return number.has_value();
 }
 
 bool read_list(std::string_view text, std::vector<double>& out) {

@@ -1,11 +1,11 @@
 #include "tools/study/search/search_box.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "proto/words/error_line.h"
+#include "proto/words/number_word.h"
 
 namespace telepalp::study {
 namespace {
@@ -50,13 +50,6 @@ Result<void> check_range(const SearchRange& range, const std::string& where) {
   return {};
 }
 
-std::optional<double> number_in(std::string_view text) {
-  double value = 0.0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
@@ -95,8 +88,8 @@ SearchBox paper_box() {
 
 Result<void> set_range(SearchBox& box, std::string_view name, std::string_view text, const std::string& where) {
   const std::size_t colon = text.find(':');
-  const std::optional<double> least = number_in(text.substr(0, colon));
-  const std::optional<double> most = colon == std::string_view::npos ? least : number_in(text.substr(colon + 1));
+  const std::optional<double> least = number_of(text.substr(0, colon));
+  const std::optional<double> most = colon == std::string_view::npos ? least : number_of(text.substr(colon + 1));
   if (!least || !most)
     return Error{.what = "'" + std::string(text) + "' is no range of numbers", .where = where, .fix = kFix};
   SearchRange range{std::string(name), *least, *most};

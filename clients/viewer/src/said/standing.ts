@@ -3,7 +3,7 @@ import type {LiveNote, MarksState} from '../messages/generated';
 /** How long words stand on the picture [s]. */
 export const STANDS_S = 20;
 
-/** What was said in the last STANDS_S, the oldest first. A mark without words and place is nothing said. */
+/** What was said in the last STANDS_S, the oldest first. A mark with neither words nor a place says nothing, so it is left out. */
 export function standing(state: MarksState | undefined, now_ns: bigint | undefined): LiveNote[] {
   if (state === undefined || now_ns === undefined) return [];
   const since_ns = now_ns - BigInt(STANDS_S) * 1_000_000_000n;

@@ -23,7 +23,7 @@ export interface VoiceCounts {
 
 /**
  * The jitter buffer between network and loudspeaker, for decoded frames: the rules of codec/voice_playout.h. The delay
- * follows the path: as long as 99.5 % of the last ten seconds' frames were later than the fastest one. A missing frame
+ * follows the path: with it, 99.5 % of the last ten seconds' frames would have come before their turn. A missing frame
  * is made up from the one before it, and fades. Times are in ms, of any steady clock.
  */
 export class JitterBuffer {

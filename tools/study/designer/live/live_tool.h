@@ -42,7 +42,7 @@ struct LiveFrame {
 };
 
 /// A linkage that a hand turns while its needle is in tissue_of() of a plant: the code of the study and of the station,
-/// at 2 kHz in virtual time. Pure. Owner: the session (session.h).
+/// at 2 kHz in virtual time. Pure. Owner: the connection of one page.
 class LiveTool {
  public:
   using Model = std::shared_ptr<const tissue::TissueModel>;

@@ -20,8 +20,8 @@ class DesignerServer {
  public:
   static constexpr std::size_t kMostConnections = 32;
 
-  /// Takes the port 0 as any free one, which door() then has. Error: the port cannot be opened, or a file of the page
-  /// is missing.
+  /// With port 0 it takes any free port, and door() tells which. Error: the port cannot be opened, or a file of the
+  /// page is missing.
   [[nodiscard]] static Result<std::unique_ptr<DesignerServer>> open(boost::asio::io_context& io, Door door,
                                                                     Workers& workers);
   /// Closes all connections, and gives up what was computed for them.

@@ -28,7 +28,8 @@ inline constexpr std::size_t kTokenLetters = 32;
 /// origin is no browser, and needs the token alone.
 [[nodiscard]] bool origin_is_ours(const Door& door, std::string_view origin, std::string_view host);
 
-/// True if `target`, such as "/live?token=0123", has the door's token. Takes as long for each token of this length.
+/// True if `target`, such as "/live?token=0123", has the door's token. Every token of this length takes
+/// equally long, so the time does not help to guess it.
 [[nodiscard]] bool has_token(const Door& door, std::string_view target);
 
 }  // namespace telepalp::study
