@@ -136,6 +136,7 @@ void HiddenSkin::judge() {
     if (is[i] != 0) covered += static_cast<double>(regions[i].blocks.size()) - regions[i].hidden;
   }
   if (covered > kMostShare * measured) std::fill(is.begin(), is.end(), std::uint8_t{0});
+  const std::vector<std::uint8_t> was = is;
   look_for_way_back(regions, is);
   look_for_accepted(regions, is);
   // Where nothing is measured, an object that lay there is still there: its silhouette is ragged.
@@ -146,6 +147,23 @@ void HiddenSkin::judge() {
       object_[at] = is[i];
       if (is[i] == 0 && regions[i].blocks.size() >= kLeastBlocks) remembered_m_[at] = depth_m_[at];
     }
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (was[i] != 0 && is[i] == 0) forget_silhouette(regions[i]);
+}
+
+/// An object became skin. Around it lie blocks that are not measured, and they were its silhouette: they are no object
+/// now. Otherwise the page would go on saying that something lies over the place.
+void HiddenSkin::forget_silhouette(const NearerRegion& region) {
+  edge_.assign(region.blocks.begin(), region.blocks.end());
+  while (!edge_.empty()) {
+    const std::size_t at = edge_.back();
+    edge_.pop_back();
+    for_neighbours(lattice_, at, 1, [&](std::size_t beside) {
+      if (object_[beside] == 0 || depth_m_[beside] > 0.0F) return;
+      object_[beside] = 0;
+      edge_.push_back(beside);
+    });
+  }
 }
 
 /// The doctor's hand was clear over the object, and comes down to it while the object rests: it presses the object.

@@ -57,6 +57,7 @@ class HiddenSkin {
   void begin_again();
   void carry();
   void judge();
+  void forget_silhouette(const NearerRegion& region);
   [[nodiscard]] bool is_object(const NearerRegion& region) const;
   [[nodiscard]] bool jumped(const NearerRegion& region) const;
   void remember(double dt_s);
@@ -77,7 +78,7 @@ class HiddenSkin {
   std::vector<std::uint8_t> object_;  ///< 1: an object lies over the block
   std::vector<float> covered_s_;      ///< time for which the block has been hidden
   std::vector<float> root_;           ///< square root of the share of the skin's force
-  std::vector<std::size_t> edge_;     ///< scratch of spread()
+  std::vector<std::size_t> edge_;     ///< scratch of spread() and forget_silhouette()
   bool fits_ = true;                  ///< the rest of the body followed its motion in this image
   std::optional<std::size_t> place_;  ///< the device's block
   double device_z_m_ = 0.0;

@@ -151,6 +151,25 @@ AssertionResult towel_beside_the_place_is_accepted() {
       {above("the towel is felt", got.last_N, 4.5, 1.0, "N"), below_N("step", got.worst_step_N, kMostStep_N)});
 }
 
+/// Another's finger lies on the skin, 36 mm wide, and the camera sees nothing in the 9 mm around it. Some blocks at its
+/// rim were measured at first. It is accepted while the hand is 50 mm over the skin, and pressed.
+AssertionResult finger_with_a_ragged_rim_is_accepted() {
+  SeenPatient patient;
+  patient.over_m = [](int u, int v, double t) {
+    const int from_middle = std::max(std::abs(u - 80), std::abs(v - 60));
+    if (t < 2.0 || from_middle > 18) return std::nan("");
+    return from_middle < 12 || t < 2.5 ? 0.77 : 0.0;
+  };
+  patient.depth_m = 0.0;
+  patient.accepts = [](double t) { return t > 3.6 && t < 3.64; };
+  patient.raised_m = [](double t) { return 0.05 * smooth_step((t - 3.0) / 0.5) - 0.03 * smooth_step((t - 4.0) / 1.0); };
+  patient.well_again_s = 6.0;  // the device rests 10 mm below the finger's surface
+  const Returned got = press_on(patient);
+  return all_of({{!got.says_object, "the page no longer says that an object lies there"},
+                 above("the finger is felt", got.last_N, 4.5, 1.0, "N"),
+                 below_N("step", got.worst_step_N, kMostStep_N)});
+}
+
 /// An accepted object does not push the device that is below it.
 AssertionResult hand_is_accepted_over_the_finger() {
   SeenPatient patient = visited(0.74, 5.0);
@@ -210,6 +229,9 @@ std::vector<HardCase> object_rows() {
        towel_is_accepted_by_the_button},
       {"towel beside the place is accepted", "only the blocks that its edge hides reach the place",
        "felt as soon as the hand is above it", towel_beside_the_place_is_accepted},
+      {"finger with a ragged rim is accepted",
+       "blocks of its rim are no longer measured, so nothing tells that they went",
+       "felt, and the page stops saying that it lies there", finger_with_a_ragged_rim_is_accepted},
       {"another's hand is accepted over a finger", "its surface lies 60 mm over the finger", harmless,
        hand_is_accepted_over_the_finger},
       {"the camera is pushed", "bed and body jump together", "lets go, then feels the skin where it is seen now",

@@ -37,6 +37,7 @@ struct Returned {
   double anchor_off_m = 1e9;   ///< distance of the contact's anchor, moved as displayed, from the true skin at the end
   double most_beyond_N = 0.0;  ///< most force above that of the true skin, from 1.5 s until `well_again_s`
   double last_N = 0.0;         ///< force at `well_again_s`
+  bool says_object = false;    ///< at `well_again_s`: the page says that an object lies over the place
   double worst_step_N = 0.0;   ///< while the device is at rest or slides at the path's own speed
 };
 
@@ -119,6 +120,7 @@ inline Returned press_on(const SeenPatient& patient) {
     if (t > kJudgedFrom_s && t < patient.well_again_s) {
       got.most_beyond_N = std::max(got.most_beyond_N, force_N.norm() - law_N);
       got.last_N = force_N.norm();
+      got.says_object = builder.object_over_place();
     }
     if (t > kJudgedFrom_s) got.worst_off = std::max(got.worst_off, off);
     if (t >= patient.well_again_s) felt_since_s = pushes ? std::min(felt_since_s, t) : 1e9;
