@@ -20,13 +20,16 @@ class HandDrivenDevice final : public ports::Device {
     return {.at = pair_.device(), .velocity = pair_.device_velocity(), .age_s = 0.0};
   }
   void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact&, double dt_s) noexcept override {
+    last_force_ = wrench.force;
     pair_.step(wrench.force, intention_, dt_s);
   }
+  void catch_up(double missed_s) noexcept override { pair_.step(last_force_, intention_, missed_s); }
   void hand_seen(const Point<HapticBase>& hand) noexcept override { intention_.at = hand; }
 
  private:
   SimulatedPair pair_;
   Intention intention_;
+  Force<HapticBase> last_force_;
 };
 
 }  // namespace telepalp::device

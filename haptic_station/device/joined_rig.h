@@ -23,6 +23,8 @@ class JoinedRig final : public ports::Rig {
     return sample;
   }
 
+  void catch_up(double missed_s) noexcept override { device_->catch_up(missed_s); }
+
   void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override {
     device_->apply(wrench, contact, dt_s);
   }

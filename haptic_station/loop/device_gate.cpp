@@ -12,7 +12,9 @@ using Eigen::Vector3d;
 
 constexpr double kSpeedFilter_rad_per_s = 2.0 * std::numbers::pi * 150.0;
 constexpr double kHoldDecay_s = 0.005;  // time constant with which the last velocity decays during extrapolation
-constexpr double kLongestGap_s = 0.02;  // after a longer silence the next reading is accepted as it is
+// After a longer silence the next reading is accepted as it is. So it is after an interruption of the haptic thread that
+// was longer than the time that the loop catches up, 10.5 ms: the device has moved on for an unknown time.
+constexpr double kLongestGap_s = 0.01;
 constexpr double kSpeedTolerance_m_per_s = 0.05;
 constexpr double kSpeedToleranceShare = 0.3;
 constexpr double kMostAcceleration_m_per_s2 = 300.0;  // of an end-effector that a hand holds

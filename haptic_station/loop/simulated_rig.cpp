@@ -29,7 +29,11 @@ std::optional<Eigen::Quaterniond> SimulatedRig::attitude() const noexcept {
   return device::wrist_attitude(*wrist_, time_s_);
 }
 
+void SimulatedRig::catch_up(double missed_s) noexcept { apply(last_wrench_, last_contact_, missed_s); }
+
 void SimulatedRig::apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept {
+  last_wrench_ = wrench;
+  last_contact_ = contact;
   device::Intention intention;
   if (auto* scripted = std::get_if<device::ScriptedIntention>(&person_))
     intention = scripted->step({.time_s = time_s_, .contact = contact, .device = pair_.device()}, dt_s);

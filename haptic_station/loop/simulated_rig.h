@@ -31,6 +31,7 @@ class SimulatedRig final : public ports::Rig {
 
   [[nodiscard]] ports::DeviceReading read() noexcept override;
   [[nodiscard]] std::optional<ports::HandSample> hand(SessionTime now) noexcept override;
+  void catch_up(double missed_s) noexcept override;
   void apply(const Wrench<HapticBase>& wrench, const ports::SurfaceContact& contact, double dt_s) noexcept override;
 
   [[nodiscard]] const device::SimulatedPair& pair() const noexcept { return pair_; }
@@ -43,6 +44,8 @@ class SimulatedRig final : public ports::Rig {
   std::optional<device::SimulatedWristSettings> wrist_;
   Person person_;
   double time_s_ = 0.0;
+  Wrench<HapticBase> last_wrench_;
+  ports::SurfaceContact last_contact_;
 };
 
 }  // namespace telepalp::loop

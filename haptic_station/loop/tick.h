@@ -29,6 +29,7 @@ struct TouchableSurface {
 struct TickIn {
   SessionTime now;
   double dt_s = 0.0;  ///< time since the last tick, for which the last force was applied [s]
+  double missed_s = 0.0;  ///< the part of dt_s before the period that ends now: the time of the ticks that were missed
   /// The newest sample of the hand, in the device's own frame, if one came since the last tick. A sample stamped more
   /// than 50 ms after the last tick is dropped.
   std::optional<ports::HandSample> hand = {};

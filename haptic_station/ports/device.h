@@ -15,6 +15,8 @@ class Device {
   /// Applies `wrench` for the next `dt_s`; its torque is zero unless the last reading stated that the device gives
   /// torques. `contact`: the contact at the last read(); only a device with a controller of its own uses it.
   virtual void apply(const Wrench<HapticBase>& wrench, const SurfaceContact& contact, double dt_s) noexcept = 0;
+  /// As Rig::catch_up().
+  virtual void catch_up(double /*missed_s*/) noexcept {}
   /// Gets the hand's position that the tracker sees. A simulated device follows it, as if the hand held the device.
   virtual void hand_seen(const Point<HapticBase>&) noexcept {}
 };

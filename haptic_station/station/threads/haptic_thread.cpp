@@ -18,8 +18,6 @@ constexpr std::uint64_t kTicksPerBill = 2000;
 constexpr std::uint64_t kTicksPerCompensation = 20;  // 100 Hz
 constexpr int kTicksOfGreeting = 2000;
 constexpr double kGreeted_s = 0.02;  // a device that answered this recently will also answer at the first tick
-// After a longer interruption of the thread, the simulation skips time instead of catching up in one burst.
-constexpr std::uint64_t kMostStepsToCatchUp = 20;
 
 }  // namespace
 
@@ -71,12 +69,9 @@ void HapticThread::tick(const TickTimer::Tick& due) noexcept {
   const Clock::time_point began = Clock::now();
   const SessionTime now{due.deadline.time_since_epoch() +
                         Nanoseconds{clock_offset_ns_.load(std::memory_order_relaxed)}};
-  const double dt_s = kTick_s * static_cast<double>(1 + std::min(due.missed, kMostStepsToCatchUp));
-
-  const loop::TickIn given{.now = now,
-                           .dt_s = dt_s,
-                           .surface = surfaces_.take() ? &surfaces_.current() : nullptr,
-                           .rearm = asked_to_rearm()};
+  loop::TickIn given = loop::due_at(now, due.missed);
+  given.surface = surfaces_.take() ? &surfaces_.current() : nullptr;
+  given.rearm = asked_to_rearm();
   Clock::time_point decided;
   std::optional<core::JournalTick> kept;
   if (journal_ != nullptr) kept.emplace().tick = tick_;

@@ -1,6 +1,9 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic_station/device/random.h"
+#include "haptic_station/loop/rig_tick.h"
+#include "haptic_station/loop/simulated_rig.h"
 #include "proto/words/clock_envelope.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/control/controller_scene.h"
@@ -255,6 +258,82 @@ AssertionResult inputs_come_and_go() {
                  below_mJ("energy given", felt.energy_out_J, 5.0)});
 }
 
+/// A device that a hand moves up and down over the skin at up to 0.2 m/s, in true time.
+class MovedDevice final : public ports::Rig {
+ public:
+  double time_s = 0.0;
+
+  ports::DeviceReading read() noexcept override {
+    return {.at = {{0.0, 0.02 * std::cos(10.0 * time_s), 0.0}}, .velocity = {}};
+  }
+  std::optional<ports::HandSample> hand(SessionTime now) noexcept override { return ports::HandSample{now, read().at}; }
+  void apply(const Wrench<HapticBase>&, const ports::SurfaceContact&, double) noexcept override {}
+};
+
+/// A simulated device under a hand that goes in and out of the skin, as the demo has it.
+loop::SimulatedRig simulated_device() {
+  static const auto kWaypoints = [] {
+    std::vector<device::Waypoint> out;
+    for (int i = 0; i < 100; ++i)
+      out.push_back({.seconds = 0.3, .x_m = 0.0, .height_m = i % 2 == 0 ? 0.05 : -0.02, .z_m = 0.0});
+    return out;
+  }();
+  return {{.device = {}, .hand = {}, .tracker = {}, .rest = {{0.0, 0.05, 0.0}}},
+          device::ScriptedIntention(kWaypoints, {})};
+}
+
+struct Busy {
+  int faults = 0;
+  int inside = 0;
+  std::uint64_t jumps = 0;
+};
+
+/// `rig` on a computer whose other programs hold up the haptic thread: each eleventh tick on average is up to 6 ms
+/// late, and each five-hundredth up to 0.3 s. `moves_to(s)` is called with the time of each tick.
+template <class MovesTo>
+Busy on_a_busy_computer(ports::Rig& rig, const MovesTo& moves_to) {
+  loop::HapticLoop loop({}, control::EncounteredController({}, the_skin()));
+  ShownSurface shown;
+  device::Random random(7);
+  Busy seen;
+  double next_image_s = 0.0;
+  for (std::uint64_t tick = 0; tick < 40'000; ++tick) {
+    std::uint64_t missed = 0;
+    if (random.uniform(0.0, 1.0) < 0.09) missed = static_cast<std::uint64_t>(random.uniform(1.0, 12.0));
+    if (random.uniform(0.0, 1.0) < 0.002) missed = static_cast<std::uint64_t>(random.uniform(20.0, 600.0));
+    tick += missed;
+    const double now_s = static_cast<double>(tick) * LoopScene::kTick_s;
+    moves_to(now_s);
+    loop::TickIn due = loop::due_at(at_s(now_s), missed);
+    if (now_s >= next_image_s) {
+      auto newer = std::make_shared<loop::PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
+      newer->captured = at_s(now_s);
+      due.surface = shown.show({std::move(newer), {}});
+      next_image_s = now_s + 0.033;
+    }
+    const loop::TickOut out = loop::tick_at_rig(
+        loop, rig, due, [](const loop::TickIn&) {}, [](const loop::TickIn&, const loop::TickOut&) {});
+    if (out.control.phase == Phase::Faulted) ++seen.faults;
+    if (control::is_inside(out.control.phase)) ++seen.inside;
+  }
+  seen.jumps = loop.compensation().device_jumps;
+  return seen;
+}
+
+AssertionResult thread_is_late() {
+  loop::SimulatedRig simulated = simulated_device();
+  MovedDevice moved;
+  const Busy of_simulated = on_a_busy_computer(simulated, [](double) {});
+  const Busy of_moved = on_a_busy_computer(moved, [&](double now_s) { moved.time_s = now_s; });
+  const auto undisturbed = [](const Busy& one) {
+    return all_of({{one.faults == 0, "no fault"},
+                   below("readings taken for jumps", static_cast<double>(one.jumps), 0.5, 1.0, ""),
+                   above("ticks in contact", one.inside, 3000.0, 1.0, "")});
+  };
+  const AssertionResult result = undisturbed(of_simulated);
+  return result ? undisturbed(of_moved) : result;
+}
+
 }  // namespace
 
 std::vector<HardCase> clock_rows() {
@@ -275,6 +354,8 @@ std::vector<HardCase> clock_rows() {
        from_the_future_then_silent},
       {"20 invalid ages", "minus an hour, NaN, infinity", "a bad surface age releases, a bad hand age not",
        ages_that_are_none},
+      {"20 the haptic thread is late", "by up to 6 ms at each eleventh tick, and at times by 0.3 s",
+       "the device's movement meanwhile is no jump and no fault", thread_is_late},
       {"24 outage in contact", "an old surface may be wrong", "the force decays to zero at the age limit", outage},
       {"24 inputs return as the hand meets the skin", "after a release the station waits for 0.3 s of good inputs",
        "contact begins at once, without a step", back_above_the_skin},
