@@ -69,6 +69,11 @@ std::optional<double> PeerDatagrams::share_B_per_s() const noexcept {
   return end_->link().path().share_B_per_s();
 }
 
+std::optional<double> PeerDatagrams::delivered_share_B_per_s() const noexcept {
+  if (end_->phase() != wire::DatagramPhase::Up) return std::nullopt;
+  return end_->link().path().delivered_share_B_per_s();
+}
+
 Nanoseconds PeerDatagrams::queue() const noexcept {
   return end_->phase() == wire::DatagramPhase::Up ? end_->link().path().queue_delay() : Nanoseconds{0};
 }

@@ -42,6 +42,8 @@ class PeerDatagrams : private DatagramPort::Session {
   /// What the path of the datagrams still carries beside other flows (link::PathEstimate::share_B_per_s()) [B/s];
   /// nullopt: no other flow was noticed, or TCP carries the images.
   [[nodiscard]] std::optional<double> share_B_per_s() const noexcept;
+  /// Of that share, what was delivered in the last second [B/s]: what people are told.
+  [[nodiscard]] std::optional<double> delivered_share_B_per_s() const noexcept;
   /// The path's standing queue (link::PathEstimate::queue_delay()); 0 while TCP carries the images.
   [[nodiscard]] Nanoseconds queue() const noexcept;
   /// Call it when the hub has a message for the peer.

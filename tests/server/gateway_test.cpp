@@ -407,6 +407,28 @@ TEST(HealthPort, AnswersWhileSilentConnectionsHoldIt) {
   EXPECT_TRUE(reply_of_crowded_health_port("/").starts_with("HTTP/1.1 404"));
 }
 
+TEST(HealthPort, AFloodFromOneOrManyNetworksDoesNotCloseAConnectionThatAsksLate) {
+  for (const int networks : {1, 64}) {
+    asio::io_context io;
+    auto opened = gateway::HealthPort::open(io, {.problem = [] { return std::string(); }});
+    ASSERT_TRUE(opened.ok());
+    std::thread running([&] { io.run_for(10s); });
+    asio::io_context outside;
+    tcp::socket late = connected(outside, (*opened)->port());
+    std::vector<tcp::socket> silent;
+    for (int number = 0; number < 300; ++number)
+      silent.push_back(
+          silent_from("127.0." + std::to_string(3 + number % networks) + ".1", outside, (*opened)->port()));
+    asio::write(late, asio::buffer(std::string("GET /health HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")));
+    std::string reply;
+    boost::system::error_code over;
+    asio::read(late, asio::dynamic_buffer(reply), over);
+    EXPECT_TRUE(reply.starts_with("HTTP/1.1 200 OK")) << networks << ' ' << over.message();
+    io.stop();
+    running.join();
+  }
+}
+
 TEST(HealthPort, SaysWhatIsWrong) {
   const std::string reply = reply_of_crowded_health_port("/health", "the camera is silent");
   EXPECT_TRUE(reply.starts_with("HTTP/1.1 503"));

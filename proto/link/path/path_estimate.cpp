@@ -199,6 +199,11 @@ bool PathEstimate::drains(SessionTime now) noexcept {
   return draining_;
 }
 
+std::optional<double> PathEstimate::delivered_share_B_per_s() const noexcept {
+  const std::optional<double> share = share_B_per_s();
+  return share ? std::optional(std::min(*share, best_rate_B_per_s_)) : std::nullopt;
+}
+
 std::optional<double> PathEstimate::pace_B_per_s() const noexcept {
   if (const std::optional<double> share = share_B_per_s()) return kPaceGain * *share;
   const bool overflows = loss_ > kOverflowLoss && burst_packets_ > kOverflowBurst_packets;

@@ -3,8 +3,10 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <utility>
+#include <vector>
 
 #include "proto/wire/sockets/tcp_socket.h"
+#include "server/access/unproven.h"
 #include "server/gateway/health/metrics.h"
 #include "server/gateway/http_reply.h"
 
@@ -50,6 +52,8 @@ class HealthPort::Check final : public std::enable_shared_from_this<Check> {
  public:
   Check(tcp::socket socket, std::shared_ptr<const Options> options)
       : stream_(std::move(socket)), options_(std::move(options)) {
+    beast::error_code gone;  // then the address stays 0.0.0.0
+    unproven_ = {.from = stream_.socket().remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()};
     parser_.header_limit(kMaxHeaderBytes);
     parser_.body_limit(0);
   }
@@ -60,6 +64,10 @@ class HealthPort::Check final : public std::enable_shared_from_this<Check> {
       if (!failed) self->reply();
     });
   }
+
+  [[nodiscard]] const access::Unproven& unproven() const noexcept { return unproven_; }
+
+  [[nodiscard]] bool is_closed() const noexcept { return closed_; }
 
   void close() {
     closed_ = true;
@@ -84,6 +92,7 @@ class HealthPort::Check final : public std::enable_shared_from_this<Check> {
   beast::flat_buffer buffer_{kMaxHeaderBytes};
   http::request_parser<http::string_body> parser_;
   HttpReply reply_;
+  access::Unproven unproven_;
   bool closed_ = false;
 };
 
@@ -126,15 +135,26 @@ void HealthPort::accept() {
 }
 
 void HealthPort::admit(tcp::socket socket) {
-  std::erase_if(checks_, [](const std::weak_ptr<Check>& check) { return check.expired(); });
-  if (checks_.size() >= kMostConnections) {
-    if (const std::shared_ptr<Check> oldest = checks_.front().lock()) oldest->close();
-    checks_.pop_front();
-  }
   // shared_ptr: the pending read or write owns the connection
   const auto check = std::make_shared<Check>(std::move(socket), options_);
+  std::erase_if(checks_, [](const std::weak_ptr<Check>& other) { return other.expired(); });
   checks_.push_back(check);
-  check->start();
+  if (checks_.size() > kMostConnections) close_one();
+  if (!check->is_closed()) check->start();
+}
+
+void HealthPort::close_one() {
+  std::vector<std::shared_ptr<Check>> open;
+  std::vector<access::Unproven> all;
+  for (const std::weak_ptr<Check>& one : checks_)
+    if (std::shared_ptr<Check> check = one.lock()) {
+      all.push_back(check->unproven());
+      open.push_back(std::move(check));
+    }
+  const std::optional<std::size_t> chosen = access::one_to_close(all, std::chrono::steady_clock::now());
+  if (!chosen) return;
+  open[*chosen]->close();
+  std::erase_if(checks_, [&](const std::weak_ptr<Check>& one) { return one.lock() == open[*chosen]; });
 }
 
 }  // namespace telepalp::gateway

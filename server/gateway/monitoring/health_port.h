@@ -14,7 +14,8 @@
 namespace telepalp::gateway {
 
 /// Answers GET /health and GET /metrics over plain HTTP on a port of its own, so that a crowded web port does not blind
-/// the monitoring. One request for each connection; at most kMostConnections, of which a new one closes the oldest.
+/// the monitoring. One request for each connection. When there are more than kMostConnections, one is closed, chosen by
+/// access::one_to_close(): strangers who open many do not close the one of the monitoring.
 /// Owner: the server's network thread.
 class HealthPort {
  public:
@@ -24,7 +25,7 @@ class HealthPort {
     std::function<std::string()> problem{};  ///< why the health check fails; empty text: healthy
     std::function<std::string()> metrics{};  ///< text for Prometheus, without names and addresses
   };
-  static constexpr std::size_t kMostConnections = 16;
+  static constexpr std::size_t kMostConnections = 128;
 
   /// Error: the port cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<HealthPort>> open(boost::asio::io_context& io, Options options);
@@ -41,6 +42,7 @@ class HealthPort {
   HealthPort(boost::asio::ip::tcp::acceptor acceptor, Options options);
   void accept();
   void admit(boost::asio::ip::tcp::socket socket);
+  void close_one();
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer accept_again_;
