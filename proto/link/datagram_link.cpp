@@ -55,8 +55,10 @@ std::optional<std::vector<std::byte>> DatagramLink::feedback_due(SessionTime now
 std::optional<SessionTime> DatagramLink::due(SessionTime now) const noexcept {
   if (challenged_) return now;
   if (sender_.holds_fragments()) return now + path_.next_look();
-  if (unreported_ || receiver_.assembling_B() > 0) return std::max(now, reported_at_ + kReportEvery);
-  return std::nullopt;
+  std::optional<SessionTime> next = sender_.echo_due();
+  if (unreported_ || receiver_.assembling_B() > 0)
+    next = std::min(next.value_or(SessionTime::max()), reported_at_ + kReportEvery);
+  return next ? std::optional(std::max(now, *next)) : std::nullopt;
 }
 
 bool DatagramLink::next(SessionTime now, Datagram& into) {

@@ -30,7 +30,8 @@ std::shared_ptr<const link::SharedFrame> frame_of(const Message& message, Sessio
       link::SharedFrame::Label{.channel = *channel,
                                .number = static_cast<std::uint32_t>(message.sequence),
                                .key_frame = message.key_frame,
-                               .captured = deadline_from(message, now)},
+                               .captured = deadline_from(message, now),
+                               .echoed = message.topic.spoken},
       label, std::as_bytes(std::span(*message.payload)), message.payload);
 }
 

@@ -11,6 +11,9 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kMostKept = 32;  ///< started frames that are kept for repair requests
 
+/// A path that loses more gets echoes.
+constexpr double kEchoLoss = 0.02;
+
 }  // namespace
 
 std::shared_ptr<const SharedFrame> shared(Frame frame) {
@@ -36,12 +39,31 @@ std::optional<std::uint32_t> FrameSender::offer(std::shared_ptr<const SharedFram
 }
 
 std::optional<FrameSender::Next> FrameSender::next(SessionTime now, PathEstimate& path) {
+  queue_echoes(now);
   if (first_round_.empty()) start_newest(now, path);
   std::deque<Piece>& from = requested_.empty() ? first_round_ : requested_;
   if (from.empty() || !path.has_room(now)) return std::nullopt;
   Next next = send(from.front(), now);
   from.pop_front();
   return next;
+}
+
+/// In order of time: the first echo of a frame may be due before the second one of the frame before it.
+void FrameSender::add_echo(const Echo& echo) {
+  const auto later =
+      std::find_if(echoes_.begin(), echoes_.end(), [&](const Echo& other) { return other.at > echo.at; });
+  echoes_.insert(later, echo);
+}
+
+/// An echo has as many repair shards as the frame has data shards: it replaces the first datagrams if all were lost.
+void FrameSender::queue_echoes(SessionTime now) {
+  for (; !echoes_.empty() && echoes_.front().at <= now; echoes_.pop_front()) {
+    const std::uint64_t place = echoes_.front().outgoing;
+    if (place < forgotten_) continue;
+    Outgoing& outgoing = sent_[place - forgotten_];
+    for (std::size_t block = 0; block < outgoing.blocks.size(); ++block)
+      queue_repairs(place, outgoing, block, outgoing.frame->layout().data_in_block(block), requested_);
+  }
 }
 
 /// A frame is dropped unsent when it would arrive after twice the deadline. Over a path whose one-way delay exceeds the
@@ -80,6 +102,8 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
   }
   for (std::size_t block = 0; block < layout.blocks; ++block)
     queue_repairs(place, outgoing, block, repairs, first_round_);
+  if (label.echoed && path.loss() > kEchoLoss)
+    for (const Nanoseconds after : kEchoesAfter) add_echo({now + after, place});
   ++statistics_.started;
   statistics_.data_shards += layout.data_shards;
   sent_.push_back(std::move(outgoing));

@@ -40,6 +40,10 @@ struct SenderStatistics {
   std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request
 };
 
+/// Times from a frame's first datagrams to its echoes. A burst of losses that takes all three is so long that the
+/// frames are needed whose messages come after it.
+inline constexpr std::array<Nanoseconds, 2> kEchoesAfter{std::chrono::milliseconds(7), std::chrono::milliseconds(14)};
+
 /// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is
 /// sent completely. `deadline` counts from the frame's capture. Pure: time and the path are arguments. Owner: one
 /// thread.
@@ -67,6 +71,11 @@ class FrameSender {
   /// True while fragments wait for room on the path.
   [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }
 
+  /// When the next echo is due; nullopt: none waits.
+  [[nodiscard]] std::optional<SessionTime> echo_due() const noexcept {
+    return echoes_.empty() ? std::nullopt : std::optional(echoes_.front().at);
+  }
+
   /// Queues further repair shards for the blocks `missing`, if they can arrive before the frame's deadline. Ignores a
   /// block while shards of it are queued or on their way, because the receiver does not know of these.
   void on_missing(std::span<const Missing> missing, SessionTime now, const PathEstimate& path);
@@ -89,6 +98,12 @@ class FrameSender {
     std::uint8_t block;
     std::uint8_t shard;
   };
+  struct Echo {
+    SessionTime at;
+    std::uint64_t outgoing;
+  };
+  void add_echo(const Echo& echo);
+  void queue_echoes(SessionTime now);
   void start_newest(SessionTime now, const PathEstimate& path);
   void start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path);
   void queue_repairs(std::uint64_t place, Outgoing& outgoing, std::size_t block, std::size_t count,
@@ -104,6 +119,7 @@ class FrameSender {
   std::uint64_t forgotten_ = 0;                ///< number of frames removed from the front of sent_
   std::deque<Piece> first_round_;
   std::deque<Piece> requested_;
+  std::deque<Echo> echoes_;
   SenderStatistics statistics_;
 };
 

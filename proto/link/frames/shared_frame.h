@@ -19,6 +19,8 @@ class SharedFrame {
     std::uint32_t number = 0;  ///< as Frame::number
     bool key_frame = true;
     SessionTime captured{};
+    /// On a path with losses, it is sent again after kEchoesAfter: for short frames that are soon too late.
+    bool echoed = false;
   };
   /// `prefix`: bytes before the payload. `owner` keeps the memory of `payload`, which does not change. Aborts if the
   /// channel is not below kMostChannels, there are no bytes, or they exceed kMostFrameBytes with the time stamp's

@@ -41,7 +41,9 @@ SessionTime steady_now() {
 class Network {
  public:
   Network() : thread_([this] { io.run(); }) {}
-  ~Network() {
+  ~Network() { end(); }
+  /// Ends the thread when its work is done, or at once after io.stop(); what waits is not run any more.
+  void end() {
     work_.reset();
     if (thread_.joinable()) thread_.join();
   }
@@ -85,7 +87,9 @@ class Mouth {
     network_.run([this] {
       if (listener_) listener_->close("the bench ends");
     });
-    network_.run([this] { listener_.reset(); });
+    network_.io.stop();
+    network_.end();
+    listener_.reset();  // handlers that wait would call it
   }
   [[nodiscard]] std::uint16_t port() const { return listener_ ? listener_->port() : 0; }
 

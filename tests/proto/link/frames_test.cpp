@@ -105,6 +105,57 @@ TEST(Frames, RepairsOnRequestCompleteABlock) {
   EXPECT_EQ(receiver.take()->bytes, sent.bytes);
 }
 
+/// A path that loses `percent` of the packets, as its reports say.
+PathEstimate path_with_loss(std::uint32_t percent) {
+  PathEstimate path;
+  std::uint32_t lost = 0;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const SessionTime now = kStart - 2s + i * 1ms;
+    path.sent(i, 1200, now);
+    if (i % 100 < percent) ++lost;
+    path.on_feedback({.highest_sequence = i,
+                      .received_bytes = std::uint64_t{1200} * (i + 1 - lost),
+                      .reported_ns = to_nanoseconds(now),
+                      .held_us = 0,
+                      .settled = i + 1,
+                      .lost = lost,
+                      .bursts = lost},
+                     now);
+  }
+  return path;
+}
+
+TEST(Frames, OnAPathWithLossesAnEchoedFrameIsSentAgainAndEachEchoAloneRestoresIt) {
+  const auto bytes = std::make_shared<const std::vector<std::byte>>(400, std::byte{7});
+  const SharedFrame::Label spoken{.channel = 6, .number = 1, .captured = kStart, .echoed = true};
+  const auto offered =
+      std::make_shared<const SharedFrame>(spoken, std::span<const std::byte>{}, std::span(*bytes), bytes);
+  PathEstimate path = path_with_loss(5);
+  FrameSender sender(kDeadline);
+  sender.offer(offered);
+  while (next_payload(sender, kStart, path)) {
+  }
+  for (const Nanoseconds after : kEchoesAfter) {
+    ASSERT_EQ(sender.echo_due(), kStart + after);
+    EXPECT_FALSE(next_payload(sender, kStart + after - 1ms, path));
+    const auto echo = next_payload(sender, kStart + after, path);
+    ASSERT_TRUE(echo);
+    EXPECT_FALSE(next_payload(sender, kStart + after, path));
+    FrameReceiver receiver(kDeadline);
+    add(receiver, *echo);
+    const auto restored = receiver.take();
+    ASSERT_TRUE(restored);
+    EXPECT_EQ(restored->bytes, *bytes);
+  }
+  EXPECT_FALSE(sender.echo_due());
+
+  PathEstimate without_loss;
+  FrameSender calm(kDeadline);
+  calm.offer(offered);
+  ASSERT_TRUE(next_payload(calm, kStart, without_loss));
+  EXPECT_FALSE(calm.echo_due());
+}
+
 TEST(Frames, AShardThatWaitsForRoomIsNotRepaired) {
   FrameSender sender(kDeadline);
   PathEstimate path;
