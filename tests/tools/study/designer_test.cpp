@@ -8,7 +8,7 @@
 #include "tools/study/designer/live_design.h"
 #include "tools/study/designer/web/door.h"
 #include "tools/study/designer/web/reply.h"
-#include "tools/study/task/penetration.h"
+#include "tools/study/task/tools.h"
 
 namespace telepalp::study {
 namespace {

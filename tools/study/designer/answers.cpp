@@ -1,7 +1,6 @@
 #include "tools/study/designer/answers.h"
 
 #include "support/program/json.h"
-#include "tools/study/task/penetration.h"
 
 namespace telepalp::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "haptic_station/mechanism/crank_range.h"
-#include "tools/study/task/penetration.h"
+#include "tools/study/task/insertion.h"
 
 namespace telepalp::study {
 namespace {
@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
 constexpr int kTraceEach = 10;       // ticks
 constexpr int kAfterPuncture = 200;  // ticks in which the force falls to its least
 constexpr double kInserts_m_per_s = 0.04;
