@@ -113,18 +113,7 @@ std::vector<TracePoint> LiveTool::insert(double depth_m) {
 }
 
 LiveFrame LiveTool::frame() const noexcept {
-  const mechanism::LinkagePlane& plane = held_.plane();
-  const auto place = [&plane](const mechanism::InPlane<double>& at) -> Vector2d {
-    return (plane.pivot_a.m + at.x * plane.x.v + at.y * plane.y.v).head<2>();
-  };
-  const mechanism::FourBarPose<double>& pose = held_.pose();
-  LiveFrame frame{.a_m = place({0.0, 0.0}),
-                  .o_m = place({held_.bar().l4_m, 0.0}),
-                  .b_m = place(pose.b),
-                  .p_m = place(pose.p),
-                  .d_m = place(pose.d),
-                  .c_m = place(pose.c),
-                  .tip_m = place(pose.tip),
+  LiveFrame frame{.at = places_of(held_),
                   .link3_rad = held_.link3_rad(),
                   .at_dead_point = std::abs(held_.sine_of_links()) < kDeadPointSine,
                   .needle_N = tissue_.wrench().force_N.head<2>(),
