@@ -49,6 +49,18 @@ Desk desk_of(
   return {std::move(*session), std::move(*journal), kAnna.name, std::move(over)};
 }
 
+/// Tissue of the middle plant, which takes long to make.
+const std::shared_ptr<const tissue::TissueModel>& middle_tissue() {
+  static const std::shared_ptr<const tissue::TissueModel> tissue = *tissue::make_tissue(tissue_of(Plant{}));
+  return tissue;
+}
+
+Prepared prepared(std::size_t mechanism) {
+  Prepared made{.tool = *linkage_tool(small().design.configurations[mechanism], Plant{}), .insertion = nullptr};
+  made.insertion = std::make_unique<Insertion>(*made.tool, middle_tissue());
+  return made;
+}
+
 /// A person who pushes at 40 mm/s for 3.5 s, which goes through the sac, and then stands still.
 void penetrate(Desk& desk) {
   constexpr double kFrame_s = 0.016;
@@ -124,21 +136,21 @@ class RecordedHand final : public HandMotion {
 
 TEST(Insertion, APersonsHandOnTheWayOfASimulatedOneOvershootsAsFar) {
   const Plant plant;
-  const auto tissue = tissue::make_tissue(tissue_of(plant));
+  const std::shared_ptr<const tissue::TissueModel>& tissue = middle_tissue();
   const Design design = *parse_design("l_h=140", "one");
   const Operator person;
   for (const Condition condition : {Condition::Force, Condition::Vision, Condition::Both}) {
     const auto simulated_tool = linkage_tool(design.configurations[0], plant);
     Learned learned{.depth_m = 0.04, .from = 5};
     device::Random random(7);
-    const Penetration one{**simulated_tool, *tissue, person, condition};
+    const Penetration one{**simulated_tool, tissue, person, condition};
     SimulatedHand hand(one, learned, random);
     RecordedHand recorded(hand);
-    Insertion simulated(**simulated_tool, *tissue);
+    Insertion simulated(**simulated_tool, tissue);
     while (!simulated.over()) simulated.step(recorded.next_m(simulated));
 
     const auto persons_tool = linkage_tool(design.configurations[0], plant);
-    Insertion persons(**persons_tool, *tissue);
+    Insertion persons(**persons_tool, tissue);
     for (const Eigen::Vector3d& place_m : recorded.places_m) persons.step(place_m);
     ASSERT_TRUE(persons.over());
     EXPECT_GT(persons.outcome().overshoot_m, 0.001);
@@ -147,18 +159,14 @@ TEST(Insertion, APersonsHandOnTheWayOfASimulatedOneOvershootsAsFar) {
 
     const auto again_tool = linkage_tool(design.configurations[0], plant);
     device::Random again(7);
-    const Outcome whole = penetrate({**again_tool, *tissue, person, condition}, learned, again);
+    const Outcome whole = penetrate({**again_tool, tissue, person, condition}, learned, again);
     EXPECT_EQ(whole.overshoot_m, simulated.outcome().overshoot_m) << "the study runs the same insertion";
   }
 }
 
 TEST(BrowserHand, IsThrownForwardByTheForceOnlyWhereForceIsShown) {
-  const Protocol protocol = small();
-  const auto deepest_m = [&](Condition condition) {
-    const Plant plant;
-    Prepared prepared{.tool = *linkage_tool(protocol.design.configurations[1], plant), .insertion = nullptr};
-    prepared.insertion = std::make_unique<Insertion>(*prepared.tool, *tissue::make_tissue(tissue_of(plant)));
-    BrowserTrial trial(std::move(prepared), condition);
+  const auto deepest_m = [](Condition condition) {
+    BrowserTrial trial(prepared(1), condition);
     for (int i = 0; i < 2000 && !trial.insertion().over(); ++i) {
       if (!trial.insertion().through()) trial.push(0.0005);
       trial.step(0.016);
@@ -171,10 +179,7 @@ TEST(BrowserHand, IsThrownForwardByTheForceOnlyWhereForceIsShown) {
 }
 
 TEST(BrowserHand, ALateProgramMakesTheHandSlowAndSaysSo) {
-  const Plant plant;
-  Prepared prepared{.tool = *linkage_tool(small().design.configurations[0], plant), .insertion = nullptr};
-  prepared.insertion = std::make_unique<Insertion>(*prepared.tool, *tissue::make_tissue(tissue_of(plant)));
-  BrowserTrial trial(std::move(prepared), Condition::Both);
+  BrowserTrial trial(prepared(0), Condition::Both);
   trial.push(0.3);
   trial.step(1.0);
   EXPECT_NEAR(trial.insertion().time_s(), BrowserTrial::kLongestStep_s, 1e-3);
@@ -247,12 +252,7 @@ TEST(ProtocolDesk, EscapeBeforeThePunctureIsRepeatedAndAfterItCounts) {
 }
 
 TEST(ProtocolAnswers, HideWhatTheConditionHides) {
-  const Plant plant;
-  const auto frame = [&](Condition condition) {
-    Prepared prepared{.tool = *linkage_tool(small().design.configurations[0], plant), .insertion = nullptr};
-    prepared.insertion = std::make_unique<Insertion>(*prepared.tool, *tissue::make_tissue(tissue_of(plant)));
-    return trial_frame_json(BrowserTrial(std::move(prepared), condition));
-  };
+  const auto frame = [](Condition condition) { return trial_frame_json(BrowserTrial(prepared(0), condition)); };
   EXPECT_FALSE(says(frame(Condition::Force), "seen"));
   EXPECT_TRUE(says(frame(Condition::Force), "hand_N"));
   EXPECT_TRUE(says(frame(Condition::Vision), "seen"));

@@ -23,9 +23,10 @@ plot::Series interval_lines(std::span<const Interval> mm, std::string_view color
 
 }  // namespace
 
-plot::Chart overshoot_chart() {
+plot::Chart overshoot_chart(std::size_t mechanisms) {
   return {.title = "Overshoot of each mechanism, with 95 % intervals",
-          .x = {.label = "number of the mechanism in the table"},
+          .x = {.label = "number of the mechanism in the table",
+                .include = plot::Range{0.0, static_cast<double>(mechanisms + 1)}},
           .y = {.label = "overshoot [mm]", .include = plot::Range{0.0, 0.0}},
           .height_px = 340.0};
 }

@@ -13,8 +13,8 @@ namespace telepalp::study {
 
 // Figures of the needle's study, for simulated operators and for people. A mechanism without a finite mean is left out.
 
-/// A chart of overshoots [mm] over the number of the mechanism in the table.
-[[nodiscard]] plot::Chart overshoot_chart();
+/// A chart of overshoots [mm] over the number of the mechanism in the table, which has `mechanisms`.
+[[nodiscard]] plot::Chart overshoot_chart(std::size_t mechanisms);
 /// The 95 % intervals of the mechanisms as lines, and their means as dots under the name `name`.
 void add_overshoots(plot::Chart& chart, std::string_view name, std::span<const Interval> mm, std::string_view color);
 /// S4's Table 2 as dots.

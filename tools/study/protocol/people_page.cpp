@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "clients/report/figures/html.h"
 #include "proto/words/error_line.h"
@@ -19,7 +20,7 @@ std::string_view color_of(Condition condition) {
 }
 
 std::string overshoots(const Protocol& protocol, const PeopleResult& result) {
-  plot::Chart chart = overshoot_chart();
+  plot::Chart chart = overshoot_chart(protocol.design.configurations.size());
   for (const PeopleCondition& one : result.conditions)
     add_overshoots(chart, name(one.condition), one.cells, color_of(one.condition));
   if (protocol.design.of_the_paper) add_paper(chart);
@@ -29,7 +30,8 @@ std::string overshoots(const Protocol& protocol, const PeopleResult& result) {
 /// Each penetration in its order: what was learned on the way.
 std::string learning(const PersonRecord& person) {
   plot::Chart chart{.title = person.participant.name + ": each penetration in its order",
-                    .x = {.label = "number of the penetration, training included"},
+                    .x = {.label = "number of the penetration, training included",
+                          .include = plot::Range{0.0, static_cast<double>(person.done + 1)}},
                     .y = {.label = "overshoot [mm]", .include = plot::Range{0.0, 0.0}},
                     .height_px = 260.0};
   plot::Series training{
@@ -132,7 +134,7 @@ std::string rules(const PeopleResult& result) {
 }  // namespace
 
 std::string people_html(const Protocol& protocol, const PeopleResult& result) {
-  const std::string title = "Protocol with people: " + protocol.design.name;
+  const std::string title = "Protocol with people: " + std::filesystem::path(protocol.design.name).filename().string();
   std::string said;
   for (const std::string& sentence : people_findings(protocol, result))
     said += "<p>" + plot::escaped(sentence) + "</p>";

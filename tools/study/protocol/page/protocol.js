@@ -73,7 +73,8 @@ function show() {
   by('penetration').textContent = state.penetration;
   by('participant').textContent = state.participant;
   by('refused').hidden = true;
-  by('unseen').hidden = sees;
+  const hint = {resting: 'Space begins the next penetration', finished: 'Finished'}[stage] ?? (sees ? '' : 'In this condition nothing is seen: go by the force');
+  by('unseen').textContent = hint;
   by('force').hidden = !feels;
   by('no-force').hidden = feels;
   by('field-note').textContent = moving() ? 'Esc lets go' : '';
