@@ -17,6 +17,7 @@ install(DIRECTORY haptic_station/scenes DESTINATION ${TELEPALP_DATADIR}/haptic_s
   FILES_MATCHING PATTERN "*.scene.textproto")
 install(DIRECTORY deploy/demo_data DESTINATION ${TELEPALP_DATADIR}/deploy COMPONENT data PATTERN "*.py" EXCLUDE)
 install(DIRECTORY tools/study/designer/page DESTINATION ${TELEPALP_DATADIR}/tools/study/designer COMPONENT tools)
+install(DIRECTORY tools/study/protocol/page DESTINATION ${TELEPALP_DATADIR}/tools/study/protocol COMPONENT tools)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
 install(FILES README.md CHANGELOG.md LICENSE proto/WIRE.md clients/viewer/THIRD_PARTY.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)

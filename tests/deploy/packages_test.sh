@@ -32,6 +32,7 @@ holds telepalp-station station
 holds telepalp-tools codec probe study worker
 holds telepalp demo
 files telepalp-tools | grep -q 'study/designer/page/index.html' || fail "the study has no designer's page"
+files telepalp-tools | grep -q 'study/protocol/page/index.html' || fail "the study has no page of the protocol"
 files telepalp-server | grep -q 'telepalp/viewer/index.html' || fail "the server has no web page"
 
 needs() { field "$1" Depends | tr ',' '\n' | grep -qE "^ *$2"; }

@@ -78,17 +78,23 @@ Result<Experiment> chosen_ribs(const program::Arguments&) {
 
 }  // namespace
 
+Result<std::filesystem::path> read_out(const program::Arguments& arguments) {
+  const std::string out = arguments.text("out");
+  if (out.empty())
+    return Error{.what = "no folder is named", .where = "--out", .fix = "give a folder, such as --out study"};
+  return std::filesystem::path(out);
+}
+
 Result<RunChoice> read_run_choice(const program::Arguments& arguments) {
   const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
   if (!seed) return seed.error();
   const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
   if (!threads) return threads.error();
-  RunChoice choice{.seed = static_cast<std::uint64_t>(*seed),
+  const Result<std::filesystem::path> out = read_out(arguments);
+  if (!out) return out.error();
+  return RunChoice{.seed = static_cast<std::uint64_t>(*seed),
                    .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads),
-                   .out = arguments.text("out")};
-  if (choice.out.empty())
-    return Error{.what = "no folder is named", .where = "--out", .fix = "give a folder, such as --out study"};
-  return choice;
+                   .out = *out};
 }
 
 int run_obstruction(int argc, const char* const* argv) {

@@ -22,6 +22,9 @@ struct RunChoice {
 /// Error: a number is out of range, or --out names no folder.
 [[nodiscard]] Result<RunChoice> read_run_choice(const program::Arguments& arguments);
 
+/// The folder that --out names. Error: none.
+[[nodiscard]] Result<std::filesystem::path> read_out(const program::Arguments& arguments);
+
 /// The commands of telepalp-study besides the needle's study; each returns the process's exit code.
 int run_search(int argc, const char* const* argv);
 int run_obstruction(int argc, const char* const* argv);

@@ -8,7 +8,7 @@
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "support/program/parallel.h"
-#include "tools/study/designer/web/designer_server.h"
+#include "tools/study/designer/designer_page.h"
 
 namespace telepalp::study {
 namespace {
@@ -45,11 +45,9 @@ Result<Asked> read(const program::Arguments& arguments) {
   if (!seed) return seed.error();
   const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
   if (!threads) return threads.error();
-  boost::system::error_code failed;
-  const std::string listen = arguments.text("listen");
-  asio::ip::make_address(listen, failed);
-  if (failed) return Error{.what = "'" + listen + "' is no IP address", .where = "--listen", .fix = "give 127.0.0.1"};
-  return Asked{.door = {.listen = listen, .port = static_cast<std::uint16_t>(*port), .token = new_token()},
+  Result<Door> door = new_door(arguments.text("listen"), *port);
+  if (!door) return door.error();
+  return Asked{.door = std::move(*door),
                .judges = {.operators = static_cast<int>(*operators),
                           .seed = static_cast<std::uint64_t>(*seed),
                           .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads)}};
@@ -58,7 +56,9 @@ Result<Asked> read(const program::Arguments& arguments) {
 int run(const Asked& asked) {
   asio::io_context io(1);
   Workers workers(asked.judges);  // ends before `io`, to which its threads post
-  Result<std::unique_ptr<DesignerServer>> server = DesignerServer::open(io, asked.door, workers);
+  Result<Page> page = designer_page(workers);
+  if (!page) return program::fail(page.error());
+  Result<std::unique_ptr<PageServer>> server = PageServer::open(io, asked.door, std::move(*page));
   if (!server) return program::fail(server.error());
   asio::signal_set signals(io, SIGINT, SIGTERM);
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {

@@ -6,6 +6,7 @@
 #include "tools/study/designer_command.h"
 #include "tools/study/page/files.h"
 #include "tools/study/progress.h"
+#include "tools/study/protocol_command.h"
 
 namespace {
 
@@ -32,6 +33,7 @@ const program::Usage kUsage{
         },
     .example = "telepalp-study --operators 2 --penetrations 2 --out study",
     .commands = {{"designer", "", "a page in which a mechanism is turned, changed and compared", run_designer},
+                 {"protocol", "", "a person follows the protocol of the operators, in a browser", run_protocol},
                  {"search", "", "the mechanism that overshoots least, for each bound on the hand's force", run_search},
                  {"obstruction", "", "a ball is pushed with the device in sight or hidden (S3 8.3)", run_obstruction},
                  {"stiffness-jnd", "", "the least difference in stiffness that is told (S3 8.4)", run_stiffness_jnd},

@@ -4,11 +4,12 @@
 
 #include "tools/study/designer/answers.h"
 #include "tools/study/designer/command.h"
+#include "tools/study/designer/designer_page.h"
 #include "tools/study/designer/live/reach.h"
 #include "tools/study/designer/live_design.h"
-#include "tools/study/designer/web/door.h"
-#include "tools/study/designer/web/reply.h"
-#include "tools/study/task/penetration.h"
+#include "tools/study/task/tools.h"
+#include "tools/study/web/door.h"
+#include "tools/study/web/reply.h"
 
 namespace telepalp::study {
 namespace {
@@ -126,9 +127,9 @@ TEST(LiveTool, AHandThatIsNotFiniteOrFarAwayLeavesAPossiblePose) {
     tool.aim(far);
     for (int i = 0; i < 600; ++i) (void)tool.step(kFrame_s);
     const LiveFrame frame = tool.frame();
-    EXPECT_TRUE(frame.tip_m.allFinite() && frame.hand_N.allFinite());
-    EXPECT_NEAR((frame.b_m - frame.o_m).norm(), 0.12, 1e-9) << "link 3 keeps its length";
-    EXPECT_NEAR((frame.p_m - frame.a_m).norm(), 0.08, 1e-9) << "link 1 keeps its length";
+    EXPECT_TRUE(frame.at.tip_m.allFinite() && frame.hand_N.allFinite());
+    EXPECT_NEAR((frame.at.b_m - frame.at.o_m).norm(), 0.12, 1e-9) << "link 3 keeps its length";
+    EXPECT_NEAR((frame.at.p_m - frame.at.a_m).norm(), 0.08, 1e-9) << "link 1 keeps its length";
   }
 }
 
@@ -224,7 +225,7 @@ HttpRequest request(const std::string& target, const std::string& host = "127.0.
 }
 
 TEST(DesignerReplies, ServeThePageWithAStrictPolicyAndNothingElse) {
-  const Result<PageFiles> files = read_page_files();
+  const Result<PageFiles> files = designer_files();
   ASSERT_TRUE(files.ok()) << to_string(files.error());
   const HttpReply page = reply_to(request("/?token=x"), *files, kDoor);
   EXPECT_EQ(page.result_int(), 200U);

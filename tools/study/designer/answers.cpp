@@ -1,7 +1,6 @@
 #include "tools/study/designer/answers.h"
 
 #include "support/program/json.h"
-#include "tools/study/task/penetration.h"
 
 namespace telepalp::study {
 namespace {
@@ -56,13 +55,13 @@ void add_punctures(Json& json, const std::vector<Puncture>& punctures) {
 
 void add_frame(Json& json, const LiveTool& tool, const std::vector<TracePoint>& trace) {
   const LiveFrame frame = tool.frame();
-  for (const auto& [key, place] : {std::pair{"a", frame.a_m},
-                                   {"o", frame.o_m},
-                                   {"b", frame.b_m},
-                                   {"p", frame.p_m},
-                                   {"d", frame.d_m},
-                                   {"c", frame.c_m},
-                                   {"tip", frame.tip_m}})
+  for (const auto& [key, place] : {std::pair{"a", frame.at.a_m},
+                                   {"o", frame.at.o_m},
+                                   {"b", frame.at.b_m},
+                                   {"p", frame.at.p_m},
+                                   {"d", frame.at.d_m},
+                                   {"c", frame.at.c_m},
+                                   {"tip", frame.at.tip_m}})
     add_pair(json, key, place, kMm);
   json.add("link3", frame.link3_rad);
   json.add("dead_point", frame.at_dead_point);

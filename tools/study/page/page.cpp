@@ -8,6 +8,7 @@
 #include "support/plot/palette.h"
 #include "support/plot/svg.h"
 #include "tools/study/page/files.h"
+#include "tools/study/page/overshoot_figures.h"
 #include "tools/study/page/words.h"
 #include "tools/study/run/trial_row.h"
 
@@ -18,72 +19,20 @@ using Rows = std::vector<std::vector<std::string>>;
 
 constexpr std::string_view kColors[] = {plot::kBlue, plot::kGreen, plot::kVermilion, plot::kGrey};
 
-plot::Series intervals(const ConditionResult& condition, std::string_view color) {
-  plot::Series lines{.name = "", .x = {}, .y = {}, .color = std::string(color), .style = plot::Style::Path};
-  for (std::size_t i = 0; i < condition.cells.size(); ++i) {
-    const double x = static_cast<double>(i + 1);
-    for (const double y : {condition.cells[i].low, condition.cells[i].high, std::numeric_limits<double>::quiet_NaN()}) {
-      lines.x.push_back(x);
-      lines.y.push_back(y);
-    }
-  }
-  return lines;
-}
-
-plot::Series means(const ConditionResult& condition, std::string_view color) {
-  plot::Series dots{.name = std::string(name(condition.condition)),
-                    .x = {},
-                    .y = {},
-                    .color = std::string(color),
-                    .style = plot::Style::Dots};
-  for (std::size_t i = 0; i < condition.cells.size(); ++i) {
-    dots.x.push_back(static_cast<double>(i + 1));
-    dots.y.push_back(condition.cells[i].mean);
-  }
-  return dots;
-}
-
-std::string overshoot_chart(const StudySettings& settings, const StudyResult& result) {
-  plot::Chart chart{.title = "Overshoot of each mechanism, with 95 % intervals",
-                    .x = {.label = "number of the mechanism in the table"},
-                    .y = {.label = "overshoot [mm]", .include = plot::Range{0.0, 0.0}},
-                    .height_px = 340.0};
-  for (const std::size_t c : {1, 2}) {
-    chart.series.push_back(intervals(result.conditions[c], kColors[c]));
-    chart.series.push_back(means(result.conditions[c], kColors[c]));
-  }
-  if (settings.design.of_the_paper) {
-    plot::Series paper{.name = "S4, Table 2",
-                       .x = {},
-                       .y = paper_overshoots_mm(),
-                       .color = std::string(plot::kBlack),
-                       .style = plot::Style::Dots};
-    for (int i = 1; i <= 36; ++i) paper.x.push_back(i);
-    chart.series.push_back(std::move(paper));
-  }
+std::string overshoots(const StudySettings& settings, const StudyResult& result) {
+  plot::Chart chart = overshoot_chart(settings.design.configurations.size());
+  for (const std::size_t c : {1, 2})
+    add_overshoots(chart, name(result.conditions[c].condition), result.conditions[c].cells, kColors[c]);
+  if (settings.design.of_the_paper) add_paper(chart);
   return plot::to_svg(chart);
-}
-
-/// Table 2's layout: rows are linkage and phi, columns h and l_h.
-plot::HeatMap heat_map(const std::string& title, const std::vector<double>& values) {
-  plot::HeatMap map{.title = title,
-                    .x_label = "h, l_h [mm]",
-                    .y_label = "linkage, phi",
-                    .columns = {"0, 140", "0, 180", "80, 140", "80, 180"},
-                    .rows = {},
-                    .values = values,
-                    .width_px = 470.0};
-  for (int linkage = 1; linkage <= 3; ++linkage)
-    for (const char* phi : {"0", "π/2", "5π/6"}) map.rows.push_back(std::to_string(linkage) + ", " + phi);
-  return map;
 }
 
 std::string heat_maps(const StudyResult& result) {
   std::vector<double> here;
   for (const Interval& cell : result.conditions[2].cells) here.push_back(cell.mean);
   for (double& value : here) value = 0.1 * static_cast<double>(static_cast<int>(10.0 * value + 0.5));
-  return "<div class=\"pair\">" + plot::to_svg(heat_map("Here, with both senses: overshoot [mm]", here)) +
-         plot::to_svg(heat_map("S4, Table 2: overshoot [mm]", paper_overshoots_mm())) + "</div>";
+  return "<div class=\"pair\">" + plot::to_svg(table_2_map("Here, with both senses: overshoot [mm]", here)) +
+         plot::to_svg(table_2_map("S4, Table 2: overshoot [mm]", paper_overshoots_mm())) + "</div>";
 }
 
 std::string mechanism_table(const StudySettings& settings, const StudyResult& result) {
@@ -165,21 +114,13 @@ std::string range_table(std::span<const Drawn<Owner>> ranges) {
   return report::table({"parameter", "range", "source"}, rows, report::Cells::Words);
 }
 
-constexpr std::string_view kRules =
-    "<dl class=\"meanings\"><dt>contact point</dt><dd>place of the needle's tip when it first touches the sac</dd>"
-    "<dt>direction</dt><dd>along the needle, as it is at that instant</dd>"
-    "<dt>stop</dt><dd>after the sac is punctured, the tip moves by less than 0.2 mm in 0.1 s. S4 takes several "
-    "successive equal "
-    "coordinates of its device, which a hand with tremor does not give</dd>"
-    "<dt>overshoot</dt><dd>distance from the contact point to the tip at the stop, in that direction. It includes how "
-    "far the sac "
-    "is pushed in before it gives way</dd>"
+constexpr std::string_view kStatisticsRules =
     "<dt>interval</dt><dd>95 %, by a bootstrap over the operators. Each operator works on a separate sample of the "
     "numbers that S4 does not "
     "give, so the interval covers these numbers, too</dd>"
     "<dt>p</dt><dd>permutation test within the operators, 1000 shuffles, not corrected for the number of tests. "
     "For "
-    "interactions, the residuals of the main effects are shuffled, an approximation</dd></dl>";
+    "interactions, the residuals of the main effects are shuffled, an approximation</dd>";
 
 std::string paper_sections(const StudyResult& result) {
   return report::section("Beside S4's Table 2", "Darker is worse. The numbers are means.", heat_maps(result)) +
@@ -217,9 +158,8 @@ std::string result_html(const StudySettings& settings, const StudyResult& result
                      " of them never punctured the sac with some mechanism, and are left out of all overshoots."
                : "") +
           "</p></div>";
-  page +=
-      report::section("Overshoot", "Dots are means over the operators, lines their 95 % intervals.",
-                      overshoot_chart(settings, result) + condition_table(result) + mechanism_table(settings, result));
+  page += report::section("Overshoot", "Dots are means over the operators, lines their 95 % intervals.",
+                          overshoots(settings, result) + condition_table(result) + mechanism_table(settings, result));
   if (settings.design.of_the_paper) page += paper_sections(result);
   page += report::section(
       "Check of the operators",
@@ -227,7 +167,9 @@ std::string result_html(const StudySettings& settings, const StudyResult& result
       "After the first check (force -56 %, live sight -70 %) the operator's speed was made to depend on how "
       "certain the depth is. docs/study.md tells what was changed later.",
       check_table(result.check));
-  page += report::section("Rules", "What the words of this page mean.", std::string(kRules));
+  page +=
+      report::section("Rules", "What the words of this page mean.",
+                      "<dl class=\"meanings\">" + std::string(kTaskRules) + std::string(kStatisticsRules) + "</dl>");
   page += report::section("The operators", "Each value is drawn evenly from its range, once for each operator.",
                           range_table(operator_ranges()));
   page += report::section("What S4 does not give", "Drawn as above. Each operator works on a separate sample.",

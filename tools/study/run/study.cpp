@@ -6,18 +6,13 @@
 #include <optional>
 
 #include "support/program/parallel.h"
-#include "tools/study/figures/shuffle.h"
+#include "tools/study/run/block_order.h"
 #include "tools/study/run/parts.h"
+#include "tools/study/run/seeds.h"
 #include "tools/study/run/trial_row.h"
 
 namespace telepalp::study {
 namespace {
-
-constexpr int kTrainingMechanisms = 3;
-constexpr int kTrainingPenetrations = 5;
-
-// Parts of the study that draw independent numbers.
-enum Part : std::uint64_t { kPerson = 1, kPlant, kOrder, kFirstGuess, kPenetration, kCheck };
 
 using Model = std::shared_ptr<const tissue::TissueModel>;
 
@@ -36,15 +31,14 @@ std::vector<Trial> run_block(const StudySettings& settings, const Model& model, 
                              Condition condition) {
   const Person person = person_of(settings, number);
   const auto& mechanisms = settings.design.configurations;
-  device::Random random(seed_of(settings.seed, kOrder * 1000 + number, static_cast<std::uint64_t>(condition)));
-  Learned learned{.depth_m = person.plant.sac_depth_m * std::clamp(1.0 + 0.2 * random.normal(), 0.5, 1.5), .from = 1};
-  const std::vector<std::size_t> training = shuffled(mechanisms.size(), random);
-  for (std::size_t i = 0; i < std::min<std::size_t>(kTrainingMechanisms, training.size()); ++i)
+  const BlockOrder block = block_order(settings.seed, number, condition, mechanisms.size());
+  Learned learned{.depth_m = person.plant.sac_depth_m * std::clamp(1.0 + 0.2 * block.first_guess, 0.5, 1.5), .from = 1};
+  for (std::size_t i = 0; i < std::min<std::size_t>(kTrainingMechanisms, block.training.size()); ++i)
     for (std::uint64_t k = 0; k < kTrainingPenetrations; ++k)
-      (void)one_penetration(settings, person, model, number, condition, mechanisms[training[i]], 100 + 10 * i + k,
+      (void)one_penetration(settings, person, model, number, condition, mechanisms[block.training[i]], 100 + 10 * i + k,
                             learned);
   std::vector<Trial> trials;
-  const std::vector<std::size_t> order = shuffled(mechanisms.size(), random);
+  const std::vector<std::size_t>& order = block.formal;
   for (std::size_t place = 0; place < order.size(); ++place)
     for (int k = 0; k < settings.penetrations; ++k)
       trials.push_back({.person = number,

@@ -57,16 +57,20 @@ std::optional<Trial> read_trial(const std::string& row) {
   return trial;
 }
 
-std::string identity_of(const StudySettings& settings) {
+std::uint32_t design_checksum(const Design& design) {
   std::string all = ranges_text(operator_ranges()) + ranges_text(plant_ranges());
-  for (const Configuration& one : settings.design.configurations) {
+  for (const Configuration& one : design.configurations) {
     all += one.name + (one.l4_given ? "4" : "-") + (one.needle_given ? "n" : "-");
     for (const double value : {one.bar.l1_m, one.bar.l2_m, one.bar.l3_m, one.bar.l4_m, one.bar.needle_rad,
                                one.bar.needle_m, one.bar.handle_rad, one.bar.handle_at_m, one.bar.handle_m})
       all += " " + number_text(value);
   }
+  return codec::crc32c(std::as_bytes(std::span(all)));
+}
+
+std::string identity_of(const StudySettings& settings) {
   return program_identity(settings.seed) + ", " + std::to_string(settings.penetrations) +
-         " penetrations, mechanisms and ranges " + std::to_string(codec::crc32c(std::as_bytes(std::span(all))));
+         " penetrations, mechanisms and ranges " + std::to_string(design_checksum(settings.design));
 }
 
 }  // namespace telepalp::study

@@ -18,6 +18,9 @@ inline constexpr std::string_view kTrialColumns =
 /// nullopt: the row is no trial.
 [[nodiscard]] std::optional<Trial> read_trial(const std::string& row);
 
+/// A checksum of all mechanisms and of all ranges from which operators and plants are drawn.
+[[nodiscard]] std::uint32_t design_checksum(const Design& design);
+
 /// All on which a study's numbers depend, in one line: program, seed, counts, and a checksum of mechanisms and ranges.
 [[nodiscard]] std::string identity_of(const StudySettings& settings);
 

@@ -1,6 +1,6 @@
-#include <cmath>
+#include "tools/study/task/tools.h"
 
-#include "tools/study/task/penetration.h"
+#include <cmath>
 
 namespace telepalp::study {
 namespace {
@@ -20,6 +20,7 @@ class LinkageTool final : public HeldTool {
     return held_.hand_force({at_tip_N}).N;
   }
   [[nodiscard]] Vector3d guide_force_N() const noexcept override { return held_.constraint_force().N; }
+  [[nodiscard]] const HeldLinkage* linkage() const noexcept override { return &held_; }
   [[nodiscard]] Vector3d on_the_way_m(double way_m) const noexcept override {
     const double angle = from_rad_ + way_m / lever_m_;
     const mechanism::LinkagePlane& plane = held_.plane();

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "haptic_station/mechanism/crank_range.h"
-#include "tools/study/task/penetration.h"
+#include "tools/study/task/insertion.h"
 
 namespace telepalp::study {
 namespace {
@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
 constexpr int kTraceEach = 10;       // ticks
 constexpr int kAfterPuncture = 200;  // ticks in which the force falls to its least
 constexpr double kInserts_m_per_s = 0.04;
@@ -114,18 +113,7 @@ std::vector<TracePoint> LiveTool::insert(double depth_m) {
 }
 
 LiveFrame LiveTool::frame() const noexcept {
-  const mechanism::LinkagePlane& plane = held_.plane();
-  const auto place = [&plane](const mechanism::InPlane<double>& at) -> Vector2d {
-    return (plane.pivot_a.m + at.x * plane.x.v + at.y * plane.y.v).head<2>();
-  };
-  const mechanism::FourBarPose<double>& pose = held_.pose();
-  LiveFrame frame{.a_m = place({0.0, 0.0}),
-                  .o_m = place({held_.bar().l4_m, 0.0}),
-                  .b_m = place(pose.b),
-                  .p_m = place(pose.p),
-                  .d_m = place(pose.d),
-                  .c_m = place(pose.c),
-                  .tip_m = place(pose.tip),
+  LiveFrame frame{.at = places_of(held_),
                   .link3_rad = held_.link3_rad(),
                   .at_dead_point = std::abs(held_.sine_of_links()) < kDeadPointSine,
                   .needle_N = tissue_.wrench().force_N.head<2>(),

@@ -8,6 +8,7 @@
 #include "haptic_station/mechanism/held_linkage.h"
 #include "haptic_station/tissue/layered_tissue.h"
 #include "tools/study/task/design.h"
+#include "tools/study/task/linkage_places.h"
 #include "tools/study/task/plant.h"
 
 namespace telepalp::study {
@@ -30,10 +31,7 @@ struct Puncture {
 /// What is drawn at one instant. Places [m] and forces [N] are in the plane z = 0 of the tissue's frame, in which the
 /// skin is y = 0 and the body is below it.
 struct LiveFrame {
-  Eigen::Vector2d a_m, o_m;  ///< pivots of links 1 and 3
-  Eigen::Vector2d b_m, p_m;  ///< joints of links 2 and 3, and of links 1 and 2
-  Eigen::Vector2d d_m, c_m;  ///< the handle, from link 3 to its end, which the hand holds
-  Eigen::Vector2d tip_m;
+  LinkagePlaces at;
   double link3_rad = 0.0;
   bool at_dead_point = false;  ///< links 1 and 2 lie on one line, nearly
   Eigen::Vector2d needle_N;    ///< of the tissue on the needle

@@ -2,9 +2,9 @@
 
 /**
  * Opens the link. `hear(message)`: each message of the program. `say(state, text)`: live, wait or lost, and why.
- * Returns `send(text)`, which does nothing while the link is closed.
+ * `command`: the one that serves the page. Returns `send(text)`, which does nothing while the link is closed.
  */
-export function openLink(hear, say) {
+export function openLink(hear, say, command = 'telepalp-study designer') {
   const token = new URLSearchParams(location.search).get('token') ?? '';
   let socket;
   let tried = 0;
@@ -19,12 +19,12 @@ export function openLink(hear, say) {
     socket.addEventListener('message', ({data}) => hear(JSON.parse(data)));
     socket.addEventListener('close', () => {
       ++tried;
-      const lost = 'telepalp-study designer has ended, or its address is another one. Start it and open what it prints';
-      say('lost', opened || tried > 1 ? lost : 'this address is not the one that telepalp-study designer printed');
+      const lost = `${command} has ended, or its address is another one. Start it and open what it prints`;
+      say('lost', opened || tried > 1 ? lost : `this address is not the one that ${command} printed`);
       if (opened) setTimeout(connect, 2000);
     });
   };
-  if (token === '') say('lost', 'open the address that telepalp-study designer printed: it ends with a token');
+  if (token === '') say('lost', `open the address that ${command} printed: it ends with a token`);
   else connect();
   return (text) => {
     if (socket?.readyState === WebSocket.OPEN) socket.send(text);

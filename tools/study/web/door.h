@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "proto/words/result.h"
+
 namespace telepalp::study {
 
 /// Where the page is served, and the secret in its address. Whoever knows the address may use the program.
@@ -16,6 +18,10 @@ inline constexpr std::size_t kTokenLetters = 32;
 
 /// A token from the system's random bytes.
 [[nodiscard]] std::string new_token();
+
+/// The door that --listen and --port ask for, with a new token. Error: `listen` is no IP
+/// address. `port` is a port, or 0 for any free one.
+[[nodiscard]] Result<Door> new_door(const std::string& listen, std::int64_t port);
 
 /// The address to open in a browser.
 [[nodiscard]] std::string page_address(const Door& door);

@@ -1,16 +1,13 @@
-#include "tools/study/designer/web/designer_server.h"
+#include "tools/study/web/page_server.h"
 
+#include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <optional>
 #include <utility>
-#include <variant>
 
-#include "tools/study/designer/answers.h"
-#include "tools/study/designer/command.h"
-#include "tools/study/designer/live_design.h"
-#include "tools/study/designer/web/reply.h"
+#include "tools/study/web/reply.h"
 
 namespace telepalp::study {
 namespace {
@@ -25,13 +22,13 @@ constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::chrono::seconds kTimeToAsk{10};
 constexpr std::chrono::seconds kIdle{60};
 constexpr std::chrono::milliseconds kFrame{16};
-constexpr std::size_t kFramesAhead = 2;   // a browser that draws slowly makes the tissue slow, too
+constexpr std::size_t kFramesAhead = 2;   // a browser that draws slowly gets fewer frames
 constexpr std::size_t kMostWaiting = 64;  // answers; a page that reads none is closed
 
 }  // namespace
 
 /// Interface by which the server closes a connection of either kind.
-class DesignerServer::Connection {
+class PageServer::Connection {
  public:
   virtual ~Connection() = default;
   virtual void close() = 0;
@@ -40,28 +37,29 @@ class DesignerServer::Connection {
 namespace {
 
 /// An open page.
-class LivePage final : public DesignerServer::Connection, public std::enable_shared_from_this<LivePage> {
+class LivePage final : public PageServer::Connection, public std::enable_shared_from_this<LivePage> {
  public:
-  LivePage(tcp::socket socket, std::shared_ptr<const DesignerServer::Shared> shared, LiveDesign live)
-      : stream_(std::move(socket)),
-        clock_(stream_.get_executor()),
-        shared_(std::move(shared)),
-        live_(std::move(live)) {}
+  LivePage(tcp::socket socket, std::shared_ptr<const PageServer::Shared> shared)
+      : stream_(std::move(socket)), clock_(stream_.get_executor()), shared_(std::move(shared)) {}
 
   void start(const HttpRequest& upgrade) {
-    background_.emplace(shared_->workers, stream_.get_executor(), [this](std::string text) { send(std::move(text)); });
-    stream_.read_message_max(kMostCommandBytes);
+    stream_.read_message_max(shared_->page.most_message_bytes);
     stream_.set_option(websocket::stream_base::timeout{kTimeToAsk, kIdle, true});
     stream_.async_accept(upgrade, [self = shared_from_this()](beast::error_code failed) {
       if (failed) return;
-      self->accepted_ = true;
-      self->send(self->live_.renew());
+      self->open_ = true;
+      self->conversation_ = self->shared_->page.open(self->stream_.get_executor(),
+                                                     [page = self.get()](std::string text) { page->send(text); });
+      self->send(self->conversation_->greeting());
       self->read();
     });
   }
 
   void close() override {
-    background_.reset();
+    open_ = false;
+    // Later, because this call may come from the conversation itself.
+    if (conversation_)
+      asio::post(stream_.get_executor(), [self = shared_from_this(), over = std::move(conversation_)] {});
     clock_.cancel();
     beast::get_lowest_layer(stream_).close();
   }
@@ -69,53 +67,31 @@ class LivePage final : public DesignerServer::Connection, public std::enable_sha
  private:
   void read() {
     stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code failed, std::size_t) {
-      if (failed || !self->background_) return self->close();
+      if (failed || !self->open_) return self->close();
       const std::string message = beast::buffers_to_string(self->buffer_.data());
       self->buffer_.consume(self->buffer_.size());
-      self->receive(message);
+      self->conversation_->hear(message);
+      if (!self->open_) return;
+      self->run_clock();
       self->read();
     });
   }
 
-  void receive(const std::string& message) {
-    Result<Command> command = parse_command(message);
-    if (!command)
-      return send(refused_json(message.starts_with("design")   ? "design"
-                               : message.starts_with("search") ? "search"
-                                                               : "message",
-                               command.error()));
-    std::visit([this](auto&& asked) { obey(std::forward<decltype(asked)>(asked)); }, std::move(*command));
-  }
-
-  void obey(ChooseDesign asked) {
-    background_->forget_prediction();
-    send(live_.choose(asked.design));
-    run_clock();
-  }
-  void obey(AimHand asked) {
-    live_.aim(asked.at_m);
-    run_clock();
-  }
-  void obey(TurnHandle asked) {
-    live_.turn(asked.by_rad);
-    run_clock();
-  }
-  void obey(RenewTissue) { send(live_.renew()); }
-  void obey(AskPrediction) { background_->predict(live_.design()); }
-  void obey(BeginSearch asked) { background_->search(asked.box, asked.evaluations); }
-  void obey(EndSearch) { background_->end_search(); }
-
-  /// Steps the tissue in real time until it is at rest.
+  /// Lets time pass until the conversation is at rest.
   void run_clock() {
     if (std::exchange(running_, true)) return;
+    stepped_ = std::chrono::steady_clock::now();
     clock_.expires_after(kFrame);
     wait();
   }
   void wait() {
     clock_.async_wait([self = shared_from_this()](beast::error_code cancelled) {
-      if (cancelled || !self->background_) return;
+      if (cancelled || !self->open_) return;
       if (self->waiting_.size() <= kFramesAhead) {
-        std::optional<std::string> frame = self->live_.step(std::chrono::duration<double>(kFrame).count());
+        const auto now = std::chrono::steady_clock::now();
+        const double passed_s = std::chrono::duration<double>(now - std::exchange(self->stepped_, now)).count();
+        std::optional<std::string> frame = self->conversation_->step(passed_s);
+        if (!self->open_) return;
         if (!frame) return void(self->running_ = false);
         self->send(std::move(*frame));
       }
@@ -125,7 +101,7 @@ class LivePage final : public DesignerServer::Connection, public std::enable_sha
   }
 
   void send(std::string text) {
-    if (!accepted_ || !background_) return;
+    if (!open_) return;
     if (waiting_.size() >= kMostWaiting) return close();
     waiting_.push_back(std::move(text));
     if (waiting_.size() == 1) write();
@@ -142,20 +118,20 @@ class LivePage final : public DesignerServer::Connection, public std::enable_sha
 
   websocket::stream<beast::tcp_stream> stream_;
   asio::steady_timer clock_;
-  std::shared_ptr<const DesignerServer::Shared> shared_;
-  LiveDesign live_;
-  std::optional<Background> background_;  // empty: the page is closed
+  std::shared_ptr<const PageServer::Shared> shared_;
+  std::unique_ptr<Conversation> conversation_;
   beast::flat_buffer buffer_;
   std::deque<std::string> waiting_;  // the first one is being written
-  bool accepted_ = false;
+  std::chrono::steady_clock::time_point stepped_;
+  bool open_ = false;
   bool running_ = false;
 };
 
 /// A connection that asks for files, and may become an open page.
-class FileConnection final : public DesignerServer::Connection, public std::enable_shared_from_this<FileConnection> {
+class FileConnection final : public PageServer::Connection, public std::enable_shared_from_this<FileConnection> {
  public:
-  using Add = std::function<void(const std::shared_ptr<DesignerServer::Connection>&)>;
-  FileConnection(tcp::socket socket, std::shared_ptr<const DesignerServer::Shared> shared, Add add)
+  using Add = std::function<void(const std::shared_ptr<PageServer::Connection>&)>;
+  FileConnection(tcp::socket socket, std::shared_ptr<const PageServer::Shared> shared, Add add)
       : stream_(std::move(socket)), shared_(std::move(shared)), add_(std::move(add)) {}
 
   void read() {
@@ -176,11 +152,11 @@ class FileConnection final : public DesignerServer::Connection, public std::enab
 
  private:
   void answer(const HttpRequest& request) {
-    if (!websocket::is_upgrade(request)) return write(reply_to(request, shared_->files, shared_->door));
+    if (!websocket::is_upgrade(request)) return write(reply_to(request, shared_->page.files, shared_->door));
     if (std::optional<HttpReply> refusal = refusal_of_live(request, shared_->door)) return write(std::move(*refusal));
     stream_.expires_never();
     // shared_ptr: the pending read, write or wait owns the page
-    const auto page = std::make_shared<LivePage>(stream_.release_socket(), shared_, shared_->first);
+    const auto page = std::make_shared<LivePage>(stream_.release_socket(), shared_);
     add_(page);
     page->start(request);
   }
@@ -197,7 +173,7 @@ class FileConnection final : public DesignerServer::Connection, public std::enab
   }
 
   beast::tcp_stream stream_;
-  std::shared_ptr<const DesignerServer::Shared> shared_;
+  std::shared_ptr<const PageServer::Shared> shared_;
   Add add_;
   beast::flat_buffer buffer_{kMaxHeaderBytes};
   std::optional<http::request_parser<http::string_body>> parser_;
@@ -214,11 +190,7 @@ Error cannot_listen(const Door& door, const beast::error_code& failed) {
 
 }  // namespace
 
-Result<std::unique_ptr<DesignerServer>> DesignerServer::open(asio::io_context& io, Door door, Workers& workers) {
-  Result<PageFiles> files = read_page_files();
-  if (!files) return files.error();
-  Result<LiveDesign> first = LiveDesign::make();
-  if (!first) return first.error();
+Result<std::unique_ptr<PageServer>> PageServer::open(asio::io_context& io, Door door, Page page) {
   beast::error_code failed;
   const asio::ip::address address = asio::ip::make_address(door.listen, failed);
   tcp::acceptor acceptor(io);
@@ -229,25 +201,23 @@ Result<std::unique_ptr<DesignerServer>> DesignerServer::open(asio::io_context& i
   if (!failed) acceptor.listen(tcp::acceptor::max_listen_connections, failed);
   if (failed) return cannot_listen(door, failed);
   door.port = acceptor.local_endpoint().port();
-  return std::unique_ptr<DesignerServer>(new DesignerServer(
-      std::move(acceptor),
-      std::make_shared<const Shared>(Shared{
-          .door = std::move(door), .files = std::move(*files), .workers = workers, .first = std::move(*first)})));
+  return std::unique_ptr<PageServer>(new PageServer(
+      std::move(acceptor), std::make_shared<const Shared>(Shared{.door = std::move(door), .page = std::move(page)})));
 }
 
-DesignerServer::DesignerServer(tcp::acceptor acceptor, std::shared_ptr<const Shared> shared)
+PageServer::PageServer(tcp::acceptor acceptor, std::shared_ptr<const Shared> shared)
     : acceptor_(std::move(acceptor)), accept_again_(acceptor_.get_executor()), shared_(std::move(shared)) {
   accept();
 }
 
-DesignerServer::~DesignerServer() {
+PageServer::~PageServer() {
   beast::error_code ignored;
   acceptor_.close(ignored);
   for (const std::weak_ptr<Connection>& one : connections_)
     if (const std::shared_ptr<Connection> open = one.lock()) open->close();
 }
 
-void DesignerServer::accept() {
+void PageServer::accept() {
   acceptor_.async_accept([this](beast::error_code failed, tcp::socket socket) {
     if (failed == asio::error::operation_aborted) return;
     if (!failed) {
@@ -261,7 +231,7 @@ void DesignerServer::accept() {
   });
 }
 
-void DesignerServer::admit(tcp::socket socket) {
+void PageServer::admit(tcp::socket socket) {
   beast::error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   // shared_ptr: the pending read or write owns the connection
@@ -271,7 +241,7 @@ void DesignerServer::admit(tcp::socket socket) {
   connection->read();
 }
 
-void DesignerServer::add(const std::shared_ptr<Connection>& connection) {
+void PageServer::add(const std::shared_ptr<Connection>& connection) {
   std::erase_if(connections_, [](const std::weak_ptr<Connection>& one) { return one.expired(); });
   if (connections_.size() >= kMostConnections) {
     if (const std::shared_ptr<Connection> oldest = connections_.front().lock()) oldest->close();

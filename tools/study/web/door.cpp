@@ -1,4 +1,4 @@
-#include "tools/study/designer/web/door.h"
+#include "tools/study/web/door.h"
 
 #include <sys/random.h>
 
@@ -42,6 +42,13 @@ std::string new_token() {
   std::string token;
   for (const unsigned char byte : bytes) token += {kDigits[byte >> 4U], kDigits[byte & 15U]};
   return token;
+}
+
+Result<Door> new_door(const std::string& listen, std::int64_t port) {
+  boost::system::error_code failed;
+  boost::asio::ip::make_address(listen, failed);
+  if (failed) return Error{.what = "'" + listen + "' is no IP address", .where = "--listen", .fix = "give 127.0.0.1"};
+  return Door{.listen = listen, .port = static_cast<std::uint16_t>(port), .token = new_token()};
 }
 
 std::string page_address(const Door& door) {

@@ -2,8 +2,8 @@
 
 #include <boost/beast/http.hpp>
 
-#include "tools/study/designer/web/door.h"
-#include "tools/study/designer/web/page_files.h"
+#include "tools/study/web/door.h"
+#include "tools/study/web/page_files.h"
 
 namespace telepalp::study {
 

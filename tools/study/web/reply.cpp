@@ -1,4 +1,4 @@
-#include "tools/study/designer/web/reply.h"
+#include "tools/study/web/reply.h"
 
 namespace telepalp::study {
 namespace {
@@ -9,7 +9,7 @@ std::string_view view(boost::beast::string_view text) { return {text.data(), tex
 
 constexpr std::string_view kNotOurHost = "open the page by the address that telepalp-study printed";
 constexpr std::string_view kNoToken =
-    "the address lacks the token of this program. fix: open the address that telepalp-study designer printed last";
+    "the address lacks the token of this program. fix: open the address that telepalp-study printed last";
 
 /// Allows content from this program alone, and no code from strings.
 constexpr const char* kContentSecurityPolicy =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,8 @@ struct PageFile {
 /// The page's files by their address, such as "/designer.js"; "/" is the page.
 using PageFiles = std::map<std::string, PageFile, std::less<>>;
 
-/// Reads all files of the page, which are installed with the program. Error: one is missing.
-[[nodiscard]] Result<PageFiles> read_page_files();
+/// Reads the files of a page by their paths in the repository. They are installed with the program. Each gets its name
+/// as its address. Error: one is missing.
+[[nodiscard]] Result<PageFiles> read_page_files(std::span<const char* const> paths);
 
 }  // namespace telepalp::study

@@ -1,0 +1,103 @@
+#include "tools/study/protocol/page_answers.h"
+
+#include "support/program/json.h"
+#include "tools/study/task/linkage_places.h"
+
+namespace telepalp::study {
+namespace {
+
+using program::Json;
+constexpr double kMm = 1e3;
+
+std::string_view name(Stage stage) {
+  constexpr std::string_view kNames[] = {"resting", "ready", "inserting", "finished"};
+  return kNames[static_cast<std::size_t>(stage)];
+}
+
+void add_pair(Json& json, std::string_view key, const Eigen::Vector2d& value, double unit) {
+  json.begin_list(key);
+  json.add({}, unit * value.x());
+  json.add({}, unit * value.y());
+  json.end_list();
+}
+
+std::string_view name(AttemptKind kind) {
+  constexpr std::string_view kNames[] = {"training", "formal", "broken-off"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+void add_last(Json& json, const Session& session) {
+  if (!session.last()) return json.add_null("last");
+  const Outcome& out = session.last()->trial.outcome;
+  json.begin_object("last");
+  json.add("what", name(session.last()->kind));
+  json.add("through", out.through);
+  json.add("stopped", out.stopped);
+  json.add("overshoot", kMm * out.overshoot_m);
+  json.end_object();
+}
+
+std::string object(std::string_view kind, const auto& add) {
+  Json json;
+  json.begin_object();
+  json.add("kind", kind);
+  add(json);
+  json.end_object();
+  return std::move(json).finish();
+}
+
+/// Places outside the skin: of the needle, only the part above it.
+void add_seen(Json& json, const BrowserTrial& trial) {
+  const LinkagePlaces at = places_of(*trial.tool().linkage());
+  json.begin_object("seen");
+  for (const auto& [key, place] :
+       {std::pair{"a", at.a_m}, {"o", at.o_m}, {"b", at.b_m}, {"p", at.p_m}, {"d", at.d_m}, {"c", at.c_m}})
+    add_pair(json, key, place, kMm);
+  const tissue::LayerReading skin = trial.insertion().tissue().layer(0);
+  const bool hidden = skin.state == tissue::LayerState::Inserted && at.tip_m.y() < 0.0 && at.p_m.y() > 0.0;
+  const double share = hidden ? at.p_m.y() / (at.p_m.y() - at.tip_m.y()) : 1.0;
+  add_pair(json, "end", at.p_m + share * (at.tip_m - at.p_m), kMm);
+  json.add("through_skin", hidden);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string state_json(const Session& session, const std::string& participant) {
+  return object("state", [&](Json& json) {
+    const Planned& planned = session.planned();
+    json.add("participant", participant);
+    json.add("stage", name(session.stage()));
+    json.add("done", static_cast<std::uint64_t>(session.done()));
+    json.add("all", static_cast<std::uint64_t>(session.all()));
+    json.add("training", planned.training);
+    json.add("condition", name(planned.condition));
+    json.add("sees", sees_needle(planned.condition));
+    json.add("feels", feels(planned.condition));
+    json.add("mechanism", static_cast<std::uint64_t>(planned.place + 1));
+    json.add("mechanisms", static_cast<std::uint64_t>(session.mechanisms()));
+    json.add("penetration", static_cast<std::uint64_t>(planned.penetration + 1));
+    add_last(json, session);
+  });
+}
+
+std::string trial_frame_json(const BrowserTrial& trial) {
+  return object("frame", [&](Json& json) {
+    add_pair(json, "along", trial.along(), 1.0);
+    if (sees_needle(trial.condition())) add_seen(json, trial);
+    if (feels(trial.condition())) json.add("hand_N", trial.insertion().needle_N().norm());
+  });
+}
+
+std::string page_refused_json(const Error& error) {
+  return object("refused", [&](Json& json) {
+    json.add("what", error.what);
+    json.add("fix", error.fix);
+  });
+}
+
+std::string taken_json() {
+  return object("taken", [](Json&) {});
+}
+
+}  // namespace telepalp::study
