@@ -19,8 +19,10 @@ struct NeedleSection {
   std::vector<Row> (*run)();
 };
 
-/// Time of a tick of each needle scene, and the cost of needles for the other scenes.
+/// Time of a tick of each needle scene.
 [[nodiscard]] std::vector<Row> run_needle_tick_section();
+/// What scenes without tissue pay for it.
+[[nodiscard]] std::vector<Row> run_needle_others_section();
 /// Energy of ruptures, and energy gained on long paths through stiff tissue.
 [[nodiscard]] std::vector<Row> run_needle_energy_section();
 /// How steadily the force changes: at ruptures, where nothing ruptures or slips, and where the net is subdivided.
