@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace telepalp::tissue {
 namespace {
@@ -30,6 +31,61 @@ VectorXd load_of(const Patch& patch, const Vector3d& direction, Index size) {
   return load;
 }
 
+/// Sets `system` to the second derivative of the sum that a step minimises, without the contact; `inertia_N_per_m`: of
+/// each node.
+void assemble(const ElasticBody& body, const NodeField& at, const VectorXd& inertia_N_per_m, Curvature curvature,
+              StiffnessMatrix& system, NodeField* gradient_N) {
+  body.hessian(at, curvature, system, gradient_N);
+  for (Index node = 0; node < inertia_N_per_m.size(); ++node)
+    for (Index i = 3 * node; i < 3 * node + 3; ++i) system.coeffRef(i, i) += inertia_N_per_m[node];
+}
+
+using Factor = Eigen::SimplicialLLT<StiffnessMatrix, Eigen::Lower>;
+
+/// A stiffness k b b^T that is added to a system.
+struct AddedSpring {
+  double N_per_m = 0.0;
+  VectorXd direction;
+  VectorXd soft;  ///< how far the direction's load moves the nodes in the factorised system [m/N]
+
+  AddedSpring(double given_N_per_m, VectorXd along, const Factor& factor)
+      : N_per_m(given_N_per_m), direction(std::move(along)), soft(factor.solve(direction)) {}
+  [[nodiscard]] VectorXd times(const VectorXd& way) const { return N_per_m * direction.dot(way) * direction; }
+  /// The motion under a load, from the motion without this spring (Sherman and Morrison).
+  [[nodiscard]] VectorXd stiffened(const VectorXd& way) const {
+    return way - soft * (direction.dot(way) / (1.0 / N_per_m + direction.dot(soft)));
+  }
+};
+
+/// The motion under `load_N` by conjugate gradients, preconditioned by the factor of a system that is near: some
+/// products cost less than a factorisation. Where the energy curves downwards, it ends (Steihaug 1983), and what it has
+/// found goes down all the same. `spring`: added to the system; nullptr: none.
+VectorXd moved_by(VectorXd load_N, const StiffnessMatrix& system, const Factor& near, const AddedSpring* spring) {
+  constexpr int kMostProducts = 20;
+  constexpr double kTolerance = 0.02;  // of the motion, in the norm of the energy
+  const auto precondition = [&](const VectorXd& force_N) -> VectorXd {
+    const VectorXd way = near.solve(force_N);
+    return spring != nullptr ? spring->stiffened(way) : way;
+  };
+  VectorXd towards = precondition(load_N);
+  VectorXd way = towards;
+  VectorXd moved = VectorXd::Zero(load_N.size());
+  double size = load_N.dot(towards);
+  const double enough = kTolerance * kTolerance * size;
+  for (int i = 0; i < kMostProducts && size > enough; ++i) {
+    VectorXd bent_N = system.selfadjointView<Eigen::Lower>() * way;
+    if (spring != nullptr) bent_N += spring->times(way);
+    const double curved = way.dot(bent_N);
+    if (!(curved > 0.0)) return i == 0 ? way : moved;
+    moved += size / curved * way;
+    load_N -= size / curved * bent_N;
+    towards = precondition(load_N);
+    const double before = std::exchange(size, load_N.dot(towards));
+    way = towards + size / before * way;
+  }
+  return moved;
+}
+
 }  // namespace
 
 Vector3d place_of(const Patch& patch, const NodeField& at) {
@@ -45,6 +101,8 @@ struct ElasticMotion::Round {
   VectorXd inertia_N_per_m;  ///< of each node
   const PatchContact* contact;
   NodeField gradient_N{};  ///< of the elastic energy; then also of the terms that were added
+  bool factorised = true;  ///< the system of this round; else the factor is that of the round before
+  VectorXd load{};         ///< of one newton of the contact
 
   struct Energy {
     double elastic_J = 0.0;
@@ -55,6 +113,7 @@ struct ElasticMotion::Round {
     return {elastic_J, elastic_J + kinetic_of(away, inertia_N_per_m) + contact_J(contact, at)};
   }
   [[nodiscard]] Energy energy(const NodeField& at) const { return of(body.energy_J(at), at); }
+  [[nodiscard]] double depth_m(const NodeField& at) const { return contact != nullptr ? contact->depth_m(at) : 0.0; }
   void add_inertia(const NodeField& at) { gradient_N += (at - predicted) * inertia_N_per_m.asDiagonal(); }
   void add_contact(const NodeField& at) {
     if (contact == nullptr) return;
@@ -86,25 +145,29 @@ double ElasticMotion::kinetic_J() const { return kinetic_of(velocity_, body_->ma
 
 /// True if the system is positive definite.
 bool ElasticMotion::factorise(Curvature curvature, NodeField* gradient_N) {
-  body_->hessian(at_, curvature, system_, gradient_N);
-  for (Index node = 0; node < inertia_N_per_m_.size(); ++node)
-    for (Index i = 3 * node; i < 3 * node + 3; ++i) system_.coeffRef(i, i) += inertia_N_per_m_[node];
+  assemble(*body_, at_, inertia_N_per_m_, curvature, system_, gradient_N);
   factor_.factorize(system_);
   return factor_.info() == Eigen::Success;
 }
 
 /// Newton's step from the gradient without the contact. The contact adds one direction of stiffness k b b^T to the
-/// factorised system (Sherman and Morrison), if the patch is deeper than the tool's plane after the step without it: a
-/// body that springs back stops at the tool, and one that leaves it is not held back.
+/// system, if the patch is deeper than the tool's plane after the step: a body that springs back stops at the tool, and
+/// one that leaves it is not held back.
 void ElasticMotion::descend(const Round& round, NodeField& moved) const {
-  VectorXd way = factor_.solve(-as_vector(round.gradient_N));
+  const VectorXd load_N = -as_vector(round.gradient_N);
+  const double depth_m = round.depth_m(at_);
+  const auto is_closed_after = [&](const VectorXd& way) { return depth_m + round.load.dot(way) > 0.0; };
+  const auto solved = [&](const VectorXd& force_N, const AddedSpring* spring) -> VectorXd {
+    if (!round.factorised) return moved_by(force_N, system_, factor_, spring);
+    const VectorXd way = factor_.solve(force_N);
+    return spring != nullptr ? spring->stiffened(way) : way;
+  };
+  VectorXd way;
   if (round.contact != nullptr) {
-    const VectorXd b = load_of(round.contact->patch, round.contact->normal, way.size());
-    if (const double depth_m = round.contact->depth_m(at_) + b.dot(way); depth_m > 0.0) {
-      const VectorXd soft = factor_.solve(b);
-      way -= soft * (depth_m / (1.0 / round.contact->stiffness_N_per_m + b.dot(soft)));
-    }
+    const AddedSpring spring(round.contact->stiffness_N_per_m, round.load, factor_);
+    way = solved(load_N - spring.N_per_m * depth_m * spring.direction, &spring);
   }
+  if (round.contact == nullptr || !is_closed_after(way)) way = solved(load_N, nullptr);
   moved = Eigen::Map<const NodeField>(way.data(), 3, way.size() / 3);
 }
 
@@ -123,17 +186,27 @@ StepOutcome ElasticMotion::step(double dt_s, const PatchContact* contact, const 
     at_ = round.predicted;
     elastic_J_ = there.elastic_J;
   }
+  if (contact != nullptr) round.load = load_of(contact->patch, contact->normal, system_.rows());
   StepOutcome outcome;
+  bool exact = true;  // the system is the second derivative
   while (outcome.rounds < limits.most_rounds && !outcome.converged && outcome.finite) {
     ++outcome.rounds;
-    bool positive = factorise(Curvature::Exact, &round.gradient_N);
-    if (!positive) {
+    bool positive = true;
+    round.factorised = outcome.rounds % 2 == 1;
+    if (!round.factorised) {
+      assemble(*body_, at_, inertia_N_per_m_, Curvature::Exact, system_, &round.gradient_N);
+      exact = true;
+    } else if (outcome.rounds == 1 || !factorise(Curvature::Exact, &round.gradient_N)) {
+      // The first round is far from the end, so the clamped system leads as near. The exact one is often not positive
+      // there, and would cost a second factorisation.
+      positive = factorise(Curvature::Positive, &round.gradient_N);
       outcome.clamped = true;
-      positive = factorise(Curvature::Positive, nullptr);
+      exact = false;
     }
     outcome.finite = positive && round.gradient_N.allFinite();
     if (outcome.finite) outcome.converged = search(round) <= limits.moved_m;
   }
+  if (!exact) assemble(*body_, at_, inertia_N_per_m_, Curvature::Exact, system_, nullptr);  // for the compliance
   outcome.finite = outcome.finite && at_.allFinite() && std::isfinite(elastic_J_);
   if (outcome.finite)
     keep_energy(before, budget_J, dt_s, contact);
@@ -172,30 +245,32 @@ void ElasticMotion::keep_energy(const NodeField& before, double budget_J, double
 }
 
 /// Conjugate gradients on the stiffness without inertia, preconditioned by the factorised system, which differs from it
-/// by the inertia alone: a few rounds suffice for steps that are longer than the body's period. The error of the
-/// compliance is the square of the tolerance: load . moved is the energy that the rounds minimise.
+/// by the inertia and by what the last rounds changed: a few products suffice for steps that are longer than the body's
+/// period. The error of the compliance is the square of the tolerance: load . moved is the energy that they minimise.
 double ElasticMotion::compliance_m_per_N(const Patch& patch, const Vector3d& direction) {
-  constexpr int kMostRounds = 60;
-  constexpr double kTolerance = 1e-5;
+  constexpr int kMostProducts = 60;
+  constexpr double kTolerance = 3e-3;
   const VectorXd load = load_of(patch, direction, system_.rows());
   VectorXd inertia(system_.rows());
   for (Index node = 0; node < inertia_N_per_m_.size(); ++node)
     inertia.segment<3>(3 * node).setConstant(inertia_N_per_m_[node]);
+  const auto stiffness_times = [&](const VectorXd& way) -> VectorXd {
+    return system_.selfadjointView<Eigen::Lower>() * way - inertia.cwiseProduct(way);
+  };
   VectorXd moved = factor_.solve(load);
-  VectorXd left = inertia.cwiseProduct(moved);  // load - stiffness × moved
+  VectorXd left = load - stiffness_times(moved);
   VectorXd towards = factor_.solve(left);
   VectorXd way = towards;
   double size = left.dot(towards);
   const double enough = kTolerance * kTolerance * load.dot(moved);
-  for (int i = 0; i < kMostRounds && size > enough; ++i) {
-    const VectorXd stiff = system_.selfadjointView<Eigen::Lower>() * way - inertia.cwiseProduct(way);
+  for (int i = 0; i < kMostProducts && size > enough; ++i) {
+    const VectorXd stiff = stiffness_times(way);
     const double bent = way.dot(stiff);
     if (!(bent > 0.0)) break;  // the body buckles in this direction
     moved += size / bent * way;
     left -= size / bent * stiff;
     towards = factor_.solve(left);
-    const double before = size;
-    size = left.dot(towards);
+    const double before = std::exchange(size, left.dot(towards));
     way = towards + size / before * way;
   }
   return load.dot(moved);

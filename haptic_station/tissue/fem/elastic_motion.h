@@ -34,7 +34,7 @@ struct StepOutcome {
   int rounds = 0;          ///< of Newton's method
   bool converged = false;  ///< the last round moved no node by more than the tolerance
   bool finite = true;      ///< false: a place or velocity is not a number, and the body was set back to rest
-  bool clamped = false;    ///< negative curvature was replaced in a round
+  bool clamped = false;    ///< negative curvature, if any, was replaced in a round
 };
 
 /// Newton's method stops here.

@@ -26,6 +26,9 @@ struct Section {
 [[nodiscard]] Result<Section> organ_section();
 /// The proxy of a layer of solids: error and cost over rounds, tolerance, size of the tree, skipping and blends.
 [[nodiscard]] Result<Section> solids_section();
+/// The needle of `amniocentesis`: error and cost over the net's edge and subdivisions, and over the muscle's laws and
+/// steps. A soft prism over its meshes and the rate of its local models. Ways to find a contact.
+[[nodiscard]] Result<Section> needle_section();
 /// The bill of each library scene, and what each kind of effect costs: processor time, memory, start-up, and the error
 /// of the force in motion.
 [[nodiscard]] Result<Section> price_section();

@@ -23,15 +23,6 @@ double cubes_per_Pa(int across, ElementOrder order, double poisson) {
   return tissue::stiffness_per_Pa(across, 5 * across, order, poisson);
 }
 
-/// The limit of ever finer meshes of quadratic tetrahedra: that of 1, 2 and 4 cubes across, whose errors fall by the
-/// same factor (Aitken).
-double converged_per_Pa(double poisson) {
-  const double one = cubes_per_Pa(1, ElementOrder::Quadratic, poisson);
-  const double two = cubes_per_Pa(2, ElementOrder::Quadratic, poisson);
-  const double four = cubes_per_Pa(4, ElementOrder::Quadratic, poisson);
-  return four - (four - two) * (four - two) / ((four - two) - (two - one));
-}
-
 /// A clamped beam of slenderness 5 with shear (Timoshenko), Cowper's coefficient for a rectangle [m].
 double beam_per_Pa(double poisson) {
   constexpr double kSide_m = 0.02;
@@ -50,7 +41,7 @@ std::string text(const char* format, auto... values) {
 void add_stiffness(std::vector<Row>& rows) {
   const tissue::PrismGrid shipped;
   for (const double poisson : {0.3, 0.45}) {
-    const double limit = converged_per_Pa(poisson);
+    const double limit = converged_prism_per_Pa(poisson);
     const double ours = tissue::top_stiffness_N_per_m(tissue::rubber(shipped, poisson, 1.0));
     rows.push_back(
         at_most(text("fem: stiffness at the top, Poisson's ratio %g: error against the converged mesh", poisson),
@@ -145,6 +136,13 @@ void add_recovery(std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+double converged_prism_per_Pa(double poisson) {
+  const double one = cubes_per_Pa(1, ElementOrder::Quadratic, poisson);
+  const double two = cubes_per_Pa(2, ElementOrder::Quadratic, poisson);
+  const double four = cubes_per_Pa(4, ElementOrder::Quadratic, poisson);
+  return four - (four - two) * (four - two) / ((four - two) - (two - one));
+}
 
 std::vector<Row> run_needle_fem_section() {
   std::vector<Row> rows;

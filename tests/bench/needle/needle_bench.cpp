@@ -14,7 +14,8 @@ namespace telepalp::bench {
 namespace {
 
 const std::vector<NeedleSection> kSections{
-    {"tick", "time of a tick with a needle, and cost for scenes without one", run_needle_tick_section},
+    {"tick", "time of a tick with a needle", run_needle_tick_section},
+    {"others", "what scenes without a needle pay for it", run_needle_others_section},
     {"energy", "energy of ruptures and of long paths", run_needle_energy_section},
     {"force", "steps of the force", run_needle_force_section},
     {"relaxation", "the force of a stopped needle", run_needle_relaxation_section},

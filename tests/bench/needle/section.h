@@ -19,8 +19,10 @@ struct NeedleSection {
   std::vector<Row> (*run)();
 };
 
-/// Time of a tick of each needle scene, and the cost of needles for the other scenes.
+/// Time of a tick of each needle scene.
 [[nodiscard]] std::vector<Row> run_needle_tick_section();
+/// What scenes without tissue pay for it.
+[[nodiscard]] std::vector<Row> run_needle_others_section();
 /// Energy of ruptures, and energy gained on long paths through stiff tissue.
 [[nodiscard]] std::vector<Row> run_needle_energy_section();
 /// How steadily the force changes: at ruptures, where nothing ruptures or slips, and where the net is subdivided.
@@ -48,6 +50,11 @@ struct HandOverError {
 };
 /// For each cost of a run of the slow stage. Beyond the stage's period, the cost lowers the rate. Takes some seconds.
 [[nodiscard]] std::vector<HandOverError> hand_over_errors(const std::vector<Nanoseconds>& costs);
+
+/// Lateral stiffness of the top of a prism of 20 x 20 x 100 mm with an infinitely fine mesh, per pascal of Young's
+/// modulus [m]: the limit of quadratic tetrahedra in 1, 2 and 4 cubes across, whose errors fall by the same factor
+/// (Aitken).
+[[nodiscard]] double converged_prism_per_Pa(double poisson);
 
 /// A method that finds a contact.
 struct ContactCost {
