@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace telepalp::tissue {
@@ -58,9 +59,10 @@ struct AddedSpring {
 };
 
 /// The motion under `load_N` by conjugate gradients, preconditioned by the factor of a system that is near: some
-/// products cost less than a factorisation. Where the energy curves downwards, it ends (Steihaug 1983), and what it has
-/// found goes down all the same. `spring`: added to the system; nullptr: none.
-VectorXd moved_by(VectorXd load_N, const StiffnessMatrix& system, const Factor& near, const AddedSpring* spring) {
+/// products cost less than a factorisation. nullopt: the energy curves downwards. `spring`: added to the system;
+/// nullptr: none.
+std::optional<VectorXd> moved_by(VectorXd load_N, const StiffnessMatrix& system, const Factor& near,
+                                 const AddedSpring* spring) {
   constexpr int kMostProducts = 20;
   constexpr double kTolerance = 0.02;  // of the motion, in the norm of the energy
   const auto precondition = [&](const VectorXd& force_N) -> VectorXd {
@@ -76,7 +78,7 @@ VectorXd moved_by(VectorXd load_N, const StiffnessMatrix& system, const Factor& 
     VectorXd bent_N = system.selfadjointView<Eigen::Lower>() * way;
     if (spring != nullptr) bent_N += spring->times(way);
     const double curved = way.dot(bent_N);
-    if (!(curved > 0.0)) return i == 0 ? way : moved;
+    if (!(curved > 0.0)) return std::nullopt;
     moved += size / curved * way;
     load_N -= size / curved * bent_N;
     towards = precondition(load_N);
@@ -102,6 +104,7 @@ struct ElasticMotion::Round {
   const PatchContact* contact;
   NodeField gradient_N{};  ///< of the elastic energy; then also of the terms that were added
   bool factorised = true;  ///< the system of this round; else the factor is that of the round before
+  bool clamped = false;    ///< negative curvature, if any, was replaced in the system
   VectorXd load{};         ///< of one newton of the contact
 
   struct Energy {
@@ -152,23 +155,24 @@ bool ElasticMotion::factorise(Curvature curvature, NodeField* gradient_N) {
 
 /// Newton's step from the gradient without the contact. The contact adds one direction of stiffness k b b^T to the
 /// system, if the patch is deeper than the tool's plane after the step: a body that springs back stops at the tool, and
-/// one that leaves it is not held back.
+/// one that leaves it is not held back. `moved` stays empty where the energy curves downwards.
 void ElasticMotion::descend(const Round& round, NodeField& moved) const {
   const VectorXd load_N = -as_vector(round.gradient_N);
   const double depth_m = round.depth_m(at_);
   const auto is_closed_after = [&](const VectorXd& way) { return depth_m + round.load.dot(way) > 0.0; };
-  const auto solved = [&](const VectorXd& force_N, const AddedSpring* spring) -> VectorXd {
+  const auto solved = [&](const VectorXd& force_N, const AddedSpring* spring) -> std::optional<VectorXd> {
     if (!round.factorised) return moved_by(force_N, system_, factor_, spring);
     const VectorXd way = factor_.solve(force_N);
     return spring != nullptr ? spring->stiffened(way) : way;
   };
-  VectorXd way;
+  std::optional<VectorXd> way;
   if (round.contact != nullptr) {
     const AddedSpring spring(round.contact->stiffness_N_per_m, round.load, factor_);
     way = solved(load_N - spring.N_per_m * depth_m * spring.direction, &spring);
+    if (!way) return;
   }
-  if (round.contact == nullptr || !is_closed_after(way)) way = solved(load_N, nullptr);
-  moved = Eigen::Map<const NodeField>(way.data(), 3, way.size() / 3);
+  if (round.contact == nullptr || !is_closed_after(*way)) way = solved(load_N, nullptr);
+  if (way) moved = Eigen::Map<const NodeField>(way->data(), 3, way->size() / 3);
 }
 
 StepOutcome ElasticMotion::step(double dt_s, const PatchContact* contact, const StepLimits& limits) {
@@ -188,25 +192,24 @@ StepOutcome ElasticMotion::step(double dt_s, const PatchContact* contact, const 
   }
   if (contact != nullptr) round.load = load_of(contact->patch, contact->normal, system_.rows());
   StepOutcome outcome;
-  bool exact = true;  // the system is the second derivative
   while (outcome.rounds < limits.most_rounds && !outcome.converged && outcome.finite) {
     ++outcome.rounds;
     bool positive = true;
     round.factorised = outcome.rounds % 2 == 1;
+    round.clamped = false;
     if (!round.factorised) {
       assemble(*body_, at_, inertia_N_per_m_, Curvature::Exact, system_, &round.gradient_N);
-      exact = true;
     } else if (outcome.rounds == 1 || !factorise(Curvature::Exact, &round.gradient_N)) {
       // The first round is far from the end, so the clamped system leads as near. The exact one is often not positive
       // there, and would cost a second factorisation.
       positive = factorise(Curvature::Positive, &round.gradient_N);
-      outcome.clamped = true;
-      exact = false;
+      round.clamped = true;
     }
     outcome.finite = positive && round.gradient_N.allFinite();
     if (outcome.finite) outcome.converged = search(round) <= limits.moved_m;
+    outcome.clamped = outcome.clamped || round.clamped;
   }
-  if (!exact) assemble(*body_, at_, inertia_N_per_m_, Curvature::Exact, system_, nullptr);  // for the compliance
+  if (round.clamped) assemble(*body_, at_, inertia_N_per_m_, Curvature::Exact, system_, nullptr);  // for the compliance
   outcome.finite = outcome.finite && at_.allFinite() && std::isfinite(elastic_J_);
   if (outcome.finite)
     keep_energy(before, budget_J, dt_s, contact);
@@ -222,6 +225,12 @@ double ElasticMotion::search(Round& round) {
   round.add_inertia(at_);
   NodeField moved;
   descend(round, moved);
+  if (moved.size() == 0) {
+    // As in a compressed or inverted element, which the steps of conjugate gradients would leave where it is.
+    if (!factorise(Curvature::Positive, nullptr)) return 0.0;
+    round.factorised = round.clamped = true;
+    descend(round, moved);
+  }
   round.add_contact(at_);
   const double begun_J = round.of(elastic_J_, at_).sum_J;
   const double slope_J = moved.cwiseProduct(round.gradient_N).sum();
