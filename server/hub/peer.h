@@ -82,7 +82,7 @@ class Peer : private wire::ConnectionOwner {
   [[nodiscard]] Nanoseconds queue() const noexcept { return datagrams_ ? datagrams_->queue() : Nanoseconds{0}; }
   /// Share of the last depth images that the peer's line had no room for.
   [[nodiscard]] double dropped() noexcept;
-  /// Tells the hub for /server/stats what other flows leave, as far as it was seen to arrive.
+  /// Tells the hub what other flows leave, for /server/stats: at most what arrived in the last second.
   void note_share() {
     site_.hub.note_share(subscriber_, datagrams_ ? datagrams_->delivered_share_B_per_s() : std::nullopt);
   }

@@ -60,23 +60,22 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
 
 /// True in each phase except Up, because TCP then carries the images and loses nothing.
 bool PeerDatagrams::references_arrive() const noexcept {
-  return end_->phase() != wire::DatagramPhase::Up ||
-         link::references_arrive(end_->link().path(), link::DatagramLinkSettings{}.deadline);
+  return path() == nullptr || link::references_arrive(*path(), link::DatagramLinkSettings{}.deadline);
+}
+
+const link::PathEstimate* PeerDatagrams::path() const noexcept {
+  return end_->phase() == wire::DatagramPhase::Up ? &end_->link().path() : nullptr;
 }
 
 std::optional<double> PeerDatagrams::share_B_per_s() const noexcept {
-  if (end_->phase() != wire::DatagramPhase::Up) return std::nullopt;
-  return end_->link().path().share_B_per_s();
+  return path() != nullptr ? path()->share_B_per_s() : std::nullopt;
 }
 
 std::optional<double> PeerDatagrams::delivered_share_B_per_s() const noexcept {
-  if (end_->phase() != wire::DatagramPhase::Up) return std::nullopt;
-  return end_->link().path().delivered_share_B_per_s();
+  return path() != nullptr ? path()->delivered_share_B_per_s() : std::nullopt;
 }
 
-Nanoseconds PeerDatagrams::queue() const noexcept {
-  return end_->phase() == wire::DatagramPhase::Up ? end_->link().path().queue_delay() : Nanoseconds{0};
-}
+Nanoseconds PeerDatagrams::queue() const noexcept { return path() != nullptr ? path()->queue_delay() : Nanoseconds{0}; }
 
 /// Only the newest authenticated datagram may change the address: a replayed one must not redirect the stream.
 void PeerDatagrams::received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) {

@@ -42,7 +42,7 @@ class PeerDatagrams : private DatagramPort::Session {
   /// What the path of the datagrams still carries beside other flows (link::PathEstimate::share_B_per_s()) [B/s];
   /// nullopt: no other flow was noticed, or TCP carries the images.
   [[nodiscard]] std::optional<double> share_B_per_s() const noexcept;
-  /// Of that share, what was delivered in the last second [B/s]: what people are told.
+  /// The same, but at most what was delivered in the last second (link::PathEstimate::delivered_share_B_per_s()).
   [[nodiscard]] std::optional<double> delivered_share_B_per_s() const noexcept;
   /// The path's standing queue (link::PathEstimate::queue_delay()); 0 while TCP carries the images.
   [[nodiscard]] Nanoseconds queue() const noexcept;
@@ -54,6 +54,8 @@ class PeerDatagrams : private DatagramPort::Session {
   void received(std::span<const std::byte> datagram, const DatagramPort::Endpoint& from) override;
   [[nodiscard]] const link::OpenerStatistics& refused() const override { return end_->link().opener(); }
   void on_phase(wire::DatagramPhase phase);
+  /// nullptr: TCP carries the images.
+  [[nodiscard]] const link::PathEstimate* path() const noexcept;
   [[nodiscard]] bool carries_images() const noexcept;
   [[nodiscard]] bool send(std::span<const std::byte> datagram);
   void prove(const DatagramPort::Endpoint& from, std::size_t bytes);

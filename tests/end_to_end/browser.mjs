@@ -30,6 +30,13 @@ export async function openBrowser(folder, viewport = {width: 900, height: 640}, 
   return {context, page, problems};
 }
 
+/** Saves a picture of the page as `folder`/`name`.png, unless no folder was given. */
+export async function savePicture(page, folder, name, options = {}) {
+  if (!folder) return;
+  mkdirSync(folder, {recursive: true});
+  await page.screenshot({path: join(folder, `${name}.png`), ...options});
+}
+
 export const status = (page) => page.evaluate(() => window.telepalp);
 
 /** The playback of the page's own session; without values until the page has opened it. */

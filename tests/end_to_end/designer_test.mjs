@@ -2,13 +2,12 @@
 // turned by key and mouse until the sac gives way, linkages that cannot be built, what the address keeps, the search,
 // strangers at the door, and Ctrl-C.
 import assert from 'node:assert/strict';
-import {existsSync, mkdirSync} from 'node:fs';
 import {request} from 'node:http';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {violations} from './accessibility.mjs';
-import {openBrowser} from './browser.mjs';
+import {checkNarrowInLight, violations} from './accessibility.mjs';
+import {openBrowser, savePicture} from './browser.mjs';
 import {until, Workplace} from './running_program.mjs';
 
 const [binDir, pictures] = process.argv.slice(2);  // PICTURES: a folder for screenshots, to be looked at
@@ -35,11 +34,7 @@ const live = () => page.waitForFunction(() => window.designer.design !== undefin
 const frame = () => page.evaluate(() => window.designer.frame);
 const force = ([x, y]) => Math.hypot(x, y);
 const predicted = () => page.waitForFunction(() => window.designer.prediction !== undefined);
-const picture = async (name, options = {}) => {
-  if (!pictures) return;
-  if (!existsSync(pictures)) mkdirSync(pictures);
-  await page.screenshot({path: join(pictures, `${name}.png`), ...options});
-};
+const picture = (name, options) => savePicture(page, pictures, name, options);
 async function setNumber(id, value) {
   await page.fill(`#${id}`, String(value));
   await page.press(`#${id}`, 'Tab');
@@ -166,13 +161,7 @@ test('a search can be cancelled, and a box without a range is refused', async ()
 });
 
 test('the page is whole in the light theme and 800 pixels wide, without a bar at the bottom', async () => {
-  await page.click('#theme');
-  await page.setViewportSize({width: 800, height: 900});
-  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 800), 'nothing is cut off');
-  assert.deepEqual(await violations(page), []);
-  await picture('light', {fullPage: true});
-  await page.click('#theme');
-  await page.setViewportSize({width: 1280, height: 800});
+  await checkNarrowInLight(page, picture);
   assert.deepEqual(browser.problems, []);
 });
 

@@ -2,7 +2,7 @@
 # Runs every example that telepalp prints: the last line of each program's and command's --help, and each command in the
 # fenced blocks of docs/*.md. They run as they stand, in an empty folder that holds the files they name, but for these
 # rules, which the test prints when it uses one:
-#   bounded  --seconds N becomes --seconds 2, and two operators with two penetrations one with one: so that the test ends
+#   bounded  --seconds N becomes --seconds 2, and --operators 2 --penetrations 2 become 1 and 1: so that the test ends
 #   ctrl-c   what runs until Ctrl-C gets one after 6 s, and must end well
 #   started  a benchmark (and a scene's bill, which is one) takes minutes and its figures depend on the machine: it must run
 #            for 3 s, or end without an error

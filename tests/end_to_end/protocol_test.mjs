@@ -2,12 +2,12 @@
 // mouse and keys does the training and two penetrations with each of two mechanisms; Escape, another tab, Ctrl-C and the
 // same command again; and the report has the figures of what the hand did.
 import assert from 'node:assert/strict';
-import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {violations} from './accessibility.mjs';
-import {openBrowser} from './browser.mjs';
+import {checkNarrowInLight, violations} from './accessibility.mjs';
+import {openBrowser, savePicture} from './browser.mjs';
 import {until, Workplace} from './running_program.mjs';
 
 const [binDir, pictures] = process.argv.slice(2);  // PICTURES: a folder for screenshots, to be looked at
@@ -41,11 +41,7 @@ after(async () => {
 const state = () => page.evaluate(() => window.protocol.state);
 const frame = () => page.evaluate(() => window.protocol.frame);
 const stage = (name) => page.waitForFunction((wanted) => window.protocol.state?.stage === wanted, name);
-const picture = async (name, options = {}) => {
-  if (!pictures) return;
-  if (!existsSync(pictures)) mkdirSync(pictures);
-  await page.screenshot({path: join(pictures, `${name}.png`), ...options});
-};
+const picture = (name, options) => savePicture(page, pictures, name, options);
 
 /** Holds the arrow key until the needle is through the skin and the force has fallen to half of its peak behind it. */
 async function pushUntilItGivesWay() {
@@ -143,13 +139,7 @@ test('Ctrl-C in the middle tells the figures so far, and the same command goes o
 });
 
 test('the page is whole in the light theme and 800 pixels wide', async () => {
-  await page.click('#theme');
-  await page.setViewportSize({width: 800, height: 900});
-  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 800), 'nothing is cut off');
-  assert.deepEqual(await violations(page), []);
-  await picture('light', {fullPage: true});
-  await page.click('#theme');
-  await page.setViewportSize({width: 1280, height: 800});
+  await checkNarrowInLight(page, picture);
 });
 
 test('when all is done, the program ends, and its report has the figures of this hand', async () => {

@@ -85,16 +85,31 @@ Result<std::filesystem::path> read_out(const program::Arguments& arguments) {
   return std::filesystem::path(out);
 }
 
-Result<RunChoice> read_run_choice(const program::Arguments& arguments) {
+Result<std::uint64_t> read_seed(const program::Arguments& arguments) {
   const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
   if (!seed) return seed.error();
+  return static_cast<std::uint64_t>(*seed);
+}
+
+Result<int> read_threads(const program::Arguments& arguments) {
   const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
+  if (!threads) return threads.error();
+  return *threads == 0 ? program::processors() : static_cast<int>(*threads);
+}
+
+Result<Design> read_design_choice(const program::Arguments& arguments) {
+  const std::string design = arguments.text("design");
+  return design == kDesignOption.initial ? amniocentesis_design() : read_design(design);
+}
+
+Result<RunChoice> read_run_choice(const program::Arguments& arguments) {
+  const Result<std::uint64_t> seed = read_seed(arguments);
+  if (!seed) return seed.error();
+  const Result<int> threads = read_threads(arguments);
   if (!threads) return threads.error();
   const Result<std::filesystem::path> out = read_out(arguments);
   if (!out) return out.error();
-  return RunChoice{.seed = static_cast<std::uint64_t>(*seed),
-                   .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads),
-                   .out = *out};
+  return RunChoice{.seed = *seed, .threads = *threads, .out = *out};
 }
 
 int run_obstruction(int argc, const char* const* argv) {

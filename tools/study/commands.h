@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "support/program/options.h"
+#include "tools/study/task/design.h"
 
 namespace telepalp::study {
 
@@ -13,6 +14,17 @@ inline constexpr program::Option kThreadsOption{"threads", "N", "side by side; 0
 inline constexpr std::string_view kOutHelp =
     "folder of report.html, study.json, trials.csv and runs/; the same command resumes a study that was stopped";
 inline constexpr program::Option kJsonOption{"json", "", "print study.json instead of the table"};
+
+inline constexpr program::Option kDesignOption{
+    "design", "NAME|FILE",
+    "amniocentesis: the 36 mechanisms of paper S4; or a text file with one mechanism a line: name=a l1=80 ...",
+    "amniocentesis"};
+
+/// Error: the number is out of range.
+[[nodiscard]] Result<std::uint64_t> read_seed(const program::Arguments& arguments);
+[[nodiscard]] Result<int> read_threads(const program::Arguments& arguments);
+/// The mechanisms that --design names. Error: the file cannot be read, with line and column.
+[[nodiscard]] Result<Design> read_design_choice(const program::Arguments& arguments);
 
 struct RunChoice {
   std::uint64_t seed = 1;

@@ -7,7 +7,7 @@
 #include "support/program/ending.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
-#include "support/program/parallel.h"
+#include "tools/study/commands.h"
 #include "tools/study/designer/designer_page.h"
 
 namespace telepalp::study {
@@ -41,16 +41,14 @@ Result<Asked> read(const program::Arguments& arguments) {
   if (!port) return port.error();
   const Result<std::int64_t> operators = arguments.whole("operators", 2, 200);
   if (!operators) return operators.error();
-  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
+  const Result<std::uint64_t> seed = read_seed(arguments);
   if (!seed) return seed.error();
-  const Result<std::int64_t> threads = arguments.whole("threads", 0, 256);
+  const Result<int> threads = read_threads(arguments);
   if (!threads) return threads.error();
   Result<Door> door = new_door(arguments.text("listen"), *port);
   if (!door) return door.error();
   return Asked{.door = std::move(*door),
-               .judges = {.operators = static_cast<int>(*operators),
-                          .seed = static_cast<std::uint64_t>(*seed),
-                          .threads = *threads == 0 ? program::processors() : static_cast<int>(*threads)}};
+               .judges = {.operators = static_cast<int>(*operators), .seed = *seed, .threads = *threads}};
 }
 
 int run(const Asked& asked) {

@@ -21,9 +21,7 @@ const program::Usage kUsage{
     .positional = "",
     .options =
         {
-            {"design", "NAME|FILE",
-             "amniocentesis: the 36 mechanisms of paper S4; or a text file with one mechanism a line: name=a l1=80 ...",
-             "amniocentesis"},
+            kDesignOption,
             {"operators", "N", "number of simulated operators, each with an own body and tissue", "12"},
             {"penetrations", "N", "of each mechanism by each operator in each condition", "5"},
             kSeedOption,
@@ -42,8 +40,7 @@ const program::Usage kUsage{
 
 Result<StudySettings> read(const program::Arguments& arguments) {
   StudySettings settings;
-  const std::string design = arguments.text("design");
-  Result<Design> read = design == "amniocentesis" ? amniocentesis_design() : read_design(design);
+  Result<Design> read = read_design_choice(arguments);
   if (!read) return read.error();
   settings.design = std::move(*read);
   const Result<std::int64_t> operators = arguments.whole("operators", 1, 200);

@@ -26,9 +26,7 @@ const program::Usage kUsage{
         "training, then all mechanisms in random order. It serves the page at which the person works, and tells "
         "the overshoots at the end",
     .positional = {},
-    .options = {{"design", "NAME|FILE",
-                 "amniocentesis: the 36 mechanisms of paper S4; or a text file with one mechanism a line",
-                 "amniocentesis"},
+    .options = {kDesignOption,
                 {"participant", "NAME", "short name of the person, such as p07"},
                 {"conditions", "LIST", "some of force, vision and both, such as force,both", "both"},
                 {"training", "N", "penetrations before each condition, five with each of a few mechanisms", "15"},
@@ -56,18 +54,17 @@ Result<void> read_counts(const program::Arguments& arguments, Protocol& protocol
   if (!training) return training.error();
   const Result<std::int64_t> penetrations = arguments.whole("penetrations", 1, 50);
   if (!penetrations) return penetrations.error();
-  const Result<std::int64_t> seed = arguments.whole("seed", 0, 1'000'000'000);
+  const Result<std::uint64_t> seed = read_seed(arguments);
   if (!seed) return seed.error();
   protocol.training = static_cast<int>(*training);
   protocol.penetrations = static_cast<int>(*penetrations);
-  protocol.seed = static_cast<std::uint64_t>(*seed);
+  protocol.seed = *seed;
   return {};
 }
 
 Result<Asked> read(const program::Arguments& arguments) {
   Asked asked;
-  const std::string design = arguments.text("design");
-  Result<Design> read = design == "amniocentesis" ? amniocentesis_design() : read_design(design);
+  Result<Design> read = read_design_choice(arguments);
   if (!read) return read.error();
   asked.protocol.design = std::move(*read);
   Result<std::vector<Condition>> conditions = read_conditions(arguments.text("conditions"));
@@ -141,9 +138,8 @@ Result<void> serve(const Asked& asked, Session session, Journal journal) {
 Result<void> follow(const Asked& asked) {
   const std::filesystem::path file = journal_file(asked.out, asked.participant.name);
   if (const Result<Plant> plant = plant_for(asked.protocol, asked.participant); !plant) return plant.error();
-  Result<Journal> journal = Journal::open(
-      file,
-      {.identity = identity_of(asked.protocol), .participant = asked.participant.name, .hand = HandKind::Browser});
+  Result<Journal> journal =
+      Journal::open(file, {.identity = identity_of(asked.protocol), .participant = asked.participant.name});
   if (!journal) return journal.error();
   if (journal->repaired())
     program::log(kProgram, file.string() + ": the last row was cut off; its penetration is asked for again");

@@ -105,7 +105,7 @@ struct ElasticMotion::Round {
   NodeField gradient_N{};  ///< of the elastic energy; then also of the terms that were added
   bool factorised = true;  ///< the system of this round; else the factor is that of the round before
   bool clamped = false;    ///< negative curvature, if any, was replaced in the system
-  VectorXd load{};         ///< of one newton of the contact
+  VectorXd load{};         ///< on the nodes, for one newton of the contact
 
   struct Energy {
     double elastic_J = 0.0;
@@ -200,7 +200,7 @@ StepOutcome ElasticMotion::step(double dt_s, const PatchContact* contact, const 
     if (!round.factorised) {
       assemble(*body_, at_, inertia_N_per_m_, Curvature::Exact, system_, &round.gradient_N);
     } else if (outcome.rounds == 1 || !factorise(Curvature::Exact, &round.gradient_N)) {
-      // The first round is far from the end, so the clamped system leads as near. The exact one is often not positive
+      // The first round is far from the end, so the clamped system serves as well. The exact one is often not positive
       // there, and would cost a second factorisation.
       positive = factorise(Curvature::Positive, &round.gradient_N);
       round.clamped = true;

@@ -40,8 +40,8 @@ struct SenderStatistics {
   std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request
 };
 
-/// Times from a frame's first datagrams to its echoes. A burst of losses that takes all three is so long that the
-/// frames are needed whose messages come after it.
+/// Times from a frame's first datagrams to its echoes. A burst of losses that lasts longer takes all three; then the
+/// next voice messages help, because each repeats the speech of those before it.
 inline constexpr std::array<Nanoseconds, 2> kEchoesAfter{std::chrono::milliseconds(7), std::chrono::milliseconds(14)};
 
 /// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is

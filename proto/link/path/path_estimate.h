@@ -43,8 +43,8 @@ class PathEstimate {
   [[nodiscard]] bool beside_others() const noexcept { return competition_.beside(); }
   /// Rate of the share that is left beside other flows; nullopt: none was noticed.
   [[nodiscard]] std::optional<double> share_B_per_s() const noexcept { return competition_.share_B_per_s(); }
-  /// Of that share, what the path has delivered in the last second: for people. A window of which a part is used says
-  /// nothing of what the path would carry beyond that part.
+  /// The same, but at most what the path has delivered in the last second. This is what people are told: a sender that
+  /// uses a part of its share does not know whether the path would carry the rest.
   [[nodiscard]] std::optional<double> delivered_share_B_per_s() const noexcept;
   /// Number of reports that acknowledged a new datagram. While it grows, the path works in both directions.
   [[nodiscard]] std::uint64_t answers() const noexcept { return answers_; }

@@ -15,7 +15,7 @@ namespace telepalp::gateway {
 
 /// Answers GET /health and GET /metrics over plain HTTP on a port of its own, so that a crowded web port does not blind
 /// the monitoring. One request for each connection. When there are more than kMostConnections, one is closed, chosen by
-/// access::one_to_close(): strangers who open many do not close the one of the monitoring.
+/// access::one_to_close(), so strangers who open many connections cannot close that of the monitoring.
 /// Owner: the server's network thread.
 class HealthPort {
  public:

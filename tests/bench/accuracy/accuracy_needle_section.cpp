@@ -170,9 +170,8 @@ constexpr std::pair<const char*, tissue::BulkLaw> kLaws[]{{"LAW_BRISTLE", tissue
                                                           {"LAW_WINDOW", tissue::BulkLaw::Window},
                                                           {"LAW_PAPER", tissue::BulkLaw::Paper}};
 
-/// The laws of the muscle: how far the force at each step length is from that of the same law with steps of 0.05 ms,
-/// and that one from the bristle's. The station's share with short steps is that with steps of 0.5 ms, and the time of
-/// the further steps.
+/// Errors of the muscle's laws at each step length: against the same law with steps of 0.05 ms, and against the bristle
+/// model. The station is measured with steps of 0.5 ms; for shorter ones, the time of the further steps is added.
 Result<PageTable> steps_table(const TissueSettings& settings, std::vector<Row>& rows) {
   constexpr int kFine = 10;
   PageTable table{.head = {"`law`", "step ms", "force error mN, RMS", "from the bristle mN, RMS", "step µs",

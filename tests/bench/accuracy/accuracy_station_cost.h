@@ -7,9 +7,9 @@
 
 namespace telepalp::bench {
 
-/// Processor time of the whole station with `scene`, while its simulated hand does its trial, in virtual time: each
-/// step follows the one before it at once. Without the waking of the live thread and without sockets. `name`: of the
-/// scene's file in the library. Takes some seconds.
+/// Processor time of the whole station with `scene`, while its simulated hand does its trial. Time is virtual: the
+/// station computes each tick as soon as the one before is done. So the figure does not hold what a live station pays
+/// for waking its thread and for its sockets. `name`: file name of the scene in the library. Takes some seconds.
 [[nodiscard]] Result<station::StationCost> cost_of_station(const scenes::Scene& scene, const std::string& name);
 
 }  // namespace telepalp::bench

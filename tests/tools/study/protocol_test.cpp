@@ -35,9 +35,7 @@ Protocol small() {
           .penetrations = 2};
 }
 const Participant kAnna = *participant_of("anna");
-JournalHead head_of(const Protocol& protocol) {
-  return {.identity = identity_of(protocol), .participant = kAnna.name, .hand = HandKind::Browser};
-}
+JournalHead head_of(const Protocol& protocol) { return {.identity = identity_of(protocol), .participant = kAnna.name}; }
 fs::path journal_of(const support::TemporaryFolder& folder) { return journal_file(folder.path(), kAnna.name); }
 
 Desk desk_of(

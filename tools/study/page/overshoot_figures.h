@@ -11,7 +11,8 @@
 
 namespace telepalp::study {
 
-// Figures of the needle's study, for simulated operators and for people. A mechanism without a finite mean is left out.
+// Figures of the needle's study, for simulated operators and for people. A mechanism with which nobody has punctured
+// the sac yet has no mean, and is left out.
 
 /// A chart of overshoots [mm] over the number of the mechanism in the table, which has `mechanisms`.
 [[nodiscard]] plot::Chart overshoot_chart(std::size_t mechanisms);

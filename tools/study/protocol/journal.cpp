@@ -56,11 +56,7 @@ Result<JournalHead> read_head(std::string_view& text, const std::string& file) {
   const std::size_t hand = line.find(kHand);
   if (!line.starts_with(kPerson) || hand == std::string_view::npos) return no_journal(file, 2);
   head.participant = line.substr(kPerson.size(), hand - kPerson.size());
-  const std::string_view words = line.substr(hand + kHand.size());
-  if (words == in_words(HandKind::Device))
-    head.hand = HandKind::Device;
-  else if (words != in_words(HandKind::Browser))
-    return no_journal(file, 2);
+  if (line.substr(hand + kHand.size()) != kHandWords) return no_journal(file, 2);
   if (take_line(text) != columns()) return no_journal(file, 3);
   return head;
 }
@@ -88,14 +84,16 @@ Error cannot_write(const std::filesystem::path& file, int code) {
 
 }  // namespace
 
+std::string_view name(AttemptKind kind) noexcept { return kKinds[static_cast<std::size_t>(kind)]; }
+
 std::string journal_begin(const JournalHead& head) {
   return std::string(kTitle) + head.identity + "\n" + std::string(kPerson) + head.participant + std::string(kHand) +
-         std::string(in_words(head.hand)) + "\n" + columns() + "\n";
+         std::string(kHandWords) + "\n" + columns() + "\n";
 }
 
 std::string journal_line(const Attempt& attempt) {
-  const std::string row = std::string(kKinds[static_cast<std::size_t>(attempt.kind)]) + "," + trial_row(attempt.trial) +
-                          "," + number_text(attempt.held_up_s);
+  const std::string row =
+      std::string(name(attempt.kind)) + "," + trial_row(attempt.trial) + "," + number_text(attempt.held_up_s);
   return checksum(row) + "," + row + "\n";
 }
 
@@ -144,8 +142,7 @@ Result<Journal> Journal::open(const std::filesystem::path& file, const JournalHe
   Result<JournalText> read = parse_journal(text, file.string());
   if (!read) return read.error();
   if (read->head != head)
-    return Error{.what = "this journal is of another protocol: " + read->head.identity +
-                         "; hand: " + std::string(in_words(read->head.hand)),
+    return Error{.what = "this journal is of another protocol: " + read->head.identity,
                  .where = file.string(),
                  .fix = "give the options with which it was begun, or another --out"};
   journal.attempts_ = std::move(read->attempts);

@@ -17,6 +17,8 @@ enum class AttemptKind {
   BrokenOff,  ///< the person let go before the puncture; the penetration is asked for again
 };
 
+[[nodiscard]] std::string_view name(AttemptKind kind) noexcept;
+
 /// One row of a journal.
 struct Attempt {
   AttemptKind kind = AttemptKind::Formal;
@@ -28,7 +30,6 @@ struct Attempt {
 struct JournalHead {
   std::string identity;  ///< identity_of() the protocol
   std::string participant;
-  HandKind hand = HandKind::Browser;
   [[nodiscard]] friend bool operator==(const JournalHead&, const JournalHead&) = default;
 };
 
@@ -54,7 +55,7 @@ struct JournalText {
 /// program that was ended in any way goes on where it was.
 class Journal {
  public:
-  /// Opens or creates `file`. Error: it is damaged, or it is the journal of another protocol, participant or hand.
+  /// Opens or creates `file`. Error: it is damaged, or it is the journal of another protocol or participant.
   [[nodiscard]] static Result<Journal> open(const std::filesystem::path& file, const JournalHead& head);
   [[nodiscard]] const std::vector<Attempt>& attempts() const noexcept { return attempts_; }
   /// True: a row that was cut off has been removed.

@@ -21,11 +21,6 @@ void add_pair(Json& json, std::string_view key, const Eigen::Vector2d& value, do
   json.end_list();
 }
 
-std::string_view name(AttemptKind kind) {
-  constexpr std::string_view kNames[] = {"training", "formal", "broken-off"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 void add_last(Json& json, const Session& session) {
   if (!session.last()) return json.add_null("last");
   const Outcome& out = session.last()->trial.outcome;

@@ -131,7 +131,6 @@ Result<People> read_people(const Protocol& protocol, const std::filesystem::path
     const Result<std::size_t> done = done_of(plan, read->attempts, file.string());
     if (!done) return done.error();
     people.records.push_back({.participant = *participant,
-                              .hand = read->head.hand,
                               .plant = *plant,
                               .attempts = std::move(read->attempts),
                               .done = *done,

@@ -10,7 +10,6 @@ namespace telepalp::study {
 /// What one participant has done.
 struct PersonRecord {
   Participant participant;
-  HandKind hand = HandKind::Browser;
   Plant plant;
   std::vector<Attempt> attempts;
   std::size_t done = 0;
@@ -32,9 +31,10 @@ struct People {
 struct PeopleCondition {
   Condition condition = Condition::Both;
   /// Mean overshoot with each mechanism; NaN where nobody has punctured the sac with it yet. The interval is over the
-  /// participants; if there is one, over the penetrations.
+  /// participants; if there is only one, over the penetrations.
   std::vector<Interval> cells;
-  Interval all;  ///< mean over the mechanisms; the interval is over the participants; if there is one, the mechanisms
+  Interval
+      all;  ///< mean over the mechanisms; the interval is over the participants; if there is only one, the mechanisms
   int penetrations = 0;
   int not_through = 0;  ///< penetrations without a puncture; left out of the means
   int not_stopped = 0;  ///< the tip did not stop in time; they count with its last place
@@ -47,7 +47,7 @@ struct PeopleCondition {
 struct ConditionDifference {
   Condition one = Condition::Both;
   Condition other = Condition::Vision;
-  Interval mm;  ///< over the participants; if there is one, over the mechanisms
+  Interval mm;  ///< over the participants; if there is only one, over the mechanisms
 };
 
 struct PeopleResult {

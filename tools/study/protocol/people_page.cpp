@@ -89,7 +89,7 @@ std::string people_table(const PeopleResult& result) {
   Rows rows;
   for (const PersonRecord& person : result.people.records)
     rows.push_back({person.participant.name, std::to_string(person.done) + " of " + std::to_string(person.planned),
-                    std::string(in_words(person.hand))});
+                    std::string(kHandWords)});
   return report::table({"participant", "penetrations done", "hand"}, rows, report::Cells::Words);
 }
 

@@ -40,7 +40,7 @@ void add_people(program::Json& json, const PeopleResult& result) {
   for (const PersonRecord& person : result.people.records) {
     json.begin_object();
     json.add("name", person.participant.name);
-    json.add("hand", in_words(person.hand));
+    json.add("hand", kHandWords);
     json.add("done", static_cast<std::uint64_t>(person.done));
     json.add("planned", static_cast<std::uint64_t>(person.planned));
     json.begin_object("plant");
@@ -80,10 +80,10 @@ std::vector<std::string> people_findings(const Protocol& protocol, const PeopleR
       out.push_back("Its order of the 36 mechanisms agrees with S4's Table 2 by a rank correlation of " +
                     fixed_text(*one.correlation, 2) + ".");
   }
-  const auto in_browser = std::ranges::count(result.people.records, HandKind::Browser, &PersonRecord::hand);
-  if (in_browser > 0)
+  const std::size_t people = result.people.records.size();
+  if (people > 0)
     out.push_back(
-        std::to_string(in_browser) + (in_browser == 1 ? " participant" : " participants") +
+        std::to_string(people) + (people == 1 ? " participant" : " participants") +
         " worked in a browser: force shown as a bar. A mouse gives no force, so \"force\" and \"both\" say how "
         "well a drawn force is seen, not how well a force is felt.");
   if (!result.finished()) out.emplace_back("The protocol is not finished: these are the figures so far.");
@@ -112,7 +112,7 @@ std::string people_text(const Protocol& protocol, const PeopleResult& result) {
   text += "\n\n";
   for (const PersonRecord& person : result.people.records)
     text += person.participant.name + ": " + std::to_string(person.done) + " of " + std::to_string(person.planned) +
-            " penetrations; " + std::string(in_words(person.hand)) + "\n";
+            " penetrations; " + std::string(kHandWords) + "\n";
   for (const std::string& sentence : people_findings(protocol, result)) text += sentence + "\n";
   return text;
 }
@@ -141,8 +141,7 @@ std::string people_csv(const Protocol& protocol, const PeopleResult& result) {
       if (attempt.kind != AttemptKind::Formal) continue;
       Trial trial = attempt.trial;
       trial.person = person;
-      rows.push_back(trial_row(trial) + "," + record.participant.name + "," +
-                     (record.hand == HandKind::Browser ? "browser; force shown as a bar" : "device; force felt"));
+      rows.push_back(trial_row(trial) + "," + record.participant.name + ",browser; force shown as a bar");
     }
   }
   return rows_text("telepalp-study protocol, " + identity_of(protocol),

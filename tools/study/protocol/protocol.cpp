@@ -41,10 +41,6 @@ void add_block(const Protocol& protocol, const Participant& participant, Conditi
 
 }  // namespace
 
-std::string_view in_words(HandKind hand) noexcept {
-  return hand == HandKind::Browser ? "browser, force shown as a bar" : "device, force felt";
-}
-
 Result<Participant> participant_of(const std::string& name) {
   const bool good = !name.empty() && name.size() <= kMostLetters && std::ranges::all_of(name, [](unsigned char letter) {
     return (letter < 128 && std::isalnum(letter) != 0) || letter == '-' || letter == '_';

@@ -9,13 +9,9 @@
 
 namespace telepalp::study {
 
-/// How a person moves the hand, and in what the person perceives the force.
-enum class HandKind {
-  Browser,  ///< mouse or keys in the page; the force is a bar, because no mouse gives forces
-  Device,   ///< a haptic device, which gives the force
-};
-/// "browser, force shown as a bar" or "device, force felt"
-[[nodiscard]] std::string_view in_words(HandKind hand) noexcept;
+/// How participants move the hand, and how they perceive the force. A mouse gives no force, so journal, table and
+/// report say this of each participant.
+inline constexpr std::string_view kHandWords = "browser, force shown as a bar";
 
 /// The protocol of the simulated operators, followed by a person.
 struct Protocol {

@@ -46,7 +46,7 @@ class PageServer {
 
   /// With port 0 it takes any free port, and door() tells which. Error: the port cannot be opened.
   [[nodiscard]] static Result<std::unique_ptr<PageServer>> open(boost::asio::io_context& io, Door door, Page page);
-  /// Closes all connections, and ends their conversations.
+  /// Closes the connections of all pages, and destroys their Conversations.
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
