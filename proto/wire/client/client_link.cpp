@@ -235,8 +235,8 @@ void ClientLink::start_datagrams() {
   datagrams_.stepped_before = clock_.stepped();
   datagrams_.carrier = std::make_unique<ClientDatagrams>(
       io_, boost::asio::ip::udp::endpoint(server_.address(), server_.port()), *seal,
-      ClientDatagrams::Handlers{.next_frame = [this]() -> std::shared_ptr<const link::SharedFrame> {
-                                  const std::optional<Message> message = outbox_.next_for_datagram();
+      ClientDatagrams::Handlers{.next_frame = [this](Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
+                                  const std::optional<Message> message = outbox_.next_for_datagram(wanted);
                                   if (!message) return nullptr;
                                   return frame_of(*message, datagram_now());
                                 },
