@@ -43,6 +43,13 @@ SubscriberId Hub::join(std::string name, std::string address, std::function<void
   return last_id_;
 }
 
+void Hub::note_way(SubscriberId id, std::string_view way) {
+  const auto found = subscribers_.find(id);
+  if (found == subscribers_.end()) return;
+  std::string& address = found->second.count.address;
+  address = address.substr(0, address.find(' ')) + " " + std::string(way);
+}
+
 template <class Matches>
 void Hub::remove_waiting(Subscriber& subscriber, Matches matches) {
   const std::size_t before = subscriber.queue.other_bytes();

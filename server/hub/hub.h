@@ -35,6 +35,8 @@ class Hub {
   /// send_by_datagram() is on. `sender`: the number that marks the messages that this peer publishes; 0: it publishes
   /// none.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
+  /// Adds `way`, by which the subscriber's images go, to its address in /server/stats; it replaces the last one.
+  void note_way(SubscriberId id, std::string_view way);
   void leave(SubscriberId subscriber);
 
   /// Replaces the subscriber's topics. A name ending in '*' is a prefix, which covers all topics but those that are

@@ -37,6 +37,12 @@ void DatagramEnd::start() {
   pump();
 }
 
+void DatagramEnd::way_changed() {
+  if (closed_) return;
+  watch_.way_changed(handlers_.now());
+  pump();
+}
+
 void DatagramEnd::close() noexcept {
   closed_ = true;
   timer_.cancel();

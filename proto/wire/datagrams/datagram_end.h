@@ -46,6 +46,8 @@ class DatagramEnd {
   [[nodiscard]] std::optional<std::uint64_t> take_response() noexcept { return link_.take_response(); }
   /// Sends datagrams while the path and the socket have room. Call it when next_frame() has a frame again.
   void pump();
+  /// Datagrams now go another way, which may work where the last one did not.
+  void way_changed();
   /// Stops the timer: afterwards no handler is called, and nothing is sent.
   void close() noexcept;
 

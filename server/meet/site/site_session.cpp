@@ -101,6 +101,7 @@ void SiteSession::join(std::uint32_t version) {
   msg::MeetToSite welcome;
   for (const std::string& name : names_) welcome.mutable_welcome()->add_names(name);
   send(welcome);
+  if (handlers_.on_joined) handlers_.on_joined(*this);
 }
 
 /// The site reads the reason and hangs up; beat() closes the connection if it does not.
@@ -113,6 +114,12 @@ void SiteSession::refuse(const std::string& why) {
 void SiteSession::call(const msg::MeetCall& call) {
   msg::MeetToSite message;
   *message.mutable_call() = call;
+  send(message);
+}
+
+void SiteSession::tell(const msg::MeetRelay& relay) {
+  msg::MeetToSite message;
+  *message.mutable_relay() = relay;
   send(message);
 }
 

@@ -24,6 +24,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
     /// The site has shown a valid certificate; names() and serial() are known. Returns why the site is refused;
     /// empty: it is in.
     std::function<std::string(const std::shared_ptr<SiteSession>&)> on_join;
+    std::function<void(SiteSession&)> on_joined{};  ///< the site has been welcomed
     std::function<void(const std::string& token)> on_decline;
     std::function<void(SiteSession&, const std::string& why)> on_end;  ///< called once
   };
@@ -32,6 +33,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   SiteSession(boost::asio::ip::tcp::socket socket, std::string hello, wire::TlsSettings tls, Handlers handlers);
   void start();
   void call(const msg::MeetCall& call);
+  void tell(const msg::MeetRelay& relay);
   void close(const std::string& why);
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
