@@ -26,6 +26,8 @@ const std::vector<Rule> kRules{
     // The codec's byte decides of a message that does not say whether it is a key frame: see codec/unmarked.
     {"proto/wire", {"proto/words", "proto/keys", "proto/link", "codec/unmarked", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},
+    // Sessions in a cluster are read and written like session files.
+    {"support/session_store", {"proto/words", "proto/wire/mcap", "support/nats", "support/session_store"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},
     {"haptic_station/surface", {"proto/words", "codec/levels", "support/models", "haptic_station/surface"}},
