@@ -45,9 +45,9 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
       wire::DatagramEnd::Handlers{
           .send = [raw = made.get()](std::span<const std::byte> datagram) { return raw->send(datagram); },
           .next_frame = [&hub, subscriber,
-                         raw = made.get()](wire::Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
+                         raw = made.get()](wire::Wanted now) -> std::shared_ptr<const link::SharedFrame> {
             if (!raw->is_proved()) return nullptr;
-            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber, wanted);
+            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber, now);
             if (!message) return nullptr;
             return raw->port_.frames().frame_of(*message, raw->peer_.now());
           },
