@@ -8,6 +8,7 @@
 #include "proto/wire/datagram_message.h"
 #include "proto/wire/datagrams/client_datagrams.h"
 #include "proto/wire/datagrams/datagram_offer.h"
+#include "proto/wire/sockets/udp_socket.h"
 #include "proto/words/demand.h"
 #include "proto/words/error_line.h"
 
