@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "proto/words/counted.h"
@@ -23,7 +24,7 @@ namespace {
 using namespace telepalp;
 
 constexpr const char* kProgram = "telepalp-meet";
-constexpr std::uint16_t kRelayPort = 3478;  // RFC 8656 §17
+constexpr std::string_view kRelayPort = "3478";  // RFC 8656 §17
 
 void log_line(const std::string& text) { program::log(kProgram, text); }
 
