@@ -43,7 +43,7 @@ class DatagramLink {
   [[nodiscard]] bool ready_for_frame(SessionTime now) noexcept { return sender_.idle() && path_.has_room(now); }
   /// The same for an urgent frame (SharedFrame::Label), which does not wait for the frames that have started.
   [[nodiscard]] bool ready_for_urgent(SessionTime now) noexcept {
-    return sender_.idle_for_urgent() && path_.has_room(now);
+    return sender_.idle_for_urgent() && path_.has_room_for_urgent(now);
   }
 
   /// Lets next() return a report (Feedback in format/fragment.h) although nothing was received. Reports in both

@@ -47,7 +47,8 @@ std::optional<FrameSender::Next> FrameSender::next(SessionTime now, PathEstimate
   start_urgent(now, path);
   if (first_round_.empty()) start_newest(now, path);
   std::deque<Piece>& from = next_queue();
-  if (from.empty() || !path.has_room(now)) return std::nullopt;
+  if (from.empty()) return std::nullopt;
+  if (&from == &urgent_ ? !path.has_room_for_urgent(now) : !path.has_room(now)) return std::nullopt;
   Next next = send(from.front(), now);
   from.pop_front();
   return next;
