@@ -161,6 +161,7 @@ class ClientLink : private ConnectionOwner {
   void connect();
   void greet(std::unique_ptr<ByteStream> stream);
   void on_connect_failed(const std::string& reason, std::optional<Error> not_served_because = std::nullopt);
+  void own_address_lost();
   void refuse(Error why);
   [[nodiscard]] bool trusts_server();
   void retry_later();
