@@ -4,7 +4,6 @@
 #include <random>
 #include <utility>
 
-#include "proto/ice/ice_paths.h"
 #include "proto/wire/datagram_message.h"
 #include "proto/wire/datagrams/client_datagrams.h"
 #include "proto/wire/datagrams/datagram_offer.h"
