@@ -25,6 +25,7 @@ install(FILES deploy/service/telepalp.sysusers.conf DESTINATION lib/sysusers.d C
 install(PROGRAMS deploy/demo DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT demo RENAME telepalp-demo)
 install(FILES deploy/service/telepalp-server.service deploy/service/telepalp-meet.service DESTINATION lib/systemd/system COMPONENT server)
 install(DIRECTORY deploy/monitoring DESTINATION ${TELEPALP_DATADIR} COMPONENT server)
+install(FILES deploy/service/telepalp-relay.conf DESTINATION ${CMAKE_INSTALL_DATADIR}/telepalp COMPONENT server)
 install(FILES deploy/service/telepalp-station.service DESTINATION lib/systemd/system COMPONENT station)
 
 # pam_limits reads /etc alone, so a package (prefix /usr) puts the file there; another prefix has its own etc.

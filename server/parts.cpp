@@ -147,6 +147,7 @@ Result<void> open_server(Parts& parts, Asked& asked) {
     if (!access) return access.error();
     asked.server.access = std::move(access).value();
   }
+  asked.server.relays = [&parts] { return parts.meet ? parts.meet->relays() : std::vector<msg::IceRelay>{}; };
   Result<std::unique_ptr<Server>> listening = Server::listen(parts.io, asked.server);
   if (!listening) return listening.error();
   parts.server = std::move(listening).value();

@@ -49,6 +49,7 @@ Result<std::unique_ptr<Server>> Server::listen(boost::asio::io_context& io, Opti
        .no_stations = server->options_.clock_upstream ? std::optional(kAnEdge) : std::nullopt,
        .on_note = [raw = server.get()](const std::string& text) { raw->log(text); },
        .on_window = [raw = server.get()](const msg::WindowRequest& request) { raw->follow_window(request); },
+       .relays = server->options_.relays,
        // The statistics are published before the hub forgets the totals of a leaving peer.
        .on_leaving = [raw = server.get()] { raw->publish_clock_and_stats(); }});
   if (!listener) return listener.error();

@@ -29,6 +29,8 @@ class Server {
     std::uint16_t port = 0;  ///< 0: any free port
     std::string software{};  ///< name, version and commit of the program, for /server/stats; empty: not stated
     std::shared_ptr<access::Access> access = access::Access::without_keys();
+    /// The relays for peers behind the meeting point, with credentials that hold.
+    std::function<std::vector<msg::IceRelay>()> relays = [] { return std::vector<msg::IceRelay>{}; };
     std::function<void(const std::string&)> log{};  ///< log lines about peers and the camera's state
     /// Of an edge, which shows what another server publishes: that server's session clock. nullopt: no edge.
     std::optional<wire::SessionClock> clock_upstream{};

@@ -35,6 +35,8 @@ class Hub {
   /// send_by_datagram() is on. `sender`: the number that marks the messages that this peer publishes; 0: it publishes
   /// none.
   SubscriberId join(std::string name, std::string address, std::function<void()> wake, std::uint32_t sender = 0);
+  /// Adds `way`, by which the subscriber's images go, to its address in /server/stats; it replaces the last one.
+  void note_way(SubscriberId id, std::string_view way);
   void leave(SubscriberId subscriber);
 
   /// Replaces the subscriber's topics. A name ending in '*' is a prefix, which covers all topics but those that are
@@ -72,8 +74,9 @@ class Hub {
   /// no use) to the subscriber: next_for_datagram() takes them, and next() the other topics. A change drops the queued
   /// messages of the deadline topics, and the next message of a topic with predicted frames is a key frame.
   void send_by_datagram(SubscriberId subscriber, bool on);
-  /// Takes a deadline topic's newest key frame, else its oldest message; drops older ones (SendQueue::pop_newest()).
-  [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber);
+  /// Takes the newest key frame of a deadline topic, of those `wanted`, else its oldest message; drops older ones
+  /// (SendQueue::pop_newest()).
+  [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber, wire::Wanted wanted);
   /// Keeps, for subscriber_counts(), what other flows leave of the subscriber's line.
   void note_share(SubscriberId subscriber, std::optional<double> share_B_per_s);
   /// The subscriber cannot decode the predicted frames of `topic`: the next one that it gets is a key frame.

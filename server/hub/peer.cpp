@@ -27,10 +27,11 @@ const Error kStationNeedsKey{.what = "a station needs a key, and this program ha
 }  // namespace
 
 Peer::Peer(const PeerSite& site, std::uint64_t number, const access::Unproven& arrival,
-           std::unique_ptr<wire::ByteStream> stream)
+           std::unique_ptr<wire::ByteStream> stream, Way way)
     : site_(site),
       number_(number),
       arrival_(arrival),
+      way_(way),
       touch_(site.access, number, [this](access::AuditEvent event, const std::string& more) { audit(event, more); }),
       connection_(std::make_shared<wire::Connection>(
           std::move(stream),
@@ -111,7 +112,7 @@ void Peer::on_ready(const msg::Hello& peer) {
   if (const Result<void> may = site_.access.may_join(*who_); !may) return refuse(to_string(may.error()));
   if (kind == PlaceKind::Station && !takes_touch(peer.accepts_touch())) return refuse(touch_.is_held(*who_));
   join(kind, peer);
-  offer_datagrams(peer.datagrams());
+  offer_datagrams(peer);
 }
 
 Result<keys::Identity> Peer::whose(const msg::Hello& peer) const {
@@ -162,14 +163,19 @@ void Peer::join(PlaceKind kind, const msg::Hello& peer) {
 
 /// The datagrams' keys derive from the TLS session. Without TLS the peer is on this machine, and gets a random
 /// secret.
-void Peer::offer_datagrams(msg::DatagramCipher wanted) {
-  if (!site_.datagrams.is_open()) return;
-  datagrams_ = PeerDatagrams::offer(site_.io, site_.datagrams, site_.hub, wanted,
+void Peer::offer_datagrams(const msg::Hello& peer) {
+  const bool finds_path = way_ == Way::MeetingPoint && peer.finds_paths();
+  if (!site_.datagrams.is_open() && !finds_path) return;
+  std::function<void(const msg::IcePath&)> signal;
+  if (finds_path) signal = [this](const msg::IcePath& message) { connection_->find_path(message); };
+  datagrams_ = PeerDatagrams::offer(site_.io, site_.datagrams, site_.hub, peer.datagrams(),
                                     connection_->keying_material(wire::kDatagramKeyLabel),
                                     {.subscriber = subscriber_,
                                      .now = [this] { return session_now(); },
                                      .on_message = messages_by_datagram(),
-                                     .on_phase = [this](wire::DatagramPhase phase) { note_images(phase); }});
+                                     .on_phase = [this](wire::DatagramPhase phase) { note_images(phase); },
+                                     .signal = std::move(signal),
+                                     .relays = site_.relays});
   if (!datagrams_) return;
   connection_->offer_datagrams(datagrams_->message());
   datagrams_->start();
@@ -183,9 +189,11 @@ std::function<void(wire::Message)> Peer::messages_by_datagram() {
 }
 
 void Peer::note_images(wire::DatagramPhase phase) {
-  site_.note(name_ + " at " + connection_->peer() +
-             (phase == wire::DatagramPhase::Up ? ": images go by sealed datagrams (UDP)"
-                                               : ": no UDP datagram arrives: images go over TCP"));
+  const std::string way = datagrams_ ? datagrams_->way() : std::string();
+  std::string says = "no UDP datagram arrives: images go over TCP";
+  if (phase == wire::DatagramPhase::Up) says = "images go by sealed datagrams" + (way.empty() ? " (UDP)" : ", " + way);
+  site_.note(name_ + " at " + connection_->peer() + ": " + says);
+  if (way_ == Way::MeetingPoint) site_.hub.note_way(subscriber_, "through the meeting point; " + says);
 }
 
 void Peer::wake() {

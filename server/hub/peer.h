@@ -20,6 +20,12 @@
 
 namespace telepalp::hub {
 
+/// How a peer's connection has come to this server.
+enum class Way {
+  Port,          ///< to the server's port
+  MeetingPoint,  ///< through the meeting point, so that the server's UDP port is probably out of the peer's reach
+};
+
 /// What a peer needs of the server around it. All functions are called on the network thread.
 struct PeerSite {
   boost::asio::io_context& io;
@@ -39,6 +45,7 @@ struct PeerSite {
   std::function<void(const std::string&)> note_refusal;  ///< a log line about a refused peer
   /// The connection of a peer that never joined has ended, for `reason`. Many such peers share one line of the log.
   std::function<void(const std::string& happened, const std::string& reason)> note_stranger_gone;
+  std::function<std::vector<msg::IceRelay>()> relays;        ///< for peers behind the meeting point
   std::function<void(const msg::WindowRequest&)> on_window;  ///< a station asks for a window of exact depth
   std::function<void()> on_invalid;                          ///< a message was dropped because it is invalid
   std::function<void()> on_over_rate;                        ///< a message was dropped because of its topic's rate
@@ -54,7 +61,7 @@ class Peer : private wire::ConnectionOwner {
   /// `number`: differs for each peer of the server. `arrival`: from where and when its connection came. `site` must
   /// outlive the peer.
   Peer(const PeerSite& site, std::uint64_t number, const access::Unproven& arrival,
-       std::unique_ptr<wire::ByteStream> stream);
+       std::unique_ptr<wire::ByteStream> stream, Way way);
   ~Peer() override;
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
@@ -97,6 +104,9 @@ class Peer : private wire::ConnectionOwner {
   void on_key_frame_request(const wire::Topic& topic, SessionTime published) override;
   void on_closed(const std::string& reason) override;
   void on_hand_over(const msg::HandOver& request) override;
+  void on_ice_path(const msg::IcePath& message) override {
+    if (datagrams_) datagrams_->on_ice_path(message);
+  }
   std::optional<wire::Message> next_to_send() override { return site_.hub.next(subscriber_); }
   SessionTime session_now() override { return site_.now(); }
 
@@ -108,7 +118,7 @@ class Peer : private wire::ConnectionOwner {
   [[nodiscard]] bool may_hear() const;
   void show_revocations();
   void join(PlaceKind kind, const msg::Hello& peer);
-  void offer_datagrams(msg::DatagramCipher wanted);
+  void offer_datagrams(const msg::Hello& peer);
   [[nodiscard]] std::function<void(wire::Message)> messages_by_datagram();
   void note_images(wire::DatagramPhase phase);
   void wake();
@@ -121,6 +131,7 @@ class Peer : private wire::ConnectionOwner {
   const PeerSite& site_;
   std::uint64_t number_;
   access::Unproven arrival_;
+  Way way_;
   std::string name_;
   std::optional<keys::Identity> who_;  // nullopt: not known yet, or refused
   std::optional<PlaceKind> place_;

@@ -3,7 +3,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "proto/ice/ice_paths.h"
 #include "proto/wire/datagrams/datagram_end.h"
 #include "proto/wire/datagrams/datagram_offer.h"
 #include "server/hub/datagrams/datagram_port.h"
@@ -22,6 +25,10 @@ class PeerDatagrams : private DatagramPort::Session {
     /// Called for each message that comes by datagram; empty: the peer may publish nothing, its frames are ignored.
     std::function<void(wire::Message)> on_message{};
     std::function<void(wire::DatagramPhase)> on_phase{};  ///< called when the phase becomes Up or Blocked
+    /// Of a peer behind the meeting point: sends it a message about a path. Empty function: the peer knows this
+    /// server's UDP port.
+    std::function<void(const msg::IcePath&)> signal{};
+    std::function<std::vector<msg::IceRelay>()> relays = [] { return std::vector<msg::IceRelay>{}; };
   };
 
   /// Offers datagrams to the peer. nullptr: the peer wants no datagrams, or names an unknown cipher.
@@ -32,7 +39,14 @@ class PeerDatagrams : private DatagramPort::Session {
 
   /// The offer to send to the peer over TCP, once.
   [[nodiscard]] const msg::DatagramOffer& message() const noexcept { return offer_.message; }
-  void start() { end_->start(); }
+  /// Call it once the offer is on its way.
+  void start();
+  /// The peer's message about a path.
+  void on_ice_path(const msg::IcePath& message) {
+    if (paths_) paths_->heard(message);
+  }
+  /// The way of the datagrams and its price, in words; empty: they go to the peer's UDP address, or there is no path.
+  [[nodiscard]] std::string way() const;
   /// Leaves the port; afterwards no handler is called. The closed object may outlive port and hub. A handler must not
   /// destroy the object that calls it.
   void close() noexcept;
@@ -57,7 +71,10 @@ class PeerDatagrams : private DatagramPort::Session {
   /// nullptr: TCP carries the images.
   [[nodiscard]] const link::PathEstimate* path() const noexcept;
   [[nodiscard]] bool carries_images() const noexcept;
+  [[nodiscard]] bool is_proved() const noexcept;
   [[nodiscard]] bool send(std::span<const std::byte> datagram);
+  void find_paths(boost::asio::io_context& io);
+  void on_path(std::optional<ice::PathKind> path);
   void prove(const DatagramPort::Endpoint& from, std::size_t bytes);
 
   DatagramPort& port_;
@@ -67,6 +84,8 @@ class PeerDatagrams : private DatagramPort::Session {
   wire::DatagramOffer offer_;
   bool closed_ = false;
   ProvedAddress address_;
+  std::unique_ptr<ice::IcePaths> paths_;    // null: the datagrams go to address_
+  bool has_begun_ = false;                  // end_ has
   std::unique_ptr<wire::DatagramEnd> end_;  // never null after offer()
 };
 

@@ -92,6 +92,7 @@ PeerSite PeerListener::site_for_peers() {
           .note_refusal = [this](const std::string& text) { note_refusal(text); },
           .note_stranger_gone = [this](const std::string& happened,
                                        const std::string& reason) { note_stranger_gone(happened, reason); },
+          .relays = options_.relays,
           .on_window =
               [this](const msg::WindowRequest& request) {
                 if (options_.on_window) options_.on_window(request);
@@ -159,7 +160,7 @@ void PeerListener::accept() {
     if (code == asio::error::operation_aborted || !acceptor_.is_open()) return;
     if (!code) {
       cannot_accept_ = false;
-      admit(std::move(socket));
+      admit(std::move(socket), Way::Port);
       return accept();
     }
     if (!std::exchange(cannot_accept_, true)) note_pause(code);
@@ -185,13 +186,15 @@ std::unique_ptr<wire::ByteStream> PeerListener::stream_over(tcp::socket socket) 
   return access.has_keys() ? wire::tls_at_server(std::move(socket), access.tls()) : wire::plain_tcp(std::move(socket));
 }
 
-void PeerListener::admit(tcp::socket socket) {
+void PeerListener::admit(tcp::socket socket) { admit(std::move(socket), Way::MeetingPoint); }
+
+void PeerListener::admit(tcp::socket socket, Way way) {
   ++counts_.accepted;
   const PeerNumber number = ++last_number_;
   error_code gone;
   const access::Unproven arrival{.from = socket.remote_endpoint(gone).address(),
                                  .since = std::chrono::steady_clock::now()};
-  peers_.emplace(number, std::make_unique<Peer>(*site_, number, arrival, stream_over(std::move(socket))));
+  peers_.emplace(number, std::make_unique<Peer>(*site_, number, arrival, stream_over(std::move(socket)), way));
   if (taken(std::nullopt) > options_.places.strangers) let_a_stranger_go();
 }
 

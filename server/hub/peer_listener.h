@@ -31,6 +31,7 @@ namespace telepalp::hub {
 class DatagramPort;
 class Peer;
 struct PeerSite;
+enum class Way;
 
 /// Accepts peers (stations, recorders, tools) and connects each to the hub: subscribed messages go to the peer,
 /// messages of a station go to the hub. Owner: the server's network thread.
@@ -46,7 +47,9 @@ class PeerListener {
     IdleLimits idle{};
     std::function<void(const std::string&)> on_note{};           ///< log lines: connected, disconnected and why
     std::function<void(const msg::WindowRequest&)> on_window{};  ///< a station asks for a window; the request is valid
-    std::function<void()> on_leaving{};                          ///< called before a peer and its counts leave the hub
+    /// The relays for peers behind the meeting point, with credentials that hold.
+    std::function<std::vector<msg::IceRelay>()> relays = [] { return std::vector<msg::IceRelay>{}; };
+    std::function<void()> on_leaving{};  ///< called before a peer and its counts leave the hub
   };
   struct Counts {
     std::uint64_t accepted = 0;
@@ -96,6 +99,7 @@ class PeerListener {
   PeerListener(boost::asio::io_context& io, Hub& hub, const wire::SessionClock& clock, Options options);
   [[nodiscard]] boost::system::error_code open(const boost::asio::ip::tcp::endpoint& endpoint);
   void accept();
+  void admit(boost::asio::ip::tcp::socket socket, Way way);
   [[nodiscard]] PeerSite site_for_peers();
   void forget(PeerNumber number);
   [[nodiscard]] std::uint32_t sender_number(std::uint64_t run) const;

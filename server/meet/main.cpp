@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "proto/words/counted.h"
@@ -23,6 +24,7 @@ namespace {
 using namespace telepalp;
 
 constexpr const char* kProgram = "telepalp-meet";
+constexpr std::string_view kRelayPort = "3478";  // RFC 8656 §17
 
 void log_line(const std::string& text) { program::log(kProgram, text); }
 
@@ -35,6 +37,8 @@ program::Usage usage() {
                        "list of revoked keys, read again when it changes; default: revoked.crl beside --key"},
                       {"bind", "ADDRESS", "address to listen on", "0.0.0.0"},
                       {"port", "PORT", "port for sites and callers; 0: any free one", program::kMeetPort},
+                      {"relay", "HOST[:PORT]", "relay (TURN) for datagrams, as sites reach it; default: none"},
+                      {"relay-secret", "FILE", "file with the secret that the relay has, too"},
                       {"seconds", "S", "stop after S seconds; 0: never", "0"},
                       {"ready-file", "FILE", "write the port to FILE once it listens; default: none"}},
           .example = "telepalp-meet --key keys/server.key --port 7443"};
@@ -111,10 +115,26 @@ Result<void> read_keys(const program::Arguments& arguments, meet::Meet::Options&
   return {};
 }
 
+/// Looks up the relay, if there is one.
+Result<void> find_relay(const program::Arguments& arguments, meet::Meet::Options& options) {
+  if (arguments.has("relay") != arguments.has("relay-secret"))
+    return Error{.what = "--relay and --relay-secret belong together",
+                 .where = arguments.has("relay") ? "--relay" : "--relay-secret",
+                 .fix = "give both, or neither"};
+  if (!arguments.has("relay")) return {};
+  const Result<program::Address> at = program::parse_address(arguments.text("relay"), "--relay", kRelayPort);
+  if (!at) return at.error();
+  Result<meet::RelayDoor> door = meet::relay_door(at->host, at->port, arguments.text("relay-secret"));
+  if (!door) return door.error();
+  options.relay = std::move(door).value();
+  return {};
+}
+
 int run(const program::Arguments& arguments) {
   Result<Asked> asked = asked_of(arguments);
   if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
   if (const Result<void> read = read_keys(arguments, asked->meet); !read) return program::fail(read.error());
+  if (const Result<void> found = find_relay(arguments, asked->meet); !found) return program::fail(found.error());
   boost::asio::io_context io(1);
   boost::asio::signal_set signals(io, SIGINT, SIGTERM);
   auto meeting = meet::Meet::listen(io, asked->meet);

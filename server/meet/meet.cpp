@@ -127,6 +127,7 @@ void Meet::make_room() {
 
 void Meet::arrived(const Arrived& what, tcp::socket socket, std::string bytes) {
   if (const auto* answer = std::get_if<AnswerToCall>(&what)) return answered(answer->token, std::move(socket));
+  if (std::holds_alternative<WantsRelay>(what)) return pass_to_relay(std::move(socket), std::move(bytes));
   const auto& hello = std::get<ClientHello>(what);
   if (is_own_name(options_.key.hosts, hello.server_name)) return site_comes(std::move(socket), std::move(bytes));
   caller_comes(hello, std::move(socket), std::move(bytes));
@@ -136,6 +137,7 @@ void Meet::site_comes(tcp::socket socket, std::string hello) {
   const auto site = std::make_shared<SiteSession>(
       std::move(socket), std::move(hello), tls_,
       SiteSession::Handlers{.on_join = [this](const std::shared_ptr<SiteSession>& joined) { return join(joined); },
+                            .on_joined = [this](SiteSession& joined) { tell_relay(joined); },
                             .on_decline =
                                 [this](const std::string& token) {
                                   const auto found = waiting_.find(token);
@@ -223,6 +225,38 @@ void Meet::refuse(tcp::socket socket, unsigned char alert) {
   if (!failed) wire::close_gently(std::move(socket));
 }
 
+/// The relay checks credentials itself, so that whoever has none gets nothing of it.
+void Meet::pass_to_relay(tcp::socket socket, std::string bytes) {
+  if (options_.relay.address.empty() || *relayed_ >= options_.limits.relayed) {
+    ++counts_.refused;
+    return;
+  }
+  ++counts_.relayed;
+  ++*relayed_;
+  // shared_ptr: the pending operation owns it
+  const auto relay = std::make_shared<tcp::socket>(socket.get_executor());
+  relay->async_connect({asio::ip::make_address(options_.relay.address), options_.relay.port},
+                       [relay, caller = std::make_shared<tcp::socket>(std::move(socket)), bytes = std::move(bytes),
+                        all = relayed_](const error_code& failed) mutable {
+                         if (failed) return static_cast<void>(--*all);
+                         splice(std::move(*caller), std::move(bytes), std::move(*relay), [all] { --*all; });
+                       });
+}
+
+void Meet::tell_relay(SiteSession& site) const {
+  if (options_.relay.address.empty()) return;
+  site.tell(credentials(options_.relay, site.serial(), port_, std::chrono::system_clock::now()));
+}
+
+void Meet::renew_credentials() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - renewed_ < kCredentialsRenewed) return;
+  renewed_ = now;
+  std::vector<std::shared_ptr<SiteSession>> told;  // tell() may close a session, which removes its site
+  for (const auto& [serial, site] : sites_) told.push_back(site.session);
+  for (const std::shared_ptr<SiteSession>& site : told) tell_relay(*site);
+}
+
 /// Gives the memory that TLS handshakes have used back to the system, because the C library would keep it.
 void Meet::give_memory_back() {
   if (std::exchange(trimmed_at_, sites_.size()) != sites_.size()) malloc_trim(0);
@@ -230,6 +264,7 @@ void Meet::give_memory_back() {
 
 void Meet::look_after_all() {
   give_memory_back();
+  renew_credentials();
   const auto now = std::chrono::steady_clock::now();
   while (!arrivals_.empty() && now - arrivals_.front()->who().since > kTimeToShow) {
     arrivals_.front()->close();

@@ -16,6 +16,7 @@
 #include "proto/wire/tls_stream.h"
 #include "proto/words/result.h"
 #include "server/meet/caller/arrival.h"
+#include "server/meet/relay/relay_credentials.h"
 
 namespace telepalp::meet {
 
@@ -32,16 +33,19 @@ class Meet {
     std::size_t sites = 2000;
     std::size_t waiting_per_site = 32;  ///< calls that the site has not answered
     std::size_t streams_per_site = 64;
+    std::size_t relayed = 256;  ///< connections that are passed on to the relay
   };
   struct Options {
     std::string address = "0.0.0.0";
     std::uint16_t port = 0;  ///< 0: any free port
     keys::KeyFile key;       ///< a server's key; sites whose keys its authority made may join
     keys::IsRevoked is_revoked = [](const keys::Identity&) { return false; };
+    RelayDoor relay{};  ///< sites get credentials for it, and this port passes requests to it on by TCP
     std::function<void(const std::string&)> log = [](const std::string&) {};
     Limits limits{};
   };
   struct Counts {
+    std::uint64_t relayed = 0;  ///< connections that were passed on to the relay
     std::uint64_t calls = 0;    ///< callers that were joined with a site
     std::uint64_t refused = 0;  ///< callers without a site, and connections closed to make room
   };
@@ -84,6 +88,9 @@ class Meet {
   void caller_comes(const ClientHello& hello, boost::asio::ip::tcp::socket socket, std::string bytes);
   void answered(const std::string& token, boost::asio::ip::tcp::socket socket);
   void refuse(boost::asio::ip::tcp::socket socket, unsigned char alert);
+  void pass_to_relay(boost::asio::ip::tcp::socket socket, std::string bytes);
+  void tell_relay(SiteSession& site) const;
+  void renew_credentials();
   void give_memory_back();
   void look_after_all();
 
@@ -98,9 +105,11 @@ class Meet {
   std::map<std::string, Site> sites_;               // by the serial of the site's certificate
   std::map<std::string, std::string> serials_;      // by the name of a site
   std::map<std::string, Waiting> waiting_;          // by token
+  std::shared_ptr<std::size_t> relayed_ = std::make_shared<std::size_t>(0);  // shared: as streams_
   std::shared_ptr<std::size_t> streams_ = std::make_shared<std::size_t>(0);  // shared: a stream may outlive this object
   Counts counts_;
-  std::size_t trimmed_at_ = 0;  // the number of sites when memory was last given back
+  std::chrono::steady_clock::time_point renewed_{};  // the credentials of all sites
+  std::size_t trimmed_at_ = 0;                       // the number of sites when memory was last given back
 };
 
 }  // namespace telepalp::meet

@@ -116,6 +116,10 @@ class Session {
     const double seconds = std::chrono::duration<double>(time).count();
     found.round_trip_ms = 2.0 * to_milliseconds(link_.clock_uncertainty());
     found.udp = udp();
+    if (const auto path = link_.path(); path && found.udp == Findings::Udp::Arrives) {
+      found.way = link_.way();
+      found.relayed = ice::is_relayed(*path);
+    }
     if (!listens_) return;
     const auto counts = link_.received();
     const auto depth = counts.find(wire::kCameraDepth.name);

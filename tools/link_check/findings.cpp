@@ -41,11 +41,12 @@ std::string name_line(const Findings& found) {
 std::string udp_line(const Findings& found) {
   switch (found.udp) {
     case Udp::Arrives:
+      if (!found.way.empty()) return "goes " + found.way;
       return with("arrives at port %u in both directions", unsigned{found.link.number});
     case Udp::Blocked:
       return with("does not arrive at port %u: images and touch go over TCP", unsigned{found.link.number});
     case Udp::NotOffered:
-      return "is not offered on this path: images and touch go over TCP";
+      return "finds no path: images and touch go over TCP through the meeting point";
     case Udp::Unknown:
       break;
   }
@@ -81,6 +82,8 @@ std::string verdict(const Findings& found) {
   if (found.round_trip_ms > kLateAfter_ms)
     return with("touch works, but what is felt is %.0f ms old. fix: none, unless there is a shorter way to the site",
                 found.round_trip_ms);
+  if (found.relayed)
+    return "touch works, but takes a way around over the relay. fix: none, unless a firewall can let UDP out";
   if (found.udp == Udp::NotOffered)
     return "touch works, but each lost packet delays it. fix: none, unless the site can open its ports";
   if (found.udp == Udp::Blocked)

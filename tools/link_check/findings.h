@@ -37,6 +37,8 @@ struct Findings {
   std::optional<Error> no_session{};     ///< why no session began; nullopt: one began
   double round_trip_ms = 0.0;            ///< of the quickest probe
   enum class Udp { Unknown, Arrives, Blocked, NotOffered } udp = Udp::Unknown;
+  std::string way{};               ///< the datagrams' way and its price, to a site behind a meeting point; empty: none
+  bool relayed = false;            ///< this way leads over a relay
   std::optional<Images> images{};  ///< nullopt: the check did not listen
   std::string why_no_images{};     ///< why it did not listen
 };

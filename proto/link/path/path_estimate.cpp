@@ -36,6 +36,8 @@ constexpr Nanoseconds kMostClockDifference = 24h;
 constexpr std::uint64_t kLeastLimit_B = 16 * kDatagramBytes;
 /// kLeastLimit_B on a thin path, where 16 datagrams would be a long queue.
 constexpr std::uint64_t kLeastThinLimit_B = 4 * kDatagramBytes;
+/// What urgent datagrams may add to the limit: speech with its echoes for about 0.1 s.
+constexpr std::uint64_t kUrgentReserve_B = 10 * kDatagramBytes;
 constexpr std::uint64_t kMostLimit_B = std::uint64_t{8} << 20U;
 constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a camera
 /// kLossMemory_packets beside other flows. Shorter, because a full queue then causes the losses: it overflows less as
@@ -210,14 +212,23 @@ std::optional<double> PathEstimate::pace_B_per_s() const noexcept {
   return overflows ? std::optional(kPaceGain * best_rate_B_per_s_) : std::nullopt;
 }
 
+/// After a silence, all data in flight counts as lost.
+void PathEstimate::note_silence(SessionTime now) noexcept {
+  if (in_flight_B() == 0 || now - last_heard_ <= std::max<Nanoseconds>(kSilence, 4 * round_trip_)) return;
+  acknowledged_ = sent_bytes_;
+  recover_to_B_ = std::max(recover_to_B_, limit_B_ / 2);
+  limit_B_ = delay_limit_B_ = kLeastLimit_B;
+  competition_.forget();
+  last_heard_ = now;
+}
+
+bool PathEstimate::has_room_for_urgent(SessionTime now) noexcept {
+  note_silence(now);
+  return in_flight_B() + kDatagramBytes <= limit_B_ + kUrgentReserve_B;
+}
+
 bool PathEstimate::has_room(SessionTime now) noexcept {
-  if (in_flight_B() > 0 && now - last_heard_ > std::max<Nanoseconds>(kSilence, 4 * round_trip_)) {
-    acknowledged_ = sent_bytes_;
-    recover_to_B_ = std::max(recover_to_B_, limit_B_ / 2);
-    limit_B_ = delay_limit_B_ = kLeastLimit_B;
-    competition_.forget();
-    last_heard_ = now;
-  }
+  note_silence(now);
   const bool full = in_flight_B() + kDatagramBytes > limit_B_;
   saturated_ = saturated_ || full;
   return !drains(now) && !full && (!pace_B_per_s() || now >= paced_until_);

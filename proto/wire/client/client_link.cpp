@@ -4,9 +4,11 @@
 #include <random>
 #include <utility>
 
+#include "proto/ice/ice_paths.h"
 #include "proto/wire/datagram_message.h"
 #include "proto/wire/datagrams/client_datagrams.h"
 #include "proto/wire/datagrams/datagram_offer.h"
+#include "proto/wire/sockets/udp_socket.h"
 #include "proto/words/demand.h"
 #include "proto/words/error_line.h"
 
@@ -16,11 +18,6 @@ namespace {
 std::uint64_t random_number() {
   std::random_device random;
   return (std::uint64_t{random()} << 32U) | random();
-}
-
-std::string images_come_by(DatagramPhase phase) {
-  return phase == DatagramPhase::Up ? "the images come by sealed datagrams (UDP)"
-                                    : "no UDP datagram arrives: the images come over TCP";
 }
 
 void add(std::map<std::string_view, ReceivedCount>& sum, const std::map<std::string_view, ReceivedCount>& counts) {
@@ -145,6 +142,7 @@ void ClientLink::greet(std::unique_ptr<ByteStream> stream) {
                           .voice_consent = options_.voice_consent.substr(0, 512),
                           .run = run_,
                           .datagrams = options_.datagrams ? quick_cipher() : msg::DATAGRAM_CIPHER_NONE,
+                          .finds_paths = options_.datagrams && options_.key,
                           .accepts_touch = options_.accepts_touch || touch_.accepts_once,
                           .publishes = options_.publishes},
       owner);
@@ -218,6 +216,7 @@ void ClientLink::on_clock(const ClockSample& sample) {
 
 void ClientLink::on_datagram_offer(const msg::DatagramOffer& offer) {
   datagrams_.offer = offer;
+  if (offer.finds_path()) find_paths();
   start_datagrams();
 }
 
@@ -233,36 +232,87 @@ void ClientLink::start_datagrams() {
   const auto seal = accept_offer(*datagrams_.offer, connection_->keying_material(kDatagramKeyLabel));
   if (!seal) return;
   datagrams_.stepped_before = clock_.stepped();
+  ClientDatagrams::Handlers handlers{.next_frame = [this](Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
+                                       const std::optional<Message> message = outbox_.next_for_datagram(wanted);
+                                       if (!message) return nullptr;
+                                       return frame_of(*message, datagram_now());
+                                     },
+                                     .on_frame =
+                                         [this](const link::Frame& frame) {
+                                           std::optional<Message> message = message_of(frame);
+                                           if (connection_ && message) connection_->take_datagram(std::move(*message));
+                                         },
+                                     .on_phase =
+                                         [this](DatagramPhase phase) {
+                                           if (handlers_.on_datagrams)
+                                             handlers_.on_datagrams(phase, images_come_by(phase));
+                                         },
+                                     .on_carry = [this](bool on) { outbox_.send_by_datagram(on); },
+                                     .now = [this] { return datagram_now(); }};
+  if (datagrams_.paths)
+    handlers.send = [this](std::span<const std::byte> datagram) { return datagrams_.paths->send(datagram); };
   datagrams_.carrier = std::make_unique<ClientDatagrams>(
-      io_, boost::asio::ip::udp::endpoint(server_.address(), server_.port()), *seal,
-      ClientDatagrams::Handlers{.next_frame = [this]() -> std::shared_ptr<const link::SharedFrame> {
-                                  const std::optional<Message> message = outbox_.next_for_datagram();
-                                  if (!message) return nullptr;
-                                  return frame_of(*message, datagram_now());
-                                },
-                                .on_frame =
-                                    [this](const link::Frame& frame) {
-                                      std::optional<Message> message = message_of(frame);
-                                      if (connection_ && message) connection_->take_datagram(std::move(*message));
-                                    },
-                                .on_phase =
-                                    [this](DatagramPhase phase) {
-                                      if (handlers_.on_datagrams) handlers_.on_datagrams(phase, images_come_by(phase));
-                                    },
-                                .on_carry = [this](bool on) { outbox_.send_by_datagram(on); },
-                                .now = [this] { return datagram_now(); }});
-  datagrams_.carrier->start();
+      io_, boost::asio::ip::udp::endpoint(server_.address(), server_.port()), *seal, std::move(handlers));
+  if (!datagrams_.paths) datagrams_.carrier->start();
+  if (path()) on_path(path());
+}
+
+void ClientLink::find_paths() {
+  datagrams_.paths = std::make_unique<ice::IcePaths>(
+      io_.get_executor(),
+      ice::IcePaths::Settings{.end = ice::IcePaths::End::Client,
+                              .type_of_service = type_of_service(TrafficClass::Touch)},
+      ice::IcePaths::Handlers{.signal =
+                                  [this](const msg::IcePath& message) {
+                                    if (connection_) connection_->find_path(message);
+                                  },
+                              .on_datagram =
+                                  [this](std::span<const std::byte> datagram) {
+                                    if (datagrams_.carrier) datagrams_.carrier->received(datagram);
+                                  },
+                              .on_path = [this](std::optional<ice::PathKind> path) { on_path(path); }});
+}
+
+void ClientLink::on_ice_path(const msg::IcePath& message) {
+  if (datagrams_.paths) datagrams_.paths->heard(message);
+}
+
+/// Until the first path is found, the images come over TCP. When a path is lost, the silence on it is noticed.
+void ClientLink::on_path(std::optional<ice::PathKind> path) {
+  if (!path || !datagrams_.carrier) return;
+  if (!std::exchange(datagrams_.has_begun, true)) return datagrams_.carrier->start();
+  datagrams_.carrier->way_changed();
+  if (datagrams() == DatagramPhase::Up && handlers_.on_datagrams)
+    handlers_.on_datagrams(DatagramPhase::Up, images_come_by(DatagramPhase::Up));
+}
+
+std::string ClientLink::images_come_by(DatagramPhase phase) const {
+  if (phase != DatagramPhase::Up) return "no UDP datagram arrives: the images come over TCP";
+  if (!path()) return "the images come by sealed datagrams (UDP)";
+  return "the images come by sealed datagrams, " + way();
+}
+
+std::string ClientLink::way() const {
+  if (!path() || !datagrams_.carrier) return {};
+  return in_words(*path(), datagrams_.carrier->end().link().path().round_trip());
+}
+
+std::optional<ice::PathKind> ClientLink::path() const noexcept {
+  return datagrams_.paths ? datagrams_.paths->path() : std::nullopt;
 }
 
 void ClientLink::end_datagrams() {
   datagrams_.offer.reset();
-  if (!datagrams_.carrier) return;
-  datagrams_.carrier->close();
-  boost::asio::post(io_, [ended = std::move(datagrams_.carrier)] {});  // it may be on the call stack
+  datagrams_.has_begun = false;
+  if (datagrams_.carrier) datagrams_.carrier->close();
+  if (datagrams_.paths) datagrams_.paths->close();
+  // They may be on the call stack, so they are destroyed later.
+  boost::asio::post(io_, [carrier = std::move(datagrams_.carrier), paths = std::move(datagrams_.paths)] {});
 }
 
 DatagramPhase ClientLink::datagrams() const noexcept {
-  return datagrams_.carrier ? datagrams_.carrier->end().phase() : DatagramPhase::Off;
+  if (!datagrams_.carrier || (datagrams_.paths && !datagrams_.has_begun)) return DatagramPhase::Off;
+  return datagrams_.carrier->end().phase();
 }
 
 void ClientLink::change_datagram_port() {

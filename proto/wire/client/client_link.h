@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "proto/ice/path_kind.h"
 #include "proto/keys/known_list.h"
 #include "proto/wire/client/client_outbox.h"
 #include "proto/wire/client/client_timers.h"
@@ -21,6 +22,10 @@
 #include "proto/wire/datagrams/path_watch.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
+
+namespace telepalp::ice {
+class IcePaths;
+}
 
 namespace telepalp::wire {
 
@@ -124,6 +129,11 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] std::optional<std::array<std::byte, 32>> keying_material(std::string_view label) const;
   /// The phase of the datagram path. In Up the images come by datagram, else over TCP.
   [[nodiscard]] DatagramPhase datagrams() const noexcept;
+  /// The way of the datagrams to a server behind the meeting point; nullopt: none was found, or there is no meeting
+  /// point.
+  [[nodiscard]] std::optional<ice::PathKind> path() const noexcept;
+  /// path() and its price, in words; empty: none.
+  [[nodiscard]] std::string way() const;
   /// Continues on another local UDP port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_datagram_port();
   [[nodiscard]] Counts counts() const noexcept {
@@ -140,6 +150,7 @@ class ClientLink : private ConnectionOwner {
   void on_clock(const ClockSample& sample) override;
   void on_key_frame_request(const Topic&, SessionTime) override {}  // clients publish no predicted frames
   void on_datagram_offer(const msg::DatagramOffer& offer) override;
+  void on_ice_path(const msg::IcePath& message) override;
   void on_hand_over(const msg::HandOver& answer) override;
   void on_revocation_list(const msg::RevocationList& list) override;
   void on_closed(const std::string& reason) override;
@@ -154,12 +165,17 @@ class ClientLink : private ConnectionOwner {
   [[nodiscard]] bool trusts_server();
   void retry_later();
   void start_datagrams();
+  void find_paths();
+  void on_path(std::optional<ice::PathKind> path);
   void end_datagrams();
+  [[nodiscard]] std::string images_come_by(DatagramPhase phase) const;
   void become(LinkState state, const std::string& detail);
 
   /// The datagrams of the present connection.
   struct Datagrams {
     std::optional<msg::DatagramOffer> offer;   ///< nullopt: the server offers none
+    std::unique_ptr<ice::IcePaths> paths;      ///< null: the server's own UDP port is used
+    bool has_begun = false;                    ///< the carrier has
     std::unique_ptr<ClientDatagrams> carrier;  ///< null before the clock is synchronised, and without an offer
     Nanoseconds stepped_before{0};             ///< clock_stepped() when `carrier` began
   };

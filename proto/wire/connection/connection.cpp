@@ -17,6 +17,7 @@ constexpr int kMaxSubscriptions = 64;
 constexpr std::size_t kMaxNameBytes = 128;
 constexpr std::size_t kMaxTokenBytes = 512;
 constexpr std::size_t kMaxReasonBytes = 512;
+constexpr std::size_t kMaxIcePathBytes = 8 << 10;
 constexpr std::size_t kRevocationPartBytes = 12 << 10;
 constexpr auto kLinger = 500ms;
 
@@ -45,6 +46,7 @@ msg::Control hello(const Connection::Options& options) {
   control.mutable_hello()->set_voice_consent(options.voice_consent);
   control.mutable_hello()->set_datagrams(options.datagrams);
   control.mutable_hello()->set_accepts_touch(options.accepts_touch);
+  control.mutable_hello()->set_finds_paths(options.finds_paths);
   return control;
 }
 
@@ -122,6 +124,12 @@ void Connection::request_key_frame(const Message& unreadable) {
 void Connection::offer_datagrams(const msg::DatagramOffer& offer) {
   msg::Control control;
   *control.mutable_datagram_offer() = offer;
+  send(std::move(control));
+}
+
+void Connection::find_path(const msg::IcePath& message) {
+  msg::Control control;
+  *control.mutable_ice_path() = message;
   send(std::move(control));
 }
 
@@ -250,6 +258,8 @@ Result<void> Connection::on_control(const Frame& frame) {
       return on_datagram_offer(control.datagram_offer());
     case msg::Control::kHandOver:
       return on_hand_over(control.hand_over());
+    case msg::Control::kIcePath:
+      return on_ice_path(control.ice_path());
     case msg::Control::kRevocationList:
       owner_->on_revocation_list(control.revocation_list());
       return {};
@@ -312,6 +322,12 @@ Result<void> Connection::on_hand_over(const msg::HandOver& request) {
   if (request.to().size() > kMaxNameBytes || request.outcome().size() > kMaxReasonBytes)
     return bad_peer("sends a hand-over with a name longer than 128 B, or an outcome longer than 512 B");
   owner_->on_hand_over(request);
+  return {};
+}
+
+Result<void> Connection::on_ice_path(const msg::IcePath& message) {
+  if (message.ByteSizeLong() > kMaxIcePathBytes) return bad_peer("sends more than 8 KiB about a path for datagrams");
+  owner_->on_ice_path(message);
   return {};
 }
 

@@ -47,6 +47,8 @@ class ConnectionOwner {
   virtual void on_hand_over(const msg::HandOver&) {}
   /// The server at the other end offers sealed datagrams. A server makes one offer on a connection.
   virtual void on_datagram_offer(const msg::DatagramOffer&) {}
+  /// The other end looks for a path for datagrams; the message's sizes are checked, not its content.
+  virtual void on_ice_path(const msg::IcePath&) {}
   /// A part of the server's list of revoked keys.
   virtual void on_revocation_list(const msg::RevocationList&) {}
   /// Current session time, for the replies to the peer's clock probes.
@@ -67,6 +69,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::uint64_t run = 0;        ///< random number of this run of the program; 0: none
     msg::DatagramCipher datagrams =
         msg::DATAGRAM_CIPHER_NONE;                     ///< of a client: its fastest cipher; NONE: wants no datagrams
+    bool finds_paths = false;                          ///< of a client: takes part in on_ice_path()
     bool accepts_touch = false;                        ///< of a station: accepts an offered touch (on_hand_over())
     std::vector<Topic> publishes{};                    ///< topics that next_to_send() may return
     std::size_t max_payload_bytes = kMaxPayloadBytes;  ///< largest payload from this peer after its Hello
@@ -85,6 +88,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Requests a key frame from the peer, because `unreadable` cannot be decoded without its reference frame.
   void request_key_frame(const Message& unreadable);
   void offer_datagrams(const msg::DatagramOffer& offer);
+  void find_path(const msg::IcePath& message);   ///< the message comes to on_ice_path()
   void hand_over(const msg::HandOver& request);  ///< a client's request, or a server's answer to one
   void show_revocations(std::string_view list);  ///< sends a client the list of revoked keys (PEM)
   /// Takes a message that came by datagram as if it had come on this connection: counts it and calls on_message(), or
@@ -135,6 +139,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   [[nodiscard]] Result<void> on_subscription(const msg::Subscribe& subscribe);
   [[nodiscard]] Result<void> on_datagram_offer(const msg::DatagramOffer& offer);
   [[nodiscard]] Result<void> on_hand_over(const msg::HandOver& request);
+  [[nodiscard]] Result<void> on_ice_path(const msg::IcePath& message);
   [[nodiscard]] Result<void> on_data(Frame frame);
   [[nodiscard]] Result<void> agree_on_version(const msg::Hello& peer);
 

@@ -17,6 +17,7 @@ constexpr int kBatch = 64;  // the most datagrams read in one go; then the threa
 ClientDatagrams::ClientDatagrams(asio::io_context& io, const asio::ip::udp::endpoint& server,
                                  const link::SealSettings& seal, Handlers handlers)
     : server_(server),
+      by_path_(std::move(handlers.send)),
       on_phase_(std::move(handlers.on_phase)),
       on_carry_(std::move(handlers.on_carry)),
       socket_(io),
@@ -50,8 +51,15 @@ void ClientDatagrams::close() {
   socket_.close(ignored);
 }
 
+void ClientDatagrams::received(std::span<const std::byte> datagram) {
+  if (closed_) return;
+  (void)end_.received(datagram);
+  end_.pump();
+}
+
 /// If no socket can be opened, no datagram arrives, and the PathWatch reports the path as blocked.
 void ClientDatagrams::change_socket() {
+  if (by_path_) return;
   ++socket_number_;
   error_code failed;
   socket_.close(failed);
@@ -81,6 +89,7 @@ void ClientDatagrams::read_some() {
 }
 
 bool ClientDatagrams::send(std::span<const std::byte> datagram) {
+  if (by_path_) return by_path_(datagram);
   error_code failed;
   socket_.send(asio::buffer(datagram.data(), datagram.size()), 0, failed);
   return is_sent(failed);

@@ -11,18 +11,21 @@
 namespace telepalp::wire {
 
 /// The datagrams of a client's connection: a UDP socket to the server, and the client's end of the datagram link. After
-/// the path was blocked, a new socket is used, because a NAT may have dropped the mapping of the old one. Owner: the
-/// thread of `io`.
+/// the path was blocked, a new socket is used, because a NAT may have dropped the mapping of the old one. With
+/// Handlers::send, the caller carries the datagrams, and there is no socket. Owner: the thread of `io`.
 class ClientDatagrams {
  public:
   struct Handlers {
-    std::function<std::shared_ptr<const link::SharedFrame>()> next_frame{};  ///< the next frame to send; null: none
+    /// The next frame to send of those wanted; null: none.
+    std::function<std::shared_ptr<const link::SharedFrame>(Wanted)> next_frame{};
     std::function<void(link::Frame)> on_frame{};
     std::function<void(DatagramPhase)> on_phase{};
     /// True: frames now go by datagram, from next_frame(). False: no longer, because the path is down or close() was
     /// called.
     std::function<void(bool)> on_carry{};
     std::function<SessionTime()> now{};
+    /// Sends a datagram by the caller's path; false: it is full, try again. Empty function: a socket sends it.
+    std::function<bool(std::span<const std::byte>)> send{};
   };
 
   ClientDatagrams(boost::asio::io_context& io, const boost::asio::ip::udp::endpoint& server,
@@ -31,6 +34,10 @@ class ClientDatagrams {
   void start();
   void close();                 ///< afterwards no handler is called any more
   void wake() { end_.pump(); }  ///< call it when next_frame() has a frame again
+  /// A datagram has come by the caller's path.
+  void received(std::span<const std::byte> datagram);
+  /// The caller's path goes another way.
+  void way_changed() { end_.way_changed(); }
   /// Continues on another local port. For tests: to the server it looks like a NAT that changes its mapping.
   void change_socket();
 
@@ -43,6 +50,7 @@ class ClientDatagrams {
   [[nodiscard]] bool send(std::span<const std::byte> datagram);
 
   boost::asio::ip::udp::endpoint server_;
+  std::function<bool(std::span<const std::byte>)> by_path_;  // empty: the socket sends
   std::function<void(DatagramPhase)> on_phase_;
   std::function<void(bool)> on_carry_;
   bool carries_ = false;

@@ -68,6 +68,8 @@ class PathWatch {
     answered_at_ = now;
     on(DatagramEvent::Answered, now);
   }
+  /// Datagrams now go another way, which may work: the pause is over.
+  void way_changed(SessionTime now) noexcept { on(DatagramEvent::PauseOver, now); }
   /// Call it at the time due().
   void step(SessionTime now) noexcept {
     const auto at = due();

@@ -11,9 +11,9 @@ namespace asio = boost::asio;
 
 constexpr int kSocketBuffer_B = 4 << 20;  // the kernel may grant less
 
-/// The traffic class takes the upper six bits of the byte. A network that knows no classes ignores or clears it.
+/// A network that knows no classes ignores or clears it.
 void mark(asio::ip::udp::socket& socket, TrafficClass traffic) noexcept {
-  const int byte = static_cast<int>(traffic) << 2;
+  const int byte = type_of_service(traffic);
   (void)::setsockopt(socket.native_handle(), IPPROTO_IP, IP_TOS, &byte, sizeof byte);
   (void)::setsockopt(socket.native_handle(), IPPROTO_IPV6, IPV6_TCLASS, &byte, sizeof byte);
 }

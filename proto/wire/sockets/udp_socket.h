@@ -12,6 +12,11 @@ enum class TrafficClass : std::uint8_t {
   Pictures = 34,  ///< AF41: depth and colour
 };
 
+/// The byte of the IP header that names the class: the class takes its upper six bits.
+[[nodiscard]] constexpr std::uint8_t type_of_service(TrafficClass traffic) noexcept {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(traffic) << 2U);
+}
+
 /// Opens `socket` in non-blocking mode, and asks for kernel buffers of 4 MiB: enough for a burst of images.
 /// Marks its datagrams with `traffic`.
 [[nodiscard]] boost::system::error_code open_udp(boost::asio::ip::udp::socket& socket,

@@ -42,6 +42,8 @@ void Arrival::look() {
     if (bytes_.size() < kAnswer.size() + kTokenBytes) return read();
     return std::exchange(known_, nullptr)(AnswerToCall{bytes_.substr(kAnswer.size())}, std::move(socket_), {});
   }
+  if (!bytes_.empty() && bytes_.front() == '\0' && bytes_.size() < 8) return read();
+  if (is_for_relay(bytes_)) return std::exchange(known_, nullptr)(WantsRelay{}, std::move(socket_), std::move(bytes_));
   HelloRead found = read_client_hello(std::as_bytes(std::span(bytes_)));
   const bool may_be_answer = kAnswer.starts_with(bytes_);
   if (found.state == HelloRead::State::Incomplete || may_be_answer) return read();

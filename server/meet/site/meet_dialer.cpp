@@ -27,6 +27,16 @@ constexpr std::chrono::milliseconds kFirstWait{500}, kLongestWait{5000};
 constexpr auto kTimeToConnect = 5s;
 constexpr std::size_t kMostAnswers = 64;  // connections to the meeting point that are being opened
 
+msg::IceRelay relay_of(const msg::MeetRelay& told) {
+  msg::IceRelay relay;
+  relay.set_address(told.address());
+  relay.set_port(told.port());
+  relay.set_tcp_port(told.tcp_port());
+  relay.set_user(told.user());
+  relay.set_password(told.password());
+  return relay;
+}
+
 }  // namespace
 
 /// The connection to the meeting point, and the attempts to have one.
@@ -36,6 +46,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
       : io_(io), options_(std::move(options)), tls_(std::move(tls)), resolver_(io), timer_(io), beat_(io) {}
 
   [[nodiscard]] bool has_joined() const noexcept { return joined_; }
+  [[nodiscard]] const std::vector<msg::IceRelay>& relays() const noexcept { return relays_; }
 
   void dial() {
     resolver_.async_resolve(
@@ -118,6 +129,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
     msg::MeetToSite message;
     if (!message.ParseFromString(frame)) return lost("it sent what is no message of this protocol");
     if (message.has_welcome()) welcome(message.welcome());
+    if (message.has_relay()) relays_ = {relay_of(message.relay())};
     if (message.has_call()) answer(message.call());
     if (message.what_case() == msg::MeetToSite::kRefused) lost("it refuses this site: " + message.refused());
   }
@@ -245,6 +257,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
   std::chrono::milliseconds wait_ = kFirstWait;
   std::string told_;  // why the last attempt failed
   std::size_t answers_ = 0;
+  std::vector<msg::IceRelay> relays_;  // kept while the meeting point does not answer: the credentials may still hold
   bool joined_ = false;
   bool ended_ = false;
 };
@@ -262,5 +275,7 @@ MeetDialer::MeetDialer(std::shared_ptr<Line> line) : line_(std::move(line)) {}
 MeetDialer::~MeetDialer() { line_->end(); }
 
 bool MeetDialer::has_joined() const noexcept { return line_->has_joined(); }
+
+std::vector<msg::IceRelay> MeetDialer::relays() const { return line_->relays(); }
 
 }  // namespace telepalp::meet

@@ -6,7 +6,9 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "messages/control.pb.h"
 #include "proto/keys/key_file.h"
 #include "proto/words/result.h"
 
@@ -41,6 +43,8 @@ class MeetDialer {
 
   /// The meeting point has taken this site in.
   [[nodiscard]] bool has_joined() const noexcept;
+  /// The relay beside the meeting point, with the newest credentials; empty: it named none.
+  [[nodiscard]] std::vector<msg::IceRelay> relays() const;
 
  private:
   class Line;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <deque>
@@ -12,7 +11,7 @@
 #include <vector>
 
 #include "messages/meet.pb.h"
-#include "proto/wire/tls_stream.h"
+#include "server/meet/site/site_tls.h"
 #include "server/meet/words/meet_frames.h"
 
 namespace telepalp::meet {
@@ -25,6 +24,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
     /// The site has shown a valid certificate; names() and serial() are known. Returns why the site is refused;
     /// empty: it is in.
     std::function<std::string(const std::shared_ptr<SiteSession>&)> on_join;
+    std::function<void(SiteSession&)> on_joined{};  ///< the site has been welcomed
     std::function<void(const std::string& token)> on_decline;
     std::function<void(SiteSession&, const std::string& why)> on_end;  ///< called once
   };
@@ -33,6 +33,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   SiteSession(boost::asio::ip::tcp::socket socket, std::string hello, wire::TlsSettings tls, Handlers handlers);
   void start();
   void call(const msg::MeetCall& call);
+  void tell(const msg::MeetRelay& relay);
   void close(const std::string& why);
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
@@ -50,10 +51,8 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   void write_next();
   void beat();
 
-  wire::TlsSettings tls_;
-  boost::asio::ssl::stream<boost::asio::ip::tcp::socket> stream_;
+  SiteTls stream_;
   boost::asio::steady_timer beat_;
-  std::string hello_;
   std::string peer_;
   Handlers handlers_;
   FrameReader frames_;
