@@ -135,10 +135,11 @@ Result<void> settle_cluster_terms(const program::Arguments& arguments) {
 
 int run_recording(const program::Arguments& arguments) {
   if (!arguments.has("out"))
-    return program::fail({.what = "neither a file to record to nor a command is given",
-                          .where = kProgram,
-                          .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge, expire, copy, reseal, forget"},
-                         program::kAskedWrongly);
+    return program::fail(
+        {.what = "neither a file to record to nor a command is given",
+         .where = kProgram,
+         .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge, expire, copy, reseal, forget"},
+        program::kAskedWrongly);
   Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   if (const Result<void> stated = program::check_consent(arguments, "this recording"); !stated)

@@ -37,8 +37,9 @@ class Streams {
   [[nodiscard]] Result<void> keep(const StreamSettings& settings);
   /// Publishes, and waits until the cluster has stored the message. Error: no connection, or no room.
   [[nodiscard]] Result<void> store(const std::string& subject, std::string_view payload);
-  /// As store(), but tries again for at most `patience` while the connection is lost or the cluster elects a new leader.
-  /// A payload may be stored twice, so it must be one that replaces itself (StreamSettings::is_work_queue false).
+  /// As store(), but tries again for at most `patience` while the connection is lost or the cluster elects a new
+  /// leader. A payload may be stored twice, so it must be one that replaces itself (StreamSettings::is_work_queue
+  /// false).
   [[nodiscard]] Result<void> store_patiently(const std::string& subject, std::string_view payload,
                                              std::chrono::milliseconds patience);
   /// The subjects of the messages in `stream` that match `filter`, which may end with '*' or '>'.

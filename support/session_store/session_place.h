@@ -16,8 +16,8 @@ struct StoreTerms {
   std::optional<std::chrono::hours> kept_for;
 };
 
-/// From now on names such as nats://HOST[:PORT]/SITE/SESSION.mcap, or tls://…, are sessions in a cluster, for all readers
-/// and writers of session files in this program (wire::mcap::add_place()). Credentials come from the files that
+/// From now on names such as nats://HOST[:PORT]/SITE/SESSION.mcap, or tls://…, are sessions in a cluster, for all
+/// readers and writers of session files in this program (wire::mcap::add_place()). Credentials come from the files that
 /// TELEPALP_NATS_CREDS and TELEPALP_NATS_CA name, because a session's name is shown to its viewers. Three servers
 /// keep a copy of each new session if the cluster has as many. For main().
 void use_cluster_sessions(const StoreTerms& terms = {});

@@ -63,8 +63,9 @@ std::optional<StoredBlocks::About> about_in(std::string_view bytes) {
 Result<SessionName> parse_name(const std::string& name) {
   const Error wrong{.what = "is not the name of a session in a cluster",
                     .where = nats::without_password(name),
-                    .fix = "give nats://HOST[:PORT]/SITE/SESSION.mcap, with letters, digits, '-' and '_'; credentials by "
-                           "TELEPALP_NATS_CREDS=FILE"};
+                    .fix =
+                        "give nats://HOST[:PORT]/SITE/SESSION.mcap, with letters, digits, '-' and '_'; credentials by "
+                        "TELEPALP_NATS_CREDS=FILE"};
   const std::size_t last = name.rfind('/');
   const std::size_t before = last == 0 || last == name.npos ? name.npos : name.rfind('/', last - 1);
   if (before == name.npos || !name.ends_with(kEnding) || name.find('@') != name.npos) return wrong;
@@ -98,7 +99,8 @@ Result<void> StoredBlocks::create(std::chrono::hours kept_for) {
   const Result<bool> exists = streams_->has(stream_);
   if (!exists) return exists.error();
   if (*exists)
-    return Error{.what = "exists already in the cluster", .where = stream_, .fix = "choose another name for the session"};
+    return Error{
+        .what = "exists already in the cluster", .where = stream_, .fix = "choose another name for the session"};
   return streams_->keep({.name = stream_,
                          .subjects = {subjects_ + ">"},
                          .is_work_queue = false,

@@ -71,15 +71,15 @@ Result<std::string> make_site_key(const Asked& asked) {
   if (!shown) return shown.error();
   const std::string about = "telepalp: the key of the site " + asked.name + ", for its encrypted recordings. ";
   Result<void> done = program::make_folder(asked.folder, Readers::Group);
-  if (done)
-    done = program::write_whole_file(file, about + "It decrypts them.\n" + *shown + own->text, Readers::Group);
+  if (done) done = program::write_whole_file(file, about + "It decrypts them.\n" + *shown + own->text, Readers::Group);
   if (done) done = program::write_whole_file(open_part, about + "It only encrypts.\n" + *shown, Readers::Anyone);
   if (!done) return done.error();
   const Result<keys::SiteKey> made = keys::SiteKey::load(open_part);
   if (!made) return made.error();
   return file.string() + ": decrypts the site's recordings. Keep a copy in a safe place: without it they are lost.\n" +
-         open_part.string() + ": encrypts them. It holds no secret.\nkey:        " +
-         keys::in_hexadecimal_digits(made->id()) + "\nuse:        TELEPALP_SITE_KEYS=" + open_part.string() +
+         open_part.string() +
+         ": encrypts them. It holds no secret.\nkey:        " + keys::in_hexadecimal_digits(made->id()) +
+         "\nuse:        TELEPALP_SITE_KEYS=" + open_part.string() +
          " for programs that only record, TELEPALP_SITE_KEYS=" + file.string() + " for those that play, too\n";
 }
 

@@ -101,9 +101,7 @@ int run_forget(const program::Arguments& arguments) {
 
 }  // namespace
 
-int copy_command(int argc, const char* const* argv) {
-  return program::run_program(copy_usage(), argc, argv, run_copy);
-}
+int copy_command(int argc, const char* const* argv) { return program::run_program(copy_usage(), argc, argv, run_copy); }
 
 int reseal_command(int argc, const char* const* argv) {
   return program::run_program(reseal_usage(), argc, argv, run_reseal);

@@ -154,8 +154,7 @@ std::string in_hexadecimal_digits(std::string_view id) {
 
 Result<SiteKey> SiteKey::load(const std::filesystem::path& file) {
   const std::optional<std::string> text = read_small_file(file, kMaxKeyFileBytes);
-  if (!text)
-    return Error{.what = "cannot be read", .where = file.string(), .fix = std::string("check ") + kVariable};
+  if (!text) return Error{.what = "cannot be read", .where = file.string(), .fix = std::string("check ") + kVariable};
   if (text->size() > kMaxKeyFileBytes) return not_a_site_key(file);
   SiteKey key;
   key.file_ = file;

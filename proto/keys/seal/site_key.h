@@ -23,7 +23,8 @@ using FileKey = std::array<unsigned char, 32>;
 /// Bytes that encryption adds to a block: a random nonce before it, and a tag after it.
 inline constexpr std::size_t kSealBytes = 12 + 16;
 
-/// Appends `block`, encrypted, to `into`. `about` is not stored, but must be the same to decrypt. False: OpenSSL failed.
+/// Appends `block`, encrypted, to `into`. `about` is not stored, but must be the same to decrypt. False: OpenSSL
+/// failed.
 [[nodiscard]] bool seal_block(const FileKey& key, std::string_view about, std::string_view block, std::string& into);
 /// Appends the decrypted block to `into`. False: a byte of `sealed` or of `about` was altered; nothing is appended.
 [[nodiscard]] bool open_block(const FileKey& key, std::string_view about, std::string_view sealed, std::string& into);

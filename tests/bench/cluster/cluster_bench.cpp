@@ -211,12 +211,8 @@ struct Section {
 Result<Report> run_cluster(const program::Arguments& arguments) {
   const Result<double> seconds = arguments.number("seconds", 2.0, 7200.0);
   if (!seconds) return seconds.error();
-  const std::vector<Section> all{{"relay", add_steady_rows},
-                                 {"nodes", add_lost_nodes},
-                                 {"sessions", add_session_rows},
-                                 {"model", add_model_rows},
-                                 {"soak", add_soak_rows},
-                                 {"sweep", add_sweeps}};
+  const std::vector<Section> all{{"relay", add_steady_rows}, {"nodes", add_lost_nodes}, {"sessions", add_session_rows},
+                                 {"model", add_model_rows},  {"soak", add_soak_rows},   {"sweep", add_sweeps}};
   const Result<std::vector<Section>> chosen = chosen_sections(all, arguments, "cluster");
   if (!chosen) return chosen.error();
   const support::TemporaryFolder scratch;

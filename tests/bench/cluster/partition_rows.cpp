@@ -48,11 +48,11 @@ Result<std::vector<std::unique_ptr<support::ChildProcess>>> start_nodes(const Tw
   std::vector<std::unique_ptr<support::ChildProcess>> nodes;
   for (int node = 0; node < kNodes; ++node) {
     const fs::path log = scratch / ("part" + std::to_string(node) + ".log");
-    nodes.push_back(networks.start(side_of(node), "/usr/sbin/nats-server",
-                                   {"-a", host_of(node), "-p", std::to_string(4222 + node), "--cluster_name", "bench",
-                                    "--cluster", route_of(node), "--routes",
-                                    route_of(0) + "," + route_of(1) + "," + route_of(2)},
-                                   log));
+    nodes.push_back(
+        networks.start(side_of(node), "/usr/sbin/nats-server",
+                       {"-a", host_of(node), "-p", std::to_string(4222 + node), "--cluster_name", "bench", "--cluster",
+                        route_of(node), "--routes", route_of(0) + "," + route_of(1) + "," + route_of(2)},
+                       log));
     if (!is_ready(log))
       return Error{.what = "nats-server does not start", .where = log.string(), .fix = "read this file"};
   }
@@ -95,9 +95,7 @@ Result<void> add_partition_rows(const fs::path& scratch, std::vector<Row>& rows)
   const auto networks = TwoNetworks::make(kWide);
   if (!networks) return networks.error();
   std::optional<Result<Seen>> seen;
-  (*networks)
-      ->run(Side::Patient, [&](const std::stop_token&) { seen.emplace(watch(**networks, scratch)); })
-      .join();
+  (*networks)->run(Side::Patient, [&](const std::stop_token&) { seen.emplace(watch(**networks, scratch)); }).join();
   if (!*seen) return seen->error();
   const std::string what = "node cut off for 5 s: ";
   rows.push_back(at_most(what + "longest gap at the edge's viewer after it heals", (*seen)->gap_after_s, "s", 1.0));

@@ -67,11 +67,11 @@ Result<Kept> record_through_a_kill(const fs::path& scratch, std::size_t killed, 
   const Result<RunningServer> site = start_server(folder, "site", {"--source", "synthetic"});
   if (!site) return site.error();
   const std::string session = cluster->urls_from(0) + "/bench/session.mcap";
-  support::ChildProcess recorder(kRecorder,
-                                 {"--connect", "127.0.0.1:" + std::to_string(site->port), "--out", session,
-                                  "--keep-days", "1", "--consent", "a synthetic patient", "--seconds",
-                                  std::to_string(seconds)},
-                                 folder / "record.log");
+  support::ChildProcess recorder(
+      kRecorder,
+      {"--connect", "127.0.0.1:" + std::to_string(site->port), "--out", session, "--keep-days", "1", "--consent",
+       "a synthetic patient", "--seconds", std::to_string(seconds)},
+      folder / "record.log");
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds / 3.0));
   cluster->node(killed).signal(SIGKILL);
   if (recorder.wait(std::chrono::seconds(static_cast<int>(seconds)) + kEndsWithin) != 0)
@@ -110,7 +110,8 @@ Result<void> add_copies(const fs::path& scratch, double seconds, std::vector<Row
     return static_cast<double>(count);
   };
   rows.push_back(at_most("session copied to the cluster and back: bytes that differ", differs(), "", 0.0));
-  rows.push_back(measured("session copied to the cluster and back: size", static_cast<double>(one.size()) * 1e-6, "MB"));
+  rows.push_back(
+      measured("session copied to the cluster and back: size", static_cast<double>(one.size()) * 1e-6, "MB"));
   return {};
 }
 

@@ -80,7 +80,8 @@ class SessionStore : public ::testing::Test {
 
 TEST_F(SessionStore, GivesBackWhatWasWrittenInPiecesOfAnySize) {
   int number = 0;
-  for (const std::size_t size : {std::size_t{1}, std::size_t{512} << 10, (std::size_t{512} << 10) + 1, std::size_t{3'000'000}})
+  for (const std::size_t size :
+       {std::size_t{1}, std::size_t{512} << 10, (std::size_t{512} << 10) + 1, std::size_t{3'000'000}})
     for (const std::size_t piece : {std::size_t{300'001}, std::size_t{1'500'000}}) {
       const std::string content = noise(size, 1);
       const std::string session = name("s" + std::to_string(++number));
@@ -167,8 +168,8 @@ TEST_F(SessionStore, ASessionWhoseRetentionHasEndedAndADamagedOneAreSaid) {
 
 TEST_F(SessionStore, AFullClusterIsSaid) {
   server_.reset();
-  std::ofstream(folder_.path() / "small.conf") << "jetstream { store_dir: \"" << (folder_.path() / "small").string()
-                                               << "\", max_file_store: 1MB }\n";
+  std::ofstream(folder_.path() / "small.conf")
+      << "jetstream { store_dir: \"" << (folder_.path() / "small").string() << "\", max_file_store: 1MB }\n";
   server_.emplace(kServer,
                   std::vector<std::string>{"-a", "127.0.0.1", "-p", port_, "-c", folder_.path() / "small.conf"},
                   folder_.path() / "log2");

@@ -53,8 +53,7 @@ Result<std::optional<SealedHeader>> header_in(std::string_view bytes, const std:
     bytes.remove_prefix(count);
     return part;
   };
-  SealedHeader header{
-      .site_key_id = take(keys::SiteKey::kIdBytes), .file_id = take(kFileIdBytes), .closed_key = {}};
+  SealedHeader header{.site_key_id = take(keys::SiteKey::kIdBytes), .file_id = take(kFileIdBytes), .closed_key = {}};
   if (get_little_endian<std::uint32_t>(take(sizeof(std::uint32_t)).data()) != kSealedBlockBytes) return damaged;
   header.closed_key = take(keys::SiteKey::kClosedKeyBytes);
   return std::optional(std::move(header));
