@@ -137,8 +137,8 @@ EncodedDepth DepthEncoder::encode(const DepthImage& depth, const std::optional<D
   const bool predictive = is_predictive(mode);
   const bool is_key = !predictive || state.next_is_key(depth);
   const std::optional<DepthWindow> around = has_window ? window : std::nullopt;
-  CodedFrame coded = !is_key && mode == DepthMode::Temporal ? state.code_smaller(depth, around)
-                                                            : state.code(depth, around, is_key);
+  CodedFrame coded =
+      !is_key && mode == DepthMode::Temporal ? state.code_smaller(depth, around) : state.code(depth, around, is_key);
   state.since_key = is_key || coded.packet.key_frame ? 0 : state.since_key + 1;
   encoded.bytes = std::move(coded.packet.bytes);
   encoded.crc = coded.packet.crc;

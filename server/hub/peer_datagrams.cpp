@@ -42,7 +42,8 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
       io.get_executor(), made->offer_.seal, link::End::Server,
       wire::DatagramEnd::Handlers{
           .send = [raw = made.get()](std::span<const std::byte> datagram) { return raw->send(datagram); },
-          .next_frame = [&hub, subscriber, raw = made.get()](wire::Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
+          .next_frame = [&hub, subscriber,
+                         raw = made.get()](wire::Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
             if (!raw->address_.is_proved()) return nullptr;
             const std::optional<wire::Message> message = hub.next_for_datagram(subscriber, wanted);
             if (!message) return nullptr;

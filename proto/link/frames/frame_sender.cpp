@@ -125,7 +125,8 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
   const bool can_ask = layout.data_shards > 1 && can_repair(deadline_ - (now - label.captured), path);
   const std::span<const Nanoseconds> echoes = label.echoed ? echoes_after(path.loss()) : std::span<const Nanoseconds>{};
   // Echoes are better repairs: a burst that takes the first datagrams takes repairs beside them, too.
-  const std::size_t repairs = echoes.size() > 2 ? 0 : repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
+  const std::size_t repairs =
+      echoes.size() > 2 ? 0 : repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
   Outgoing outgoing{.header = {.channel = label.channel,
                                .key_frame = label.key_frame,
                                .frame = label.number,
@@ -139,8 +140,7 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
     to.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(i / layout.blocks)});
     ++outgoing.blocks[block].unsent;
   }
-  for (std::size_t block = 0; block < layout.blocks; ++block)
-    queue_repairs(place, outgoing, block, repairs, to);
+  for (std::size_t block = 0; block < layout.blocks; ++block) queue_repairs(place, outgoing, block, repairs, to);
   for (const Nanoseconds after : echoes) add_echo({now + after, place});
   ++statistics_.started;
   statistics_.data_shards += layout.data_shards;

@@ -46,8 +46,8 @@ struct SenderStatistics {
 [[nodiscard]] std::span<const Nanoseconds> echoes_after(double loss) noexcept;
 
 /// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is
-/// sent completely; an urgent one (SharedFrame::Label) is sent before what is left of it. `deadline` counts from the frame's capture. Pure: time and the path are arguments. Owner: one
-/// thread.
+/// sent completely; an urgent one (SharedFrame::Label) is sent before what is left of it. `deadline` counts from the
+/// frame's capture. Pure: time and the path are arguments. Owner: one thread.
 class FrameSender {
  public:
   explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
@@ -126,7 +126,7 @@ class FrameSender {
   std::uint8_t last_channel_ = kMostChannels;  ///< channel of the frame started last: channels take turns
   std::deque<Outgoing> sent_;                  ///< started frames, kept for repairs
   std::uint64_t forgotten_ = 0;                ///< number of frames removed from the front of sent_
-  std::deque<Piece> urgent_;  ///< of urgent frames, with their echoes
+  std::deque<Piece> urgent_;                   ///< of urgent frames, with their echoes
   std::deque<Piece> first_round_;
   std::deque<Piece> requested_;
   std::deque<Echo> echoes_;

@@ -29,11 +29,8 @@ constexpr std::uint8_t kImages = 1;
 constexpr std::uint8_t kVoice = 7;
 
 impaired::Profile line(double loss, double burst_packets) {
-  const impaired::Impairment both{.delay = kOneWay,
-                                  .loss = loss,
-                                  .burst_packets = burst_packets,
-                                  .rate_B_per_s = 4e6 / 8.0,
-                                  .queue_B = 250'000};
+  const impaired::Impairment both{
+      .delay = kOneWay, .loss = loss, .burst_packets = burst_packets, .rate_B_per_s = 4e6 / 8.0, .queue_B = 250'000};
   return {.name = "thin", .down = both, .up = both};
 }
 
