@@ -20,7 +20,8 @@ struct DepthStreamSettings {
 };
 
 /// Compresses the frames of one camera in order. Fast and Intra frames are all key frames. Temporal and Bounded frames
-/// between key frames are predicted from the frame before.
+/// between key frames are predicted from the frame before. In Temporal, every eighth of these is also coded alone; while
+/// that takes fewer bytes, all frames are key frames.
 class DepthEncoder {
  public:
   explicit DepthEncoder(const DepthStreamSettings& settings);

@@ -14,6 +14,7 @@
 #include "support/program/ending.h"
 #include "support/program/files/ready_file.h"
 #include "support/program/options.h"
+#include "support/session_store/session_place.h"
 
 namespace {
 
@@ -108,5 +109,6 @@ int run_asked(const program::Arguments& arguments) {
 
 int main(int argc, char** argv) {
   program::say_when_stopped("telepalp-server: stopped before it listened; nothing was sent");
+  session_store::use_cluster_sessions();
   return program::run_program(server::usage(), argc, argv, run_asked);
 }

@@ -5,7 +5,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
+#include "proto/keys/seal/site_key.h"
 #include "proto/keys/secret/passphrase.h"
 #include "proto/words/counted.h"
 #include "server/capture/capture_source.h"
@@ -50,6 +52,17 @@ Finding check_room(const std::string& what, const fs::path& folder) {
   return room_MB < kLeastRoom_MB ? note(what, text + ": free space") : good(what, text);
 }
 
+/// Whether recordings are encrypted, and whether this server can play them again.
+Findings check_site_keys() {
+  const Result<std::vector<keys::SiteKey>> site_keys = keys::site_keys_of_environment();
+  if (!site_keys) return {problem("recordings' key", site_keys.error())};
+  if (site_keys->empty()) return {};
+  const keys::SiteKey& first = site_keys->front();
+  const std::string text = first.file().string() + " encrypts new recordings";
+  if (first.has_private_part()) return {good("recordings' key", text)};
+  return {note("recordings' key", text + ", which this server cannot play: it has the public part alone")};
+}
+
 Findings check_recorder(const Asked& asked, keys::WallTime now) {
   if (!asked.recorder) return {};
   const fs::path& folder = asked.recorder->folder;
@@ -58,6 +71,7 @@ Findings check_recorder(const Asked& asked, keys::WallTime now) {
                                    .where = folder.string(),
                                    .fix = "make the folder, and let the server's user write to it"})};
   Findings found{check_room("recordings", folder)};
+  for (Finding& finding : check_site_keys()) found.push_back(std::move(finding));
   const auto key = keys::load_client_key(asked.recorder->key, now, keys::passphrase_of_environment);
   if (!key) found.push_back(problem("recorder's key", key.error()));
   if (key && *key != nullptr)

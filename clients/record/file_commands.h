@@ -9,5 +9,8 @@ int repair_command(int argc, const char* const* argv);
 int cut_command(int argc, const char* const* argv);
 int merge_command(int argc, const char* const* argv);
 int expire_command(int argc, const char* const* argv);
+int copy_command(int argc, const char* const* argv);
+int reseal_command(int argc, const char* const* argv);
+int forget_command(int argc, const char* const* argv);
 
 }  // namespace telepalp::record

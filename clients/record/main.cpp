@@ -1,6 +1,10 @@
+#include <chrono>
+#include <optional>
+
 #include "clients/record/file_commands.h"
 #include "clients/record/live/amounts.h"
 #include "clients/record/live/recording.h"
+#include "clients/record/store/cluster_terms.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
@@ -8,6 +12,7 @@
 #include "support/program/patience.h"
 #include "support/program/people/consent.h"
 #include "support/program/terminal.h"
+#include "support/session_store/session_place.h"
 
 namespace {
 
@@ -22,7 +27,8 @@ program::Usage usage() {
       .positional = {},
       .options = {{"connect", "SERVER", "HOST[:PORT], or SITE@HOST[:PORT]", program::kServerAddress},
                   {"key", "FILE", "your key file, for a server on another machine"},
-                  {"out", "FILE.mcap", "new session file; FILE.mcap.partial until complete"},
+                  {"out", "FILE.mcap", "new session: a file, or nats://HOST/SITE/NAME.mcap"},
+                  {"keep-days", "N", "how long a cluster keeps the session"},
                   {"topics", "LIST", "topics, as shell patterns: A,B; !PATTERN excludes", "*"},
                   {"color", "jpeg|vp8", "colour as pictures, or as video, over a thin line", "jpeg"},
                   {"seconds", "S", "stop after this time; 0: until Ctrl-C", "0"},
@@ -44,7 +50,10 @@ program::Usage usage() {
           {"repair", "FILE", "finish a recording that was cut off, or repair a damaged file", record::repair_command},
           {"cut", "FILE", "copy a part of a session", record::cut_command},
           {"merge", "FILE...", "join sessions, or the parts of a session", record::merge_command},
-          {"expire", "DIR", "delete sessions whose retention or consent has ended", record::expire_command}}};
+          {"expire", "DIR", "delete sessions whose retention or consent has ended", record::expire_command},
+          {"copy", "SESSION", "copy a session to or from a cluster, encrypt or decrypt it", record::copy_command},
+          {"reseal", "FILE...", "encrypt sessions for a new key of the site", record::reseal_command},
+          {"forget", "SESSION", "remove a session from a cluster", record::forget_command}}};
 }
 
 /// A shorter time would begin a new file at nearly each message, or delete nearly the whole recording.
@@ -105,16 +114,38 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
                                   .progress = program::takes_progress(stderr)};
 }
 
+/// Says for how long a cluster may keep the recording. On the disk, telepalp-record expire ends its retention.
+Result<void> settle_cluster_terms(const program::Arguments& arguments) {
+  if (!session_store::is_in_cluster(arguments.text("out"))) return {};
+  std::optional<std::chrono::days> keep;
+  if (arguments.has("keep-days")) {
+    const Result<std::int64_t> days = arguments.whole("keep-days", 1, 36500);
+    if (!days) return days.error();
+    keep = std::chrono::days(*days);
+  }
+  if (arguments.has("keep-last"))
+    return Error{.what = "a cluster keeps whole sessions",
+                 .where = "--keep-last",
+                 .fix = "give --keep-days, or record to a file"};
+  const auto terms = record::cluster_terms(arguments.text("consent"), keep, std::chrono::system_clock::now());
+  if (!terms) return terms.error();
+  session_store::use_cluster_sessions(*terms);
+  return {};
+}
+
 int run_recording(const program::Arguments& arguments) {
   if (!arguments.has("out"))
-    return program::fail({.what = "neither a file to record to nor a command is given",
-                          .where = kProgram,
-                          .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge, expire"},
-                         program::kAskedWrongly);
+    return program::fail(
+        {.what = "neither a file to record to nor a command is given",
+         .where = kProgram,
+         .fix = "give --out FILE.mcap, or a command: info, verify, repair, cut, merge, expire, copy, reseal, forget"},
+        program::kAskedWrongly);
   Result<record::RecordingOptions> options = recording_options(arguments);
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   if (const Result<void> stated = program::check_consent(arguments, "this recording"); !stated)
     return program::fail(stated.error(), program::kAskedWrongly);
+  if (const Result<void> settled = settle_cluster_terms(arguments); !settled)
+    return program::fail(settled.error(), program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =
       keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());
   if (!key) return program::fail(key.error());
@@ -130,5 +161,6 @@ int run_recording(const program::Arguments& arguments) {
 int main(int argc, char** argv) {
   program::say_when_stopped(
       "telepalp-record: stopped: the sessions that it read are unchanged; an unfinished copy ends with .partial");
+  session_store::use_cluster_sessions();
   return program::run_program(usage(), argc, argv, run_recording);
 }

@@ -15,6 +15,9 @@
 namespace telepalp::codec {
 namespace {
 
+/// Of so many frames of Temporal that may be predicted, one is also coded alone.
+constexpr int kCompareEvery = 8;
+
 bool same_size_and_unit(const DepthImage& a, const DepthImage& b) noexcept {
   return a.width == b.width && a.height == b.height && a.unit_m == b.unit_m;
 }
@@ -29,9 +32,14 @@ struct DepthEncoder::State {
   CodedFrame previous;   // the last frame as the decoder has it
   int since_key = 0;
   bool key_frame_requested = true;
+  int until_compared = 0;       // frames that may be predicted until both codings are compared again
+  bool prediction_pays = true;  // the last comparison found the predicted frame smaller
 
   [[nodiscard]] bool next_is_key(const DepthImage& depth);
-  [[nodiscard]] CodedFrame code(const DepthImage& depth, bool is_key, const Reference& reference);
+  [[nodiscard]] Reference reference() const noexcept;
+  [[nodiscard]] CodedFrame code(const DepthImage& depth, const std::optional<DepthWindow>& window, bool is_key);
+  [[nodiscard]] CodedFrame code_smaller(const DepthImage& depth, const std::optional<DepthWindow>& window);
+  [[nodiscard]] CodedFrame code_whole(const DepthImage& depth, const Reference& reference);
   [[nodiscard]] CodedFrame code_around(const DepthImage& depth, const DepthWindow& window, const Reference& reference);
 };
 
@@ -41,7 +49,9 @@ DepthEncoder::DepthEncoder(const DepthStreamSettings& settings)
                                            .since_levels = 0,
                                            .previous = {},
                                            .since_key = 0,
-                                           .key_frame_requested = true})) {}
+                                           .key_frame_requested = true,
+                                           .until_compared = 0,
+                                           .prediction_pays = true})) {}
 DepthEncoder::~DepthEncoder() = default;
 DepthEncoder::DepthEncoder(DepthEncoder&&) noexcept = default;
 DepthEncoder& DepthEncoder::operator=(DepthEncoder&&) noexcept = default;
@@ -54,7 +64,34 @@ bool DepthEncoder::State::next_is_key(const DepthImage& depth) {
          since_key + 1 >= std::min(settings.key_every, kMost);
 }
 
-CodedFrame DepthEncoder::State::code(const DepthImage& depth, bool is_key, const Reference& reference) {
+/// The frame before, as the reference of the next one.
+Reference DepthEncoder::State::reference() const noexcept {
+  return {.depth = &previous.depth,
+          .palette = previous.palette ? &*previous.palette : nullptr,
+          .crc = previous.packet.crc,
+          .since_key = static_cast<std::uint16_t>(since_key + 1)};
+}
+
+CodedFrame DepthEncoder::State::code(const DepthImage& depth, const std::optional<DepthWindow>& window, bool is_key) {
+  const Reference from = is_key ? Reference{} : reference();
+  return window ? code_around(depth, *window, from) : code_whole(depth, from);
+}
+
+/// Of some cameras, most of all noisy ones, the frame before predicts less well than the neighbouring pixels. Then the
+/// frames are coded alone, and are key frames.
+CodedFrame DepthEncoder::State::code_smaller(const DepthImage& depth, const std::optional<DepthWindow>& window) {
+  if (until_compared > 0) {
+    --until_compared;
+    return code(depth, window, !prediction_pays);
+  }
+  until_compared = kCompareEvery - 1;
+  CodedFrame predicted = code(depth, window, false);
+  CodedFrame alone = code(depth, window, true);
+  prediction_pays = predicted.packet.bytes.size() < alone.packet.bytes.size();
+  return prediction_pays ? std::move(predicted) : std::move(alone);
+}
+
+CodedFrame DepthEncoder::State::code_whole(const DepthImage& depth, const Reference& reference) {
   if (settings.mode == DepthMode::Fast) return {.packet = write_frame(depth, settings.mode, {}), .depth = {}};
   LevelPalette palette = palette_of(depth.samples);
   if (settings.mode != DepthMode::Bounded) {
@@ -62,7 +99,7 @@ CodedFrame DepthEncoder::State::code(const DepthImage& depth, bool is_key, const
     if (!is_predictive(settings.mode)) return {.packet = std::move(packet), .depth = {}};
     return {.packet = std::move(packet), .depth = depth, .palette = std::move(palette)};
   }
-  if (is_key) reconstruction = reconstruction_levels_for(depth, palette, settings.bound);
+  if (reference.depth == nullptr) reconstruction = reconstruction_levels_for(depth, palette, settings.bound);
   return code_bounded(depth, palette, reconstruction, reference);
 }
 
@@ -90,12 +127,10 @@ EncodedDepth DepthEncoder::encode(const DepthImage& depth, const std::optional<D
   }
   const bool predictive = is_predictive(mode);
   const bool is_key = !predictive || state.next_is_key(depth);
-  state.since_key = is_key ? 0 : state.since_key + 1;
-  const Reference reference{.depth = is_key ? nullptr : &state.previous.depth,
-                            .palette = is_key || !state.previous.palette ? nullptr : &*state.previous.palette,
-                            .crc = state.previous.packet.crc,
-                            .since_key = static_cast<std::uint16_t>(state.since_key)};
-  CodedFrame coded = has_window ? state.code_around(depth, *window, reference) : state.code(depth, is_key, reference);
+  const std::optional<DepthWindow> around = has_window ? window : std::nullopt;
+  CodedFrame coded = !is_key && mode == DepthMode::Temporal ? state.code_smaller(depth, around)
+                                                            : state.code(depth, around, is_key);
+  state.since_key = is_key || coded.packet.key_frame ? 0 : state.since_key + 1;
   encoded.bytes = std::move(coded.packet.bytes);
   encoded.crc = coded.packet.crc;
   encoded.key_frame = coded.packet.key_frame;

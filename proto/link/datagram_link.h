@@ -41,6 +41,10 @@ class DatagramLink {
   /// True when a frame that is offered now starts at once: no other frame waits, and the path has room. A caller with a
   /// queue of its own offers a frame only then, so that it can still replace a queued frame by a newer one.
   [[nodiscard]] bool ready_for_frame(SessionTime now) noexcept { return sender_.idle() && path_.has_room(now); }
+  /// The same for an urgent frame (SharedFrame::Label), which does not wait for the frames that have started.
+  [[nodiscard]] bool ready_for_urgent(SessionTime now) noexcept {
+    return sender_.idle_for_urgent() && path_.has_room_for_urgent(now);
+  }
 
   /// Lets next() return a report (Feedback in format/fragment.h) although nothing was received. Reports in both
   /// directions keep a NAT's mapping and show that the path works.

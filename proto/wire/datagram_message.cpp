@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "proto/wire/urgent.h"
 #include "proto/words/demand.h"
 #include "proto/words/little_endian.h"
 
@@ -31,7 +32,8 @@ std::shared_ptr<const link::SharedFrame> frame_of(const Message& message, Sessio
                                .number = static_cast<std::uint32_t>(message.sequence),
                                .key_frame = message.key_frame,
                                .captured = deadline_from(message, now),
-                               .echoed = message.topic.spoken},
+                               .echoed = message.topic.spoken,
+                               .urgent = is_urgent(message.topic)},
       label, std::as_bytes(std::span(*message.payload)), message.payload);
 }
 

@@ -90,10 +90,17 @@ std::optional<Message> SendQueue::pop() {
   return message;
 }
 
-std::optional<Message> SendQueue::pop_newest(std::vector<Message>& gone) {
-  if (datagrams_.empty()) return std::nullopt;
+SendQueue::Queue::const_iterator SendQueue::next_datagram(Wanted wanted) const {
   const auto spoken = std::ranges::find_if(datagrams_, [](const Message& message) { return message.topic.spoken; });
-  const std::string_view topic = (spoken == datagrams_.end() ? datagrams_.front() : *spoken).topic.name;
+  if (spoken != datagrams_.end()) return spoken;
+  const auto urgent = std::ranges::find_if(datagrams_, [](const Message& one) { return is_urgent(one.topic); });
+  return urgent == datagrams_.end() && wanted == Wanted::Any ? datagrams_.begin() : urgent;
+}
+
+std::optional<Message> SendQueue::pop_newest(std::vector<Message>& gone, Wanted wanted) {
+  const auto next = next_datagram(wanted);
+  if (next == datagrams_.end()) return std::nullopt;
+  const std::string_view topic = next->topic.name;
   const auto is_key = [&](const Message& message) { return message.topic.name == topic && message.key_frame; };
   const auto of_topic = [&](const Message& message) { return message.topic.name == topic; };
   const auto newest_key = std::find_if(datagrams_.rbegin(), datagrams_.rend(), is_key);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proto/wire/message.h"
+#include "proto/wire/urgent.h"
 
 namespace telepalp::wire {
 
@@ -29,10 +30,11 @@ class SendQueue {
   /// quarter of their bytes while both wait, so that neither stops the other.
   std::optional<Message> pop();
 
-  /// The next message to send by datagram. Speech goes first, because it is small and must not wait for a picture. Of
-  /// the other topics with a deadline, the one whose message has waited longest comes next. The message is the newest
-  /// key frame of its topic, or the oldest message if no key frame is queued. Older messages of the topic go to `gone`.
-  std::optional<Message> pop_newest(std::vector<Message>& gone);
+  /// The next message to send by datagram, of those wanted. Speech goes first, then the other urgent topics, because
+  /// they are small and must not wait for a picture. Of several, the one whose message has waited longest comes next.
+  /// The message is the newest key frame of its topic, or the oldest message if no key frame is queued. Older messages
+  /// of the topic go to `gone`.
+  std::optional<Message> pop_newest(std::vector<Message>& gone, Wanted wanted = Wanted::Any);
 
   /// Of the topics of Lane::Others that wait for TCP, finds the one with the most queued bytes and removes its
   /// oldest message.
@@ -61,6 +63,7 @@ class SendQueue {
     std::size_t bytes = 0;
   };
   using Queue = std::deque<Message>;
+  [[nodiscard]] Queue::const_iterator next_datagram(Wanted wanted) const;
 
   Queue& queue_of(const Topic& topic) noexcept;
   [[nodiscard]] bool goes_by_datagram(const Topic& topic) const noexcept {

@@ -235,11 +235,11 @@ void Hub::send_by_datagram(SubscriberId id, bool on) {
     if (topic.has_deadline()) restart_group(id, topic);
 }
 
-std::optional<wire::Message> Hub::next_for_datagram(SubscriberId id) {
+std::optional<wire::Message> Hub::next_for_datagram(SubscriberId id, wire::Wanted wanted) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end()) return std::nullopt;
   std::vector<wire::Message> gone;
-  std::optional<wire::Message> message = found->second.queue.pop_newest(gone);
+  std::optional<wire::Message> message = found->second.queue.pop_newest(gone, wanted);
   for (const wire::Message& older : gone) crowd_out(found->second.count, older);
   if (message) count_sent(found->second, *message);
   return message;

@@ -74,8 +74,9 @@ class Hub {
   /// no use) to the subscriber: next_for_datagram() takes them, and next() the other topics. A change drops the queued
   /// messages of the deadline topics, and the next message of a topic with predicted frames is a key frame.
   void send_by_datagram(SubscriberId subscriber, bool on);
-  /// Takes a deadline topic's newest key frame, else its oldest message; drops older ones (SendQueue::pop_newest()).
-  [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber);
+  /// Takes the newest key frame of a deadline topic, of those `wanted`, else its oldest message; drops older ones
+  /// (SendQueue::pop_newest()).
+  [[nodiscard]] std::optional<wire::Message> next_for_datagram(SubscriberId subscriber, wire::Wanted wanted);
   /// Keeps, for subscriber_counts(), what other flows leave of the subscriber's line.
   void note_share(SubscriberId subscriber, std::optional<double> share_B_per_s);
   /// The subscriber cannot decode the predicted frames of `topic`: the next one that it gets is a key frame.

@@ -44,9 +44,10 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
       io.get_executor(), made->offer_.seal, link::End::Server,
       wire::DatagramEnd::Handlers{
           .send = [raw = made.get()](std::span<const std::byte> datagram) { return raw->send(datagram); },
-          .next_frame = [&hub, subscriber, raw = made.get()]() -> std::shared_ptr<const link::SharedFrame> {
+          .next_frame = [&hub, subscriber,
+                         raw = made.get()](wire::Wanted now) -> std::shared_ptr<const link::SharedFrame> {
             if (!raw->is_proved()) return nullptr;
-            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber);
+            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber, now);
             if (!message) return nullptr;
             return raw->port_.frames().frame_of(*message, raw->peer_.now());
           },

@@ -54,7 +54,7 @@ inline constexpr StateTopic kSessions = state_topic("/sessions", "telepalp.msg.S
 
 inline constexpr StateTopic kSource = state_topic("/source", "telepalp.msg.SourceState", 250ms);  ///< SourceCommand
 inline constexpr StateTopic kPeople = state_topic("/people", "telepalp.msg.PeopleState", 250ms);  ///< PeopleCommand
-// Of a camera.
+// Of a camera, and of a played session, which only shows them.
 inline constexpr StateTopic kMarks = state_topic("/marks", "telepalp.msg.MarksState", 100ms);  ///< MarkCommand
 inline constexpr StateTopic kExposure =
     state_topic("/exposure", "telepalp.msg.ExposureState", 100ms);  ///< ExposureCommand

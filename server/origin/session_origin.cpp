@@ -9,6 +9,7 @@ namespace telepalp::origin {
 
 SessionOrigin::SessionOrigin(boost::asio::io_context& network, const wire::SessionClock& clock, Parts parts)
     : io_(network),
+      clock_(clock),
       network_(network, clock, [this](wire::Message message) { handlers_.on_message(std::move(message)); }),
       parts_(std::move(parts)) {}
 
@@ -63,6 +64,9 @@ Offer SessionOrigin::offer() {
                                           return parts_.survey->notes.apply(json, who,
                                                                             std::chrono::system_clock::now());
                                         })};
+  offer.resources[kMarks.topic.name] = {.state = [this] {
+    return state_message(parts_.said.at(parts_.player->state().position_s(), clock_.now()));
+  }};
   if (parts_.comparison)
     offer.resources[kComparison.topic.name] = {.state = [this] { return state_message(parts_.comparison->state()); },
                                                .change = at_once([this](const std::string& json, const std::string&) {

@@ -5,6 +5,7 @@
 
 #include "proto/wire/session_clock.h"
 #include "server/origin/origin.h"
+#include "server/origin/played_notes.h"
 #include "server/playback/comparison/session_comparison.h"
 #include "server/playback/session_events.h"
 #include "server/playback/session_network.h"
@@ -25,6 +26,7 @@ class SessionOrigin final : public Origin {
   struct Parts {
     std::unique_ptr<playback::SessionPlayer> player;
     std::shared_ptr<SessionSurvey> survey;
+    PlayedNotes said;  ///< on the picture, while the session took place
     std::unique_ptr<playback::SessionComparison> comparison;  ///< null: no folder of other sessions is named
     bool is_endless;                                          ///< no visitor can end its repetition
   };
@@ -46,6 +48,7 @@ class SessionOrigin final : public Origin {
   [[nodiscard]] Resource playback();
 
   boost::asio::io_context& io_;
+  wire::SessionClock clock_;
   Handlers handlers_;
   playback::SessionNetwork network_;  // between the player and the handlers
   Parts parts_;

@@ -49,16 +49,16 @@ std::uint64_t utc_s(fs::file_time_type at) {
 struct SessionShelf::Opened {
   std::unique_ptr<playback::SessionPlayer> player;
   std::unique_ptr<playback::SessionComparison> comparison{};  ///< null: no folder of other sessions is named
-  msg::SessionNotes live_notes{};
+  std::vector<wire::ToldNote> told{};  // while the session took place
 
   static Result<Opened> read(const playback::PlaybackSpec& spec, bool loop, const wire::SessionClock& clock,
                              const Options& options, const Progress& progress) {
     auto player = playback::SessionPlayer::open(spec, loop, clock, progress);
     if (!player) return player.error();
     Opened opened{std::move(player).value()};
-    auto live_notes = wire::live_notes(spec.file);
-    if (!live_notes) return live_notes.error();
-    opened.live_notes = std::move(live_notes).value();
+    auto told = wire::told_notes(spec.file);
+    if (!told) return told.error();
+    opened.told = std::move(told).value();
     if (options.compared.empty()) return opened;
     auto comparison = playback::SessionComparison::open(spec.file, options.compared, options.say);
     if (!comparison) return comparison.error();
@@ -86,7 +86,7 @@ Result<std::unique_ptr<Origin>> SessionShelf::origin_of(Opened opened, const pla
   std::shared_ptr<SessionSurvey> survey = surveys_[file].lock();
   if (!survey) {
     Result<playback::SessionNotes> notes =
-        playback::SessionNotes::open(spec.file, opened.player->state().duration_s(), std::move(opened.live_notes));
+        playback::SessionNotes::open(spec.file, opened.player->state().duration_s(), wire::as_session_notes(opened.told));
     if (!notes) return notes.error();
     survey.reset(new SessionSurvey{{spec.file, opened.player->begin(), options_.say}, std::move(*notes)});
     surveys_[file] = survey;
@@ -95,6 +95,7 @@ Result<std::unique_ptr<Origin>> SessionShelf::origin_of(Opened opened, const pla
       std::make_unique<SessionOrigin>(network_, clock_,
                                       SessionOrigin::Parts{.player = std::move(opened.player),
                                                            .survey = std::move(survey),
+                                                           .said = PlayedNotes(std::move(opened.told)),
                                                            .comparison = std::move(opened.comparison),
                                                            .is_endless = is_endless}));
 }

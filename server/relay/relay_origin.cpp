@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "proto/words/repeated_errors.h"
 #include "server/relay/relay_frames.h"
 
 namespace telepalp::relay {
@@ -112,15 +113,27 @@ class RelayOrigin final : public origin::Origin {
   }
   void add(const wire::Topic& topic, const std::string& part) {
     posted_B_ -= part.size();
+    const std::uint64_t malformed = joiner_.malformed();
     std::optional<wire::Message> message = joiner_.add(topic, part);
+    if (joiner_.malformed() > malformed) say_refused(topic);
     if (!message) return;
     if (topic.name == wire::kCameraDepth.name) ++images_;
     handlers_.on_message(*std::move(message));
   }
 
+  /// Somebody else may publish at the site's subjects: its messages are refused, and the site's go on.
+  void say_refused(const wire::Topic& topic) {
+    const Error error{.what = "it is no part of a telepalp server's message",
+                      .where = subject_of(site_, topic),
+                      .fix = "let only the site's account publish there (docs/operations.md)"};
+    if (const auto line = refused_.line("message from the cluster refused", error, std::chrono::steady_clock::now()))
+      log_(*line);
+  }
+
   boost::asio::io_context& io_;
   const std::string site_;
   std::function<void(const std::string&)> log_;
+  RepeatedErrors refused_;
   Handlers handlers_;
   PartJoiner joiner_;
   std::uint64_t images_ = 0;

@@ -2,6 +2,7 @@
 
 #include <nats/nats.h>
 
+#include <thread>
 #include <utility>
 
 #include "support/nats/refusal.h"
@@ -12,6 +13,16 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kAnswersWithin = 5s;
+constexpr std::chrono::milliseconds kStoresWithin = 1s;  // one attempt of store_patiently()
+constexpr std::chrono::milliseconds kTriesAgainAfter = 100ms;
+
+/// True for a failure that ends by itself: the connection is lost, or the cluster has no leader at the moment.
+bool may_pass(natsStatus status, jsErrCode code) {
+  if (code == JSClusterNotAvailErr || code == JSClusterNotLeaderErr) return true;
+  if (code != jsErrCode{}) return false;
+  return status == NATS_TIMEOUT || status == NATS_NO_RESPONDERS || status == NATS_CONNECTION_DISCONNECTED ||
+         status == NATS_INSUFFICIENT_BUFFER || status == NATS_IO_ERROR || status == NATS_NO_SERVER;
+}
 
 }  // namespace
 
@@ -52,7 +63,16 @@ Result<void> Streams::keep(const StreamSettings& settings) {
   jsStreamInfo* info = nullptr;
   natsStatus status = js_GetStreamInfo(&info, parts_->context, settings.name.c_str(), nullptr, &code);
   jsStreamInfo_Destroy(info);
-  if (status == NATS_NOT_FOUND) status = js_AddStream(nullptr, parts_->context, &config, nullptr, &code);
+  if (status == NATS_NOT_FOUND) {
+    config.Replicas = settings.copies;
+    status = js_AddStream(nullptr, parts_->context, &config, nullptr, &code);
+    const bool has_too_few_servers =
+        status != NATS_OK && (code == JSStreamReplicasNotSupportedErr || code == JSClusterNoPeersErr);
+    if (has_too_few_servers) {
+      config.Replicas = 1;
+      status = js_AddStream(nullptr, parts_->context, &config, nullptr, &code);
+    }
+  }
   if (status != NATS_OK) return refused_by_jetstream(status, code, settings.name);
   return {};
 }
@@ -63,6 +83,23 @@ Result<void> Streams::store(const std::string& subject, std::string_view payload
                                        static_cast<int>(payload.size()), nullptr, &code);
   if (status != NATS_OK) return refused_by_jetstream(status, code, subject);
   return {};
+}
+
+Result<void> Streams::store_patiently(const std::string& subject, std::string_view payload,
+                                      std::chrono::milliseconds patience) {
+  jsPubOptions options;
+  jsPubOptions_Init(&options);
+  options.MaxWait = kStoresWithin.count();
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (true) {
+    jsErrCode code{};
+    const natsStatus status = js_Publish(nullptr, parts_->context, subject.c_str(), payload.data(),
+                                         static_cast<int>(payload.size()), &options, &code);
+    if (status == NATS_OK) return {};
+    if (!may_pass(status, code) || std::chrono::steady_clock::now() >= until)
+      return refused_by_jetstream(status, code, subject);
+    std::this_thread::sleep_for(kTriesAgainAfter);
+  }
 }
 
 Result<std::vector<std::string>> Streams::subjects(const std::string& stream, const std::string& filter) {
@@ -101,6 +138,23 @@ Result<void> Streams::erase(const std::string& stream, const std::string& filter
   const natsStatus status = js_PurgeStream(parts_->context, stream.c_str(), &options, &code);
   if (status != NATS_OK) return refused_by_jetstream(status, code, stream);
   return {};
+}
+
+Result<void> Streams::remove(const std::string& stream) {
+  jsErrCode code{};
+  const natsStatus status = js_DeleteStream(parts_->context, stream.c_str(), nullptr, &code);
+  if (status != NATS_OK) return refused_by_jetstream(status, code, stream);
+  return {};
+}
+
+Result<bool> Streams::has(const std::string& stream) {
+  jsErrCode code{};
+  jsStreamInfo* info = nullptr;
+  const natsStatus status = js_GetStreamInfo(&info, parts_->context, stream.c_str(), nullptr, &code);
+  jsStreamInfo_Destroy(info);
+  if (status == NATS_NOT_FOUND) return false;
+  if (status != NATS_OK) return refused_by_jetstream(status, code, stream);
+  return true;
 }
 
 }  // namespace telepalp::nats

@@ -19,6 +19,7 @@ struct StreamSettings {
   bool is_work_queue;  ///< a message is removed when a consumer acknowledges it; otherwise it stays until a newer one
                        ///< of its subject replaces it
   std::chrono::hours longest_kept;  ///< then a message is removed in any case
+  int copies = 1;  ///< on different servers; on a cluster that has not as many, one. 3 survive the loss of a server
 };
 
 /// The streams of a cluster. A full stream refuses new messages; it does not remove old ones to make room. The
@@ -36,12 +37,21 @@ class Streams {
   [[nodiscard]] Result<void> keep(const StreamSettings& settings);
   /// Publishes, and waits until the cluster has stored the message. Error: no connection, or no room.
   [[nodiscard]] Result<void> store(const std::string& subject, std::string_view payload);
+  /// As store(), but tries again for at most `patience` while the connection is lost or the cluster elects a new
+  /// leader. A payload may be stored twice, so it must be one that replaces itself (StreamSettings::is_work_queue
+  /// false).
+  [[nodiscard]] Result<void> store_patiently(const std::string& subject, std::string_view payload,
+                                             std::chrono::milliseconds patience);
   /// The subjects of the messages in `stream` that match `filter`, which may end with '*' or '>'.
   [[nodiscard]] Result<std::vector<std::string>> subjects(const std::string& stream, const std::string& filter);
   /// The payload of the newest message of `subject`; nullopt: none is stored.
   [[nodiscard]] Result<std::optional<std::string>> newest(const std::string& stream, const std::string& subject);
   /// Removes the messages that match `filter`.
   [[nodiscard]] Result<void> erase(const std::string& stream, const std::string& filter);
+  /// Removes the stream and its messages.
+  [[nodiscard]] Result<void> remove(const std::string& stream);
+  /// True if the cluster has a stream of this name.
+  [[nodiscard]] Result<bool> has(const std::string& stream);
 
  private:
   friend class WorkQueue;

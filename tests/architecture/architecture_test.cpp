@@ -28,6 +28,8 @@ const std::vector<Rule> kRules{
     {"proto/wire",
      {"proto/words", "proto/keys", "proto/ice", "proto/link", "codec/unmarked", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},
+    // Sessions in a cluster are read and written like session files.
+    {"support/session_store", {"proto/words", "proto/wire/mcap", "support/nats", "support/session_store"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},
     {"haptic_station/surface", {"proto/words", "codec/levels", "support/models", "haptic_station/surface"}},

@@ -74,7 +74,7 @@ Result<Exported> write_foxglove(const std::filesystem::path& file, const std::fi
   if (!reader) return reader.error();
   const Result<wire::SessionInfo> session = reader->session();
   if (!session) return session.error();
-  Result<wire::McapWriter> writer = wire::McapWriter::open(out, *session);
+  Result<wire::McapWriter> writer = wire::McapWriter::open(out, *session, {}, wire::mcap::Protection::None);
   if (!writer) return writer.error();
   FoxgloveFile made(std::move(*writer));
   const auto begin = static_cast<std::int64_t>(reader->summary().statistics.message_start_time);

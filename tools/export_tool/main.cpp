@@ -13,6 +13,7 @@
 #include "support/program/files/whole_file.h"
 #include "support/program/log.h"
 #include "support/program/options.h"
+#include "support/session_store/session_place.h"
 #include "tools/export_tool/cloud_file.h"
 #include "tools/export_tool/deidentify_command.h"
 #include "tools/export_tool/foxglove_command.h"
@@ -183,4 +184,7 @@ int run_asked(const program::Arguments& asked) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return program::run_program(usage(), argc, argv, run_asked); }
+int main(int argc, char** argv) {
+  session_store::use_cluster_sessions();
+  return program::run_program(usage(), argc, argv, run_asked);
+}

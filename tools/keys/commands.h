@@ -44,6 +44,8 @@ struct Asked {
 [[nodiscard]] Result<std::string> revoke(const Asked& asked);
 
 [[nodiscard]] Result<std::string> make_key_and_request(const Asked& asked);
+/// The key pair of a site, for its encrypted recordings: NAME-site.key and NAME-site.pub.
+[[nodiscard]] Result<std::string> make_site_key(const Asked& asked);
 [[nodiscard]] Result<std::string> set_passphrase(const Asked& asked);
 /// The private key that a command uses: the one in the token of --key, else a new one, if wanted with a passphrase.
 /// `what`: whose it is, for the question.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "proto/keys/request/key_request.h"
+#include "proto/keys/seal/site_key.h"
 #include "proto/keys/secret/passphrase.h"
 #include "support/program/files/whole_file.h"
 #include "tools/keys/commands.h"
@@ -57,6 +58,29 @@ Result<std::string> make_key_and_request(const Asked& asked) {
          "\nnext:       send " + to_send.string() +
          " to the technician, and read this fingerprint out to the technician; store the answer, " + asked.name +
          ".crt, in " + asked.folder.string() + "\n";
+}
+
+Result<std::string> make_site_key(const Asked& asked) {
+  const std::filesystem::path file = asked.folder / (asked.name + "-site.key");
+  const std::filesystem::path open_part = asked.folder / (asked.name + "-site.pub");
+  for (const std::filesystem::path& made : {file, open_part})
+    if (std::filesystem::exists(made)) return exists_already(made);
+  const Result<keys::OwnKey> own = own_key(asked, "the key of the site " + asked.name);
+  if (!own) return own.error();
+  const Result<std::string> shown = keys::public_text(*own->key);
+  if (!shown) return shown.error();
+  const std::string about = "telepalp: the key of the site " + asked.name + ", for its encrypted recordings. ";
+  Result<void> done = program::make_folder(asked.folder, Readers::Group);
+  if (done) done = program::write_whole_file(file, about + "It decrypts them.\n" + *shown + own->text, Readers::Group);
+  if (done) done = program::write_whole_file(open_part, about + "It only encrypts.\n" + *shown, Readers::Anyone);
+  if (!done) return done.error();
+  const Result<keys::SiteKey> made = keys::SiteKey::load(open_part);
+  if (!made) return made.error();
+  return file.string() + ": decrypts the site's recordings. Keep a copy in a safe place: without it they are lost.\n" +
+         open_part.string() +
+         ": encrypts them. It holds no secret.\nkey:        " + keys::in_hexadecimal_digits(made->id()) +
+         "\nuse:        TELEPALP_SITE_KEYS=" + open_part.string() +
+         " for programs that only record, TELEPALP_SITE_KEYS=" + file.string() + " for those that play, too\n";
 }
 
 Result<std::string> set_passphrase(const Asked& asked) {

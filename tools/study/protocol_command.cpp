@@ -9,6 +9,7 @@
 #include "support/program/log.h"
 #include "support/program/options.h"
 #include "tools/study/commands.h"
+#include "tools/study/protocol/hands/device_hand.h"
 #include "tools/study/protocol/people.h"
 #include "tools/study/protocol/protocol_page.h"
 
@@ -27,6 +28,8 @@ const program::Usage kUsage{
         "the overshoots at the end",
     .positional = {},
     .options = {kDesignOption,
+                {"device", "DEVICE",
+                 "the person holds a haptic device, and the page only tells what to do: haply[:URL] or udp:HOST:PORT"},
                 {"participant", "NAME", "short name of the person, such as p07"},
                 {"conditions", "LIST", "some of force, vision and both, such as force,both", "both"},
                 {"training", "N", "penetrations before each condition, five with each of a few mechanisms", "15"},
@@ -45,6 +48,7 @@ const program::Usage kUsage{
 struct Asked {
   Protocol protocol;
   Participant participant;
+  std::string device;  // empty: the browser's mouse moves the hand
   std::filesystem::path out;
   Door door;
 };
@@ -74,6 +78,8 @@ Result<Asked> read(const program::Arguments& arguments) {
   Result<Participant> participant = participant_of(arguments.text("participant"));
   if (!participant && !arguments.has("report")) return participant.error();
   if (participant) asked.participant = std::move(*participant);
+  asked.device = arguments.text("device");
+  if (!asked.device.empty()) asked.protocol.hand = PersonHand::Device;
   const Result<std::filesystem::path> out = read_out(arguments);
   if (!out) return out.error();
   asked.out = *out;
@@ -106,16 +112,20 @@ int tell(const Asked& asked, bool as_json) {
   return program::print(as_json ? json : people_text(asked.protocol, result));
 }
 
-/// Serves the page until the last penetration is done, or Ctrl-C. Error: the port, a file of the page, or the journal.
-Result<void> serve(const Asked& asked, Session session, Journal journal) {
+/// Serves the page until the last penetration is done, or Ctrl-C. Error: the port, a file of the page, the journal, or
+/// the session file.
+Result<void> serve(const Asked& asked, Session session, Journal journal, Place place) {
   asio::io_context io(1);
   asio::steady_timer end(io);
-  const auto desk = std::make_shared<Desk>(std::move(session), std::move(journal), asked.participant.name, [&] {
-    end.expires_after(kLastWords);
-    end.async_wait([&](const boost::system::error_code& cancelled) {
-      if (!cancelled) io.stop();
-    });
-  });
+  const auto desk = std::make_shared<Desk>(
+      std::move(session), std::move(journal), asked.participant.name,
+      [&] {
+        end.expires_after(kLastWords);
+        end.async_wait([&](const boost::system::error_code& cancelled) {
+          if (!cancelled) io.stop();
+        });
+      },
+      std::move(place));
   Result<Page> page = protocol_page(desk);
   if (!page) return page.error();
   Result<std::unique_ptr<PageServer>> server = PageServer::open(io, asked.door, std::move(*page));
@@ -131,15 +141,17 @@ Result<void> serve(const Asked& asked, Session session, Journal journal) {
   program::log(kProgram, "open this address in a browser; Ctrl-C ends the program, and the same command goes on");
   io.run();
   desk->leave();
+  const Result<void> closed = desk->close();
   if (desk->failed()) return *desk->failed();
-  return {};
+  return closed;
 }
 
 Result<void> follow(const Asked& asked) {
   const std::filesystem::path file = journal_file(asked.out, asked.participant.name);
   if (const Result<Plant> plant = plant_for(asked.protocol, asked.participant); !plant) return plant.error();
-  Result<Journal> journal =
-      Journal::open(file, {.identity = identity_of(asked.protocol), .participant = asked.participant.name});
+  Result<Journal> journal = Journal::open(
+      file,
+      {.identity = identity_of(asked.protocol), .participant = asked.participant.name, .hand = asked.protocol.hand});
   if (!journal) return journal.error();
   if (journal->repaired())
     program::log(kProgram, file.string() + ": the last row was cut off; its penetration is asked for again");
@@ -148,7 +160,21 @@ Result<void> follow(const Asked& asked) {
   program::log(kProgram, asked.participant.name + ": " + std::to_string(session->done()) + " of " +
                              std::to_string(session->all()) + " penetrations are done");
   if (session->stage() == Stage::Finished) return {};
-  return serve(asked, std::move(*session), std::move(*journal));
+  std::unique_ptr<DeviceHand> hand;
+  Place place;
+  if (!asked.device.empty()) {
+    Result<std::unique_ptr<DeviceHand>> connected = connect_hand(asked.device);
+    if (!connected) return connected.error();
+    hand = std::move(*connected);
+    place.hand = [&hand = *hand](Prepared prepared, Condition condition) {
+      return hand.begin(std::move(prepared), condition);
+    };
+  }
+  Result<SittingFile> kept = SittingFile::open(asked.out, asked.participant.name, identity_of(asked.protocol));
+  if (!kept) return kept.error();
+  program::log(kProgram, "this sitting is kept in " + kept->name().string());
+  place.file.emplace(std::move(*kept));
+  return serve(asked, std::move(*session), std::move(*journal), std::move(place));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "clients/record/facts/session_survey.h"
 #include "clients/record/repair/repair.h"
 #include "proto/wire/depth_loss.h"
+#include "proto/wire/mcap/format/byte_source.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/words/counted.h"
 
@@ -99,13 +100,13 @@ Result<SessionFacts> inspect(const std::filesystem::path& file) {
   if (!reader) return reader.error();
   const Result<wire::SessionInfo> session = reader->session();
   if (!session) return session.error();
-  std::error_code ignored;
+  const auto bytes = wire::mcap::open_session(file);
   const wire::mcap::Summary& summary = reader->summary();
   SessionFacts facts;
   facts.seconds = duration_s(summary.statistics);
   facts.messages = summary.statistics.message_count;
   facts.chunks = summary.chunks.size();
-  facts.bytes = std::filesystem::file_size(file, ignored);
+  facts.bytes = bytes ? (*bytes)->size() : 0;
   facts.program = session->program;
   facts.version = session->version;
   facts.commit = session->commit;

@@ -31,7 +31,7 @@ export class MarkButton {
 
   private show(): void {
     const {state} = this.marks;
-    this.button.hidden = state === undefined;
+    this.button.hidden = state?.closed ?? true;
     this.button.textContent = state === undefined || state.count === 0 ? 'Mark' : `Mark · ${state.count}`;
   }
 }

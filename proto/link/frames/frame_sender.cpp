@@ -10,6 +10,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostKept = 32;  ///< started frames that are kept for repair requests
+/// While so many started frames are kept, no urgent one starts: an image that never gets its turn must not let them
+/// grow without bound.
+constexpr std::size_t kMostBesideAnImage = 2 * kMostKept;
 
 /// A path that loses more gets echoes.
 constexpr double kEchoLoss = 0.02;
@@ -40,9 +43,12 @@ std::optional<std::uint32_t> FrameSender::offer(std::shared_ptr<const SharedFram
 
 std::optional<FrameSender::Next> FrameSender::next(SessionTime now, PathEstimate& path) {
   queue_echoes(now);
+  drop_late(now, path);
+  start_urgent(now, path);
   if (first_round_.empty()) start_newest(now, path);
-  std::deque<Piece>& from = requested_.empty() ? first_round_ : requested_;
-  if (from.empty() || !path.has_room(now)) return std::nullopt;
+  std::deque<Piece>& from = next_queue();
+  if (from.empty()) return std::nullopt;
+  if (&from == &urgent_ ? !path.has_room_for_urgent(now) : !path.has_room(now)) return std::nullopt;
   Next next = send(from.front(), now);
   from.pop_front();
   return next;
@@ -62,27 +68,49 @@ void FrameSender::queue_echoes(SessionTime now) {
     if (place < forgotten_) continue;
     Outgoing& outgoing = sent_[place - forgotten_];
     for (std::size_t block = 0; block < outgoing.blocks.size(); ++block)
-      queue_repairs(place, outgoing, block, outgoing.frame->layout().data_in_block(block), requested_);
+      queue_repairs(place, outgoing, block, outgoing.frame->layout().data_in_block(block), urgent_);
   }
 }
 
 /// A frame is dropped unsent when it would arrive after twice the deadline. Over a path whose one-way delay exceeds the
 /// deadline, as by satellite, a frame is dropped when it is older than the deadline: a late image is better than none.
-void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
+void FrameSender::drop_late(SessionTime now, const PathEstimate& path) {
   const Nanoseconds oldest = std::max(2 * deadline_ - path.least_round_trip() / 2, deadline_);
   std::erase_if(waiting_, [&](const auto& entry) {
     const bool late = now - entry.second->label().captured > oldest;
     if (late) ++statistics_.expired;
     return late;
   });
+}
+
+bool FrameSender::idle_for_urgent() const noexcept {
+  return urgent_.empty() && sent_.size() < kMostBesideAnImage &&
+         std::none_of(waiting_.begin(), waiting_.end(), [](const auto& entry) { return entry.second->label().urgent; });
+}
+
+void FrameSender::start_urgent(SessionTime now, const PathEstimate& path) {
+  for (auto next = waiting_.begin(); next != waiting_.end() && sent_.size() < kMostBesideAnImage;) {
+    const auto one = next++;
+    if (one->second->label().urgent) start(waiting_.extract(one).mapped(), now, path, urgent_);
+  }
+}
+
+std::deque<FrameSender::Piece>& FrameSender::next_queue() noexcept {
+  if (!urgent_.empty()) return urgent_;
+  return requested_.empty() ? first_round_ : requested_;
+}
+
+void FrameSender::start_newest(SessionTime now, const PathEstimate& path) {
   if (waiting_.empty()) return;
   auto turn = waiting_.upper_bound(last_channel_);
   if (turn == waiting_.end()) turn = waiting_.begin();
   last_channel_ = turn->first;
-  start(waiting_.extract(turn).mapped(), now, path);
+  start(waiting_.extract(turn).mapped(), now, path, first_round_);
 }
 
-void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path) {
+/// Queues the frame's shards in `to`.
+void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path,
+                        std::deque<Piece>& to) {
   const SharedFrame::Label& label = frame->label();
   const FrameLayout& layout = frame->layout();
   const bool can_ask = can_repair(deadline_ - (now - label.captured), path);
@@ -97,11 +125,11 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
   const std::uint64_t place = forgotten_ + sent_.size();
   for (std::size_t i = 0; i < layout.data_shards; ++i) {
     const std::size_t block = i % layout.blocks;
-    first_round_.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(i / layout.blocks)});
+    to.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(i / layout.blocks)});
     ++outgoing.blocks[block].unsent;
   }
   for (std::size_t block = 0; block < layout.blocks; ++block)
-    queue_repairs(place, outgoing, block, repairs, first_round_);
+    queue_repairs(place, outgoing, block, repairs, to);
   if (label.echoed && path.loss() > kEchoLoss)
     for (const Nanoseconds after : kEchoesAfter) add_echo({now + after, place});
   ++statistics_.started;
@@ -169,7 +197,7 @@ void FrameSender::forget_old() {
       return std::any_of(pieces.begin(), pieces.end(),
                          [this](const Piece& piece) { return piece.outgoing == forgotten_; });
     };
-    if (waits(first_round_) || waits(requested_)) return;
+    if (waits(urgent_) || waits(first_round_) || waits(requested_)) return;
     sent_.pop_front();
     ++forgotten_;
   }

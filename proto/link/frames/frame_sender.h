@@ -45,7 +45,7 @@ struct SenderStatistics {
 inline constexpr std::array<Nanoseconds, 2> kEchoesAfter{std::chrono::milliseconds(7), std::chrono::milliseconds(14)};
 
 /// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is
-/// sent completely. `deadline` counts from the frame's capture. Pure: time and the path are arguments. Owner: one
+/// sent completely; an urgent one (SharedFrame::Label) is sent before what is left of it. `deadline` counts from the frame's capture. Pure: time and the path are arguments. Owner: one
 /// thread.
 class FrameSender {
  public:
@@ -67,9 +67,13 @@ class FrameSender {
   [[nodiscard]] std::optional<Next> next(SessionTime now, PathEstimate& path);
 
   /// True when no frame waits and each started frame is sent, apart from requested repairs: a new frame can start.
-  [[nodiscard]] bool idle() const noexcept { return first_round_.empty() && waiting_.empty(); }
+  [[nodiscard]] bool idle() const noexcept { return first_round_.empty() && urgent_.empty() && waiting_.empty(); }
+  /// True when an urgent frame that is offered now is sent before all others.
+  [[nodiscard]] bool idle_for_urgent() const noexcept;
   /// True while fragments wait for room on the path.
-  [[nodiscard]] bool holds_fragments() const noexcept { return !first_round_.empty() || !requested_.empty(); }
+  [[nodiscard]] bool holds_fragments() const noexcept {
+    return !first_round_.empty() || !requested_.empty() || !urgent_.empty();
+  }
 
   /// When the next echo is due; nullopt: none waits.
   [[nodiscard]] std::optional<SessionTime> echo_due() const noexcept {
@@ -104,8 +108,12 @@ class FrameSender {
   };
   void add_echo(const Echo& echo);
   void queue_echoes(SessionTime now);
+  void drop_late(SessionTime now, const PathEstimate& path);
+  void start_urgent(SessionTime now, const PathEstimate& path);
   void start_newest(SessionTime now, const PathEstimate& path);
-  void start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path);
+  void start(std::shared_ptr<const SharedFrame> frame, SessionTime now, const PathEstimate& path,
+             std::deque<Piece>& to);
+  [[nodiscard]] std::deque<Piece>& next_queue() noexcept;
   void queue_repairs(std::uint64_t place, Outgoing& outgoing, std::size_t block, std::size_t count,
                      std::deque<Piece>& to);
   [[nodiscard]] Next send(const Piece& piece, SessionTime now);
@@ -117,6 +125,7 @@ class FrameSender {
   std::uint8_t last_channel_ = kMostChannels;  ///< channel of the frame started last: channels take turns
   std::deque<Outgoing> sent_;                  ///< started frames, kept for repairs
   std::uint64_t forgotten_ = 0;                ///< number of frames removed from the front of sent_
+  std::deque<Piece> urgent_;  ///< of urgent frames, with their echoes
   std::deque<Piece> first_round_;
   std::deque<Piece> requested_;
   std::deque<Echo> echoes_;

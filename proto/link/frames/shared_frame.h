@@ -21,6 +21,8 @@ class SharedFrame {
     SessionTime captured{};
     /// On a path with losses, it is sent again after kEchoesAfter: for short frames that are soon too late.
     bool echoed = false;
+    /// It overtakes the unsent datagrams of frames that have started: for short frames that must not wait for an image.
+    bool urgent = false;
   };
   /// `prefix`: bytes before the payload. `owner` keeps the memory of `payload`, which does not change. Aborts if the
   /// channel is not below kMostChannels, there are no bytes, or they exceed kMostFrameBytes with the time stamp's

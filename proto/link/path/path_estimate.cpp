@@ -1,6 +1,7 @@
 #include "proto/link/path/path_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,6 +37,8 @@ constexpr Nanoseconds kMostClockDifference = 24h;
 constexpr std::uint64_t kLeastLimit_B = 16 * kDatagramBytes;
 /// kLeastLimit_B on a thin path, where 16 datagrams would be a long queue.
 constexpr std::uint64_t kLeastThinLimit_B = 4 * kDatagramBytes;
+/// What urgent datagrams may add to the limit: speech with its echoes for about 0.1 s.
+constexpr std::uint64_t kUrgentReserve_B = 10 * kDatagramBytes;
 constexpr std::uint64_t kMostLimit_B = std::uint64_t{8} << 20U;
 constexpr double kLossMemory_packets = 30'000.0;  ///< about ten seconds of a camera
 /// kLossMemory_packets beside other flows. Shorter, because a full queue then causes the losses: it overflows less as
@@ -210,14 +213,23 @@ std::optional<double> PathEstimate::pace_B_per_s() const noexcept {
   return overflows ? std::optional(kPaceGain * best_rate_B_per_s_) : std::nullopt;
 }
 
+/// After a silence, all data in flight counts as lost.
+void PathEstimate::note_silence(SessionTime now) noexcept {
+  if (in_flight_B() == 0 || now - last_heard_ <= std::max<Nanoseconds>(kSilence, 4 * round_trip_)) return;
+  acknowledged_ = sent_bytes_;
+  recover_to_B_ = std::max(recover_to_B_, limit_B_ / 2);
+  limit_B_ = delay_limit_B_ = kLeastLimit_B;
+  competition_.forget();
+  last_heard_ = now;
+}
+
+bool PathEstimate::has_room_for_urgent(SessionTime now) noexcept {
+  note_silence(now);
+  return in_flight_B() + kDatagramBytes <= limit_B_ + kUrgentReserve_B;
+}
+
 bool PathEstimate::has_room(SessionTime now) noexcept {
-  if (in_flight_B() > 0 && now - last_heard_ > std::max<Nanoseconds>(kSilence, 4 * round_trip_)) {
-    acknowledged_ = sent_bytes_;
-    recover_to_B_ = std::max(recover_to_B_, limit_B_ / 2);
-    limit_B_ = delay_limit_B_ = kLeastLimit_B;
-    competition_.forget();
-    last_heard_ = now;
-  }
+  note_silence(now);
   const bool full = in_flight_B() + kDatagramBytes > limit_B_;
   saturated_ = saturated_ || full;
   return !drains(now) && !full && (!pace_B_per_s() || now >= paced_until_);
@@ -233,6 +245,45 @@ bool references_arrive(const PathEstimate& path, Nanoseconds deadline) noexcept 
   return path.round_trip() > 0ns && (path.loss() < kHardlyAnyLoss || can_repair(deadline, path));
 }
 
+namespace {
+
+/// Blocks of at most so many data shards get repair shards by exact probabilities. For larger ones these need more
+/// repair shards than two deviations, because the bursts have a long tail.
+constexpr std::size_t kSmallBlock = 12;
+constexpr std::size_t kMostOfSmallBlock = 6;
+/// The share of small blocks that may need a repair round, and that may fail where none fits. The second one is ten
+/// times that of large blocks: on a thin line, half as many repair shards as data shards cost more images than they
+/// save.
+constexpr double kSmallMayAsk = 0.02;
+constexpr double kSmallMayFail = 0.003;
+
+/// Probability that more than `repairs` of `packets` are lost; `repairs` is at most kMostOfSmallBlock. Bursts begin at
+/// random and have geometric lengths: the distribution of Polya and Aeppli.
+double more_are_lost(std::size_t packets, std::size_t repairs, double loss, double burst_packets) noexcept {
+  const double burst = std::max(1.0, burst_packets);
+  const double bursts = static_cast<double>(packets) * loss / burst;
+  std::array<double, kMostOfSmallBlock + 1> lost{std::exp(-bursts)};
+  double at_most = lost[0];
+  for (std::size_t n = 1; n <= repairs; ++n) {
+    double weight = bursts / static_cast<double>(n) / burst;
+    for (std::size_t i = 1; i <= n; ++i, weight *= 1.0 - 1.0 / burst)
+      lost[n] += static_cast<double>(i) * weight * lost[n - i];
+    at_most += lost[n];
+  }
+  return 1.0 - at_most;
+}
+
+/// The least number of repair shards, up to `most`, with which few enough small blocks fail.
+std::size_t small_block_repairs(std::size_t data_shards, std::size_t most, double loss, double burst_packets,
+                                bool repairable) noexcept {
+  const double may_fail = repairable ? kSmallMayAsk : kSmallMayFail;
+  std::size_t repairs = 1;
+  while (repairs < most && more_are_lost(data_shards + repairs, repairs, loss, burst_packets) > may_fail) ++repairs;
+  return repairs;
+}
+
+}  // namespace
+
 std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets, bool repairable) noexcept {
   const double k = static_cast<double>(data_shards);
   if (k * loss < (repairable ? 0.1 : 0.01)) return 0;
@@ -240,7 +291,8 @@ std::size_t repair_shards(std::size_t data_shards, double loss, double burst_pac
   // where none fits, 0.03 % may fail.
   const double deviations = repairable ? 2.0 : 3.5;
   const double inflation = 2.0 * std::max(1.0, burst_packets) - 1.0;
-  const auto most = static_cast<std::size_t>(std::ceil(0.4 * k)) + 1;
+  auto most = static_cast<std::size_t>(std::ceil(0.4 * k)) + 1;
+  if (data_shards <= kSmallBlock) most = small_block_repairs(data_shards, most, loss, burst_packets, repairable);
   for (std::size_t repairs = 1; repairs < most; ++repairs) {
     const double packets = k + static_cast<double>(repairs);
     const double expected = packets * loss + deviations * std::sqrt(packets * loss * (1.0 - loss) * inflation);

@@ -26,6 +26,10 @@ class PathEstimate {
   /// the path's queue. Without feedback for the longer of 1 s and 4 round trips, all data in flight counts as lost, and
   /// limit_B() falls to its least value. Then it doubles with each round trip, up to half of its value before the fall.
   [[nodiscard]] bool has_room(SessionTime now) noexcept;
+  /// The same for a datagram of an urgent frame (SharedFrame::Label): it may exceed limit_B() by a reserve, and neither
+  /// pauses nor spreads. The window of a sender that sends little is hardly larger than what is in flight, so reports
+  /// that were lost would hold speech back.
+  [[nodiscard]] bool has_room_for_urgent(SessionTime now) noexcept;
   /// When to ask has_room() again while it says no and no feedback comes.
   [[nodiscard]] Nanoseconds next_look() const noexcept;
 
@@ -80,6 +84,7 @@ class PathEstimate {
   /// The rate at which datagrams leave while an image is sent; nullopt: as fast as the socket takes them.
   [[nodiscard]] std::optional<double> pace_B_per_s() const noexcept;
   [[nodiscard]] bool drains(SessionTime now) noexcept;
+  void note_silence(SessionTime now) noexcept;
 
   std::deque<Sent> on_the_way_;
   std::uint64_t sent_bytes_ = 0;

@@ -238,8 +238,8 @@ void ClientLink::start_datagrams() {
   const auto seal = accept_offer(*datagrams_.offer, connection_->keying_material(kDatagramKeyLabel));
   if (!seal) return;
   datagrams_.stepped_before = clock_.stepped();
-  ClientDatagrams::Handlers handlers{.next_frame = [this]() -> std::shared_ptr<const link::SharedFrame> {
-                                       const std::optional<Message> message = outbox_.next_for_datagram();
+  ClientDatagrams::Handlers handlers{.next_frame = [this](Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
+                                       const std::optional<Message> message = outbox_.next_for_datagram(wanted);
                                        if (!message) return nullptr;
                                        return frame_of(*message, datagram_now());
                                      },

@@ -29,10 +29,10 @@ class ClientOutbox {
 
   /// The next message for TCP.
   [[nodiscard]] std::optional<Message> next() { return counted(queue_.pop()); }
-  /// The next message for a datagram: the newest of a topic with a deadline.
-  [[nodiscard]] std::optional<Message> next_for_datagram() {
+  /// The next message for a datagram, of those wanted: the newest of a topic with a deadline.
+  [[nodiscard]] std::optional<Message> next_for_datagram(Wanted wanted) {
     std::vector<Message> replaced;
-    std::optional<Message> message = queue_.pop_newest(replaced);
+    std::optional<Message> message = queue_.pop_newest(replaced, wanted);
     not_sent_ += replaced.size();
     return counted(std::move(message));
   }

@@ -16,7 +16,8 @@ namespace telepalp::wire {
 class ClientDatagrams {
  public:
   struct Handlers {
-    std::function<std::shared_ptr<const link::SharedFrame>()> next_frame{};  ///< the next frame to send; null: none
+    /// The next frame to send of those wanted; null: none.
+    std::function<std::shared_ptr<const link::SharedFrame>(Wanted)> next_frame{};
     std::function<void(link::Frame)> on_frame{};
     std::function<void(DatagramPhase)> on_phase{};
     /// True: frames now go by datagram, from next_frame(). False: no longer, because the path is down or close() was

@@ -97,8 +97,10 @@ void DatagramEnd::report_phase() {
 }
 
 void DatagramEnd::offer_next(SessionTime now) {
-  if (!handlers_.next_frame || watch_.phase() != DatagramPhase::Up || !link_.ready_for_frame(now)) return;
-  std::shared_ptr<const link::SharedFrame> frame = handlers_.next_frame();
+  if (!handlers_.next_frame || watch_.phase() != DatagramPhase::Up) return;
+  const bool takes_any = link_.ready_for_frame(now);
+  if (!takes_any && !link_.ready_for_urgent(now)) return;
+  std::shared_ptr<const link::SharedFrame> frame = handlers_.next_frame(takes_any ? Wanted::Any : Wanted::Urgent);
   if (!frame) return;
   if (frame->label().key_frame) repair_.key_frame_sent(frame->label().channel, now);
   (void)link_.offer(std::move(frame));

@@ -11,6 +11,7 @@
 #include "proto/link/datagram_link.h"
 #include "proto/wire/datagrams/key_frame_repair.h"
 #include "proto/wire/datagrams/path_watch.h"
+#include "proto/wire/urgent.h"
 
 namespace telepalp::wire {
 
@@ -21,8 +22,8 @@ class DatagramEnd {
  public:
   struct Handlers {
     std::function<bool(std::span<const std::byte>)> send{};  ///< false: the socket is full, try again
-    /// Null: none now. Empty function: this end sends none.
-    std::function<std::shared_ptr<const link::SharedFrame>()> next_frame{};
+    /// The next frame of those `wanted`. Null: none now. Empty function: this end sends none.
+    std::function<std::shared_ptr<const link::SharedFrame>(Wanted wanted)> next_frame{};
     /// Takes a complete frame that is newer than all before it on its channel. Empty function: this end takes none.
     std::function<void(link::Frame)> on_frame{};
     /// The peer cannot decode `channel` until it gets a key frame.

@@ -34,10 +34,15 @@ bool is_whole(const msg::LiveNote& note) {
          fault_of_note(note.written()).empty();
 }
 
-msg::SessionNotes::Note note_from(const msg::LiveNote& live, SessionTime begin, std::uint64_t number) {
+double seconds_from(SessionTime begin, const msg::LiveNote& live) {
+  return std::max(0.0, to_seconds(session_time(static_cast<std::int64_t>(live.at_ns())) - begin));
+}
+
+msg::SessionNotes::Note note_from(const ToldNote& told, std::uint64_t number) {
+  const msg::LiveNote& live = told.note;
   msg::SessionNotes::Note note;
   note.set_number(number);
-  note.set_at_s(std::max(0.0, to_seconds(session_time(static_cast<std::int64_t>(live.at_ns())) - begin)));
+  note.set_at_s(told.at_s);
   note.set_text(live.text().empty() ? "marked" : live.text());
   note.set_who(live.who());
   note.set_written(live.written());
@@ -53,25 +58,36 @@ std::string_view fault_of_note(std::string_view text) noexcept {
   return one_line ? "" : "text has a line break or another control character";
 }
 
-Result<msg::SessionNotes> live_notes(const std::filesystem::path& session) {
+Result<std::vector<ToldNote>> told_notes(const std::filesystem::path& session) {
   Result<McapReader> reader = McapReader::open(session);
   if (!reader) return reader.error();
   const SessionTime begin = session_time(static_cast<std::int64_t>(reader->summary().statistics.message_start_time));
   reader->select({.topics = {std::string(kSessionNotes.name)}});
-  std::vector<msg::SessionNotes::Note> found;
+  std::vector<ToldNote> found;
   while (found.size() < static_cast<std::size_t>(kMostNotes)) {
     const Result<std::optional<Message>> next = reader->next();
     if (!next) continue;  // one damaged chunk; the player counts it
     if (!*next) break;
     msg::LiveNote live;
     if (live.ParseFromString(*(**next).payload) && is_whole(live))
-      found.push_back(note_from(live, begin, found.size() + 1));
+      found.push_back({seconds_from(begin, live), live});
   }
-  std::ranges::stable_sort(found, {}, [](const msg::SessionNotes::Note& note) { return note.at_s(); });
+  std::ranges::stable_sort(found, {}, &ToldNote::at_s);
+  return found;
+}
+
+msg::SessionNotes as_session_notes(const std::vector<ToldNote>& told) {
   msg::SessionNotes notes;
-  notes.set_last_number(found.size());
-  for (msg::SessionNotes::Note& note : found) *notes.add_notes() = std::move(note);
+  notes.set_last_number(told.size());
+  std::uint64_t number = 0;
+  for (const ToldNote& one : told) *notes.add_notes() = note_from(one, ++number);
   return notes;
+}
+
+Result<msg::SessionNotes> live_notes(const std::filesystem::path& session) {
+  const Result<std::vector<ToldNote>> told = told_notes(session);
+  if (!told) return told.error();
+  return as_session_notes(*told);
 }
 
 std::filesystem::path notes_file(const std::filesystem::path& session) {

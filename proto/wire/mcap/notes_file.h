@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "messages/playback.pb.h"
 #include "proto/words/result.h"
@@ -17,8 +18,18 @@ constexpr std::size_t kMostNoteText_B = 500;
 /// The file of the notes on a session: SESSION.mcap.notes.json, in the session's folder.
 [[nodiscard]] std::filesystem::path notes_file(const std::filesystem::path& session);
 
-/// The notes that were made while `session` took place: its messages of /session/notes. Error: it is not a session
-/// file.
+/// A note that was made while a session took place.
+struct ToldNote {
+  double at_s = 0.0;  ///< since the session's beginning; not negative
+  msg::LiveNote note{};
+};
+
+/// The messages of /session/notes of `session`, in order of at_s: at most kMostNotes. Damaged ones are left out. Error:
+/// it is not a session file.
+[[nodiscard]] Result<std::vector<ToldNote>> told_notes(const std::filesystem::path& session);
+
+/// The same as notes on the session.
+[[nodiscard]] msg::SessionNotes as_session_notes(const std::vector<ToldNote>& told);
 [[nodiscard]] Result<msg::SessionNotes> live_notes(const std::filesystem::path& session);
 
 /// Reads the notes on `session`; without a file of notes they are `live`. Error: the file cannot be read, has more than

@@ -32,7 +32,7 @@ std::uint64_t stored_time(SessionTime at) {
 }  // namespace
 
 Result<McapReader> McapReader::open(const std::filesystem::path& file, const mcap::Progress& progress) {
-  Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_file(file);
+  Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_session(file);
   if (!source) return source.error();
   return open(std::move(source).value(), progress);
 }

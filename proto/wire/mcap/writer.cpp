@@ -73,8 +73,8 @@ bool is_intact(const mcap::Metadata& metadata) {
 }
 
 Result<McapWriter> McapWriter::open(const std::filesystem::path& name, const SessionInfo& info,
-                                    mcap::ChunkLimits limits) {
-  Result<mcap::OutputFile> file = mcap::OutputFile::create(name);
+                                    mcap::ChunkLimits limits, mcap::Protection protection) {
+  Result<mcap::OutputFile> file = mcap::OutputFile::create(name, protection);
   if (!file) return file.error();
   McapWriter writer(std::move(file).value(), limits);
   writer.encoder_.begin(writer.ready_, {.profile = "", .library = info.program + " " + info.version});
@@ -97,7 +97,6 @@ Result<void> McapWriter::store() {
     return {};
   }
   encoder_.rollback();
-  file_.cut(encoder_.committed_bytes());
   failed_ = appended.error();
   return appended;
 }
@@ -164,8 +163,7 @@ Result<void> McapWriter::close() {
   }
   encoder_.end(last);
   if (const Result<void> appended = file_.append(last); !appended) {
-    file_.cut(encoder_.committed_bytes());
-    mcap::OutputFile left_partial = std::move(file_);
+    file_.leave();
     return failed_ ? *failed_ : appended.error();
   }
   final_bytes_ = encoder_.committed_bytes() + last.size();

@@ -41,7 +41,8 @@ inline constexpr std::string_view kRecordingMetadata = "telepalp.recording";  //
 class McapWriter {
  public:
   [[nodiscard]] static Result<McapWriter> open(const std::filesystem::path& name, const SessionInfo& info,
-                                               mcap::ChunkLimits limits = {});
+                                               mcap::ChunkLimits limits = {},
+                                               mcap::Protection protection = mcap::Protection::OfSite);
   McapWriter(McapWriter&&) noexcept = default;
   McapWriter& operator=(McapWriter&&) = delete;
   ~McapWriter();

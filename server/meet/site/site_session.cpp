@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
-#include <boost/asio/write.hpp>
 #include <utility>
 
 #include "proto/keys/tls_context.h"
@@ -30,32 +29,28 @@ bool can_be_called(const std::string& name) {
 }  // namespace
 
 SiteSession::SiteSession(tcp::socket socket, std::string hello, wire::TlsSettings tls, Handlers handlers)
-    : tls_(std::move(tls)),
-      stream_(std::move(socket), *tls_),
-      beat_(stream_.get_executor()),
-      hello_(std::move(hello)),
-      peer_(wire::peer_address(stream_.next_layer())),
+    : stream_(std::move(socket), std::move(hello), std::move(tls)),
+      beat_(stream_.socket().get_executor()),
+      peer_(wire::peer_address(stream_.socket())),
       handlers_(std::move(handlers)),
       heard_(std::chrono::steady_clock::now()) {}
 
 void SiteSession::start() {
   beat();
-  stream_.async_handshake(asio::ssl::stream_base::server, asio::buffer(hello_),
-                          [self = shared_from_this()](const error_code& failed, std::size_t) {
-                            if (failed) return self->end_after_alert(failed);
-                            self->shaken_hands();
-                          });
+  stream_.async_handshake([self = shared_from_this()](const error_code& failed, std::size_t) {
+    if (failed) return self->end_after_alert(failed);
+    self->shaken_hands();
+  });
 }
 
 /// The TLS alert with the reason must arrive before the reset of a closed socket.
 void SiteSession::end_after_alert(const error_code& failed) {
-  if (!closed_) wire::close_gently(std::move(stream_.next_layer()));
+  if (!closed_) wire::close_gently(std::move(stream_.socket()));
   close("the TLS handshake failed: " + failed.message());
 }
 
 void SiteSession::shaken_hands() {
-  std::string().swap(hello_);  // frees the memory, because a site stays for months
-  const keys::HostCertificate shown = keys::host_certificate_of_peer(*stream_.native_handle());
+  const keys::HostCertificate shown = keys::host_certificate_of_peer(*stream_.session());
   serial_ = shown.serial;
   std::ranges::copy_if(shown.hosts, std::back_inserter(names_), can_be_called);
   read();
@@ -136,13 +131,13 @@ void SiteSession::send(const msg::MeetToSite& message) {
 }
 
 void SiteSession::write_next() {
-  asio::async_write(stream_, asio::buffer(to_send_.front()),
-                    [self = shared_from_this()](const error_code& failed, std::size_t) {
-                      if (self->closed_) return;
-                      if (failed) return self->close(failed.message());
-                      self->to_send_.pop_front();
-                      if (!self->to_send_.empty()) self->write_next();
-                    });
+  stream_.async_write(asio::buffer(to_send_.front()),
+                      [self = shared_from_this()](const error_code& failed, std::size_t) {
+                        if (self->closed_) return;
+                        if (failed) return self->close(failed.message());
+                        self->to_send_.pop_front();
+                        if (!self->to_send_.empty()) self->write_next();
+                      });
 }
 
 void SiteSession::beat() {
@@ -165,8 +160,8 @@ void SiteSession::close(const std::string& why) {
   if (std::exchange(closed_, true)) return;
   beat_.cancel();
   error_code ignored;
-  stream_.next_layer().shutdown(tcp::socket::shutdown_both, ignored);
-  stream_.next_layer().close(ignored);
+  stream_.socket().shutdown(tcp::socket::shutdown_both, ignored);
+  stream_.socket().close(ignored);
   handlers_.on_end(*this, why);
 }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <deque>
@@ -12,7 +11,7 @@
 #include <vector>
 
 #include "messages/meet.pb.h"
-#include "proto/wire/tls_stream.h"
+#include "server/meet/site/site_tls.h"
 #include "server/meet/words/meet_frames.h"
 
 namespace telepalp::meet {
@@ -52,10 +51,8 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   void write_next();
   void beat();
 
-  wire::TlsSettings tls_;
-  boost::asio::ssl::stream<boost::asio::ip::tcp::socket> stream_;
+  SiteTls stream_;
   boost::asio::steady_timer beat_;
-  std::string hello_;
   std::string peer_;
   Handlers handlers_;
   FrameReader frames_;

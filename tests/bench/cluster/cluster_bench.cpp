@@ -11,7 +11,9 @@
 #include "tests/bench/choice.h"
 #include "tests/bench/cluster/model_rows.h"
 #include "tests/bench/cluster/nats_cluster.h"
+#include "tests/bench/cluster/partition_rows.h"
 #include "tests/bench/cluster/running_server.h"
+#include "tests/bench/cluster/session_rows.h"
 #include "tests/bench/cluster/soak_rows.h"
 #include "tests/bench/cluster/sweep_rows.h"
 #include "tests/bench/cluster/watching.h"
@@ -192,7 +194,7 @@ Result<void> add_loss_of_a_node(const fs::path& scratch, bool is_killed, std::ve
 Result<void> add_lost_nodes(const fs::path& scratch, double, std::vector<Row>& rows) {
   for (const bool is_killed : {true, false})
     if (const Result<void> done = add_loss_of_a_node(scratch, is_killed, rows); !done) return done;
-  return {};
+  return add_partition_rows(scratch, rows);
 }
 
 Result<void> add_sweeps(const fs::path& scratch, double, std::vector<Row>& rows) {
@@ -209,11 +211,8 @@ struct Section {
 Result<Report> run_cluster(const program::Arguments& arguments) {
   const Result<double> seconds = arguments.number("seconds", 2.0, 7200.0);
   if (!seconds) return seconds.error();
-  const std::vector<Section> all{{"relay", add_steady_rows},
-                                 {"nodes", add_lost_nodes},
-                                 {"model", add_model_rows},
-                                 {"soak", add_soak_rows},
-                                 {"sweep", add_sweeps}};
+  const std::vector<Section> all{{"relay", add_steady_rows}, {"nodes", add_lost_nodes}, {"sessions", add_session_rows},
+                                 {"model", add_model_rows},  {"soak", add_soak_rows},   {"sweep", add_sweeps}};
   const Result<std::vector<Section>> chosen = chosen_sections(all, arguments, "cluster");
   if (!chosen) return chosen.error();
   const support::TemporaryFolder scratch;

@@ -92,6 +92,10 @@ Result<void> TwoNetworks::join(const SiteLine& line) const {
   return {};
 }
 
+Result<void> TwoNetworks::set_joined(bool joined) const {
+  return at(Side::Doctor, {"ip", "link", "set", kDevice, joined ? "up" : "down"});
+}
+
 Result<void> TwoNetworks::block_udp() const {
   for (const Side side : {Side::Patient, Side::Doctor})
     if (Result<void> done = at(side, {"ip", "rule", "add", "ipproto", "udp", "blackhole"}); !done) return done;

@@ -40,6 +40,9 @@ class TwoNetworks {
   /// Runs `work` in a new thread whose sockets belong to the site.
   [[nodiscard]] std::jthread run(Side side, std::function<void(std::stop_token)> work) const;
 
+  /// Takes the line down, or up again: no packet crosses it meanwhile, and nobody is told.
+  [[nodiscard]] Result<void> set_joined(bool joined) const;
+
   /// From now on, no UDP datagram leaves either site. Error: the kernel has no routing rules by protocol.
   [[nodiscard]] Result<void> block_udp() const;
 

@@ -5,6 +5,8 @@ import test from 'node:test';
 import {bundled} from './bundled.mjs';
 
 const {inWords, standing} = await bundled('said/standing.ts');
+const {Pointed} = await bundled('scene/pointed.ts');
+const {fromCamera} = await bundled('scene/frames.ts');
 
 const note = (at_s, text, atM) => ({atNs: BigInt(Math.round(at_s * 1e9)), text, who: 'doctor Anna', written: '', atM});
 const NOW = 100_000_000_000n;
@@ -21,4 +23,14 @@ test('nothing is shown before the session clock or the first mark is known', () 
 
 test('a page on the server itself has no name, and says where it is', () => {
   assert.equal(inWords({...note(99, 'turn'), who: 'local local'}), 'At the server: turn');
+});
+
+test('an arrow moves with the breathing body, and not to a hand that comes between', () => {
+  const pointed = new Pointed();
+  pointed.show([fromCamera({x: 0, y: 0, z: 0.8})]);
+  const end_m = () => pointed.group.children[0].position.length() + 0.09;  // an arrow of 90 mm begins towards the camera
+  for (const [measured_m, expected_m] of [[0.8, 0.8], [0.79, 0.79], [0.77, 0.77], [0.5, 0.77], [0, 0.77], [0.78, 0.78]]) {
+    pointed.follow(() => measured_m);
+    assert.ok(Math.abs(end_m() - expected_m) < 1e-9, `${measured_m}: ${end_m()}`);
+  }
 });

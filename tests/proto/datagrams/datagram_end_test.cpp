@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/asio/io_context.hpp>
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <deque>
 
@@ -36,11 +37,14 @@ struct Wire {
                   if (lose_next_down > 0 && datagram.size() > 500) return --lose_next_down, true;
                   return down_cut || carry(datagram, client);
                 },
-            .next_frame = [this]() -> std::shared_ptr<const link::SharedFrame> {
-              if (waiting.empty()) return nullptr;
-              const Message next = std::move(waiting.front());
-              waiting.pop_front();
-              return frame_of(next, clock.now());
+            .next_frame = [this](Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
+              const auto next = std::ranges::find_if(waiting, [&](const Message& message) {
+                return wanted == Wanted::Any || is_urgent(message.topic);
+              });
+              if (next == waiting.end()) return nullptr;
+              const Message message = std::move(*next);
+              waiting.erase(next);
+              return frame_of(message, clock.now());
             },
             .on_frame = {},
             .on_key_frame_needed = [this](std::uint8_t channel) { wishes.push_back(channel); },
@@ -113,6 +117,16 @@ TEST(DatagramEnd, BothEndsComeUpAndAMessageArrivesAsItWas) {
   EXPECT_EQ(*wire.arrived[0].payload, "JPEG");
   EXPECT_EQ(wire.arrived[0].sequence, 5'000'000'000U);
   EXPECT_EQ(wire.server_phases, std::vector{DatagramPhase::Up});
+}
+
+TEST(DatagramEnd, SpeechArrivesBeforeTheImageThatBeganBeforeIt) {
+  Wire wire;
+  wire.start();
+  ASSERT_TRUE(wire.run_until([&] { return wire.both_up(); }));
+  wire.publish(1, true, 900'000);  // more than is sent in one go
+  wire.waiting.push_back({kDoctorVoice, wire.clock.now(), std::make_shared<const std::string>("said"), 1, true});
+  ASSERT_TRUE(wire.run_until([&] { return wire.arrived.size() == 2; }));
+  EXPECT_EQ(wire.arrived[0].topic.name, "/doctor/voice");
 }
 
 TEST(DatagramEnd, AServerIsSilentUntilAClientIsHeardAndTakesNoFrameBefore) {

@@ -16,8 +16,8 @@ struct DatagramQueue {
   std::vector<Message> gone;
 
   DatagramQueue() { queue.send_by_datagram(true); }
-  std::string newest() {
-    const auto next = queue.pop_newest(gone);
+  std::string newest(Wanted wanted = Wanted::Any) {
+    const auto next = queue.pop_newest(gone, wanted);
     return next ? std::string(next->topic.name) + " " + *next->payload : "none";
   }
 };
@@ -54,6 +54,17 @@ TEST(DatagramQueue, APredictedFrameDoesNotOvertakeTheOneThatItNeeds) {
   EXPECT_EQ(waiting.newest(), "/camera/depth 1");
   EXPECT_EQ(waiting.newest(), "/camera/depth 2");
   EXPECT_TRUE(waiting.gone.empty());
+}
+
+TEST(DatagramQueue, SpeechAndThenTheOtherUrgentTopicsGoBeforeImages) {
+  DatagramQueue waiting;
+  waiting.queue.push(message(kCameraDepth, 1));
+  waiting.queue.push(message(kViewerHand, 2));
+  waiting.queue.push(message(kDoctorVoice, 3));
+  EXPECT_EQ(waiting.newest(), "/doctor/voice 3");
+  EXPECT_EQ(waiting.newest(), "/viewer/hand 2");
+  EXPECT_EQ(waiting.newest(Wanted::Urgent), "none") << "the image has to wait";
+  EXPECT_EQ(waiting.newest(), "/camera/depth 1");
 }
 
 TEST(DatagramQueue, HoldsNoMoreThanTwoImagesOfATopic) {

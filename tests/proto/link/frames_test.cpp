@@ -156,6 +156,49 @@ TEST(Frames, OnAPathWithLossesAnEchoedFrameIsSentAgainAndEachEchoAloneRestoresIt
   EXPECT_FALSE(calm.echo_due());
 }
 
+/// A frame of 400 bytes that overtakes others.
+std::shared_ptr<const SharedFrame> urgent_frame(std::uint32_t number) {
+  const auto bytes = std::make_shared<const std::vector<std::byte>>(400, std::byte{7});
+  const SharedFrame::Label label{.channel = 6, .number = number, .captured = kStart, .urgent = true};
+  return std::make_shared<const SharedFrame>(label, std::span<const std::byte>{}, std::span(*bytes), bytes);
+}
+
+TEST(Frames, AnUrgentFrameOvertakesTheRestOfAnImageThatHasBegun) {
+  FrameSender sender(kDeadline);
+  PathEstimate path;
+  sender.offer(frame(1, 100'000));
+  ASSERT_TRUE(next_payload(sender, kStart, path));
+  EXPECT_FALSE(sender.idle());
+  ASSERT_TRUE(sender.idle_for_urgent());
+  sender.offer(urgent_frame(1));
+  EXPECT_FALSE(sender.idle_for_urgent());
+  const auto second = next_payload(sender, kStart, path);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(read_fragment(*second)->header.channel, 6);
+  EXPECT_TRUE(sender.idle_for_urgent());
+  std::size_t rest = 1;
+  while (const auto payload = next_payload(sender, kStart, path)) {
+    EXPECT_EQ(read_fragment(*payload)->header.channel, 3);
+    ++rest;
+  }
+  EXPECT_EQ(rest, fragments(frame(1, 100'000)).size()) << "the image is sent completely";
+}
+
+TEST(Frames, UrgentFramesWithoutEndStayBoundedAndLetTheImageThrough) {
+  FrameSender sender(kDeadline);
+  PathEstimate path;
+  sender.offer(frame(1, 100'000));
+  const std::size_t image = fragments(frame(1, 100'000)).size();
+  std::size_t of_image = 0;
+  for (std::uint32_t number = 1; number < 400 && of_image < image; ++number) {
+    if (sender.idle_for_urgent()) sender.offer(urgent_frame(number));
+    const auto payload = next_payload(sender, kStart, path);
+    ASSERT_TRUE(payload) << number;
+    if (read_fragment(*payload)->header.channel == 3) ++of_image;
+  }
+  EXPECT_EQ(of_image, image);
+}
+
 TEST(Frames, AShardThatWaitsForRoomIsNotRepaired) {
   FrameSender sender(kDeadline);
   PathEstimate path;
@@ -378,6 +421,17 @@ TEST(RepairShards, GrowWithLossAndBurstsAndStayBelowTheBound) {
     }
   }
   EXPECT_LE(repair_shards(128, 1.0, 100.0, false), kMostRepairShards);
+}
+
+TEST(RepairShards, OfASmallBlockAreNoMoreThanItsLossesNeed) {
+  EXPECT_EQ(repair_shards(3, 0.01, 1.0, false), 1U) << "two of four packets are lost in one block of 1700";
+  EXPECT_EQ(repair_shards(8, 0.01, 1.0, false), 2U) << "one would fail in one block of 280";
+  EXPECT_EQ(repair_shards(1, 0.1, 4.0, false), 2U) << "a burst takes both packets in one block of 27";
+  EXPECT_EQ(repair_shards(12, 0.01, 1.0, true), 1U);
+  for (std::size_t shards = 1; shards <= 12; ++shards) {
+    EXPECT_LE(repair_shards(shards, 1.0, 100.0, false), (shards * 2 + 4) / 5 + 1);
+    EXPECT_GE(repair_shards(shards, 0.3, 4.0, false), repair_shards(shards, 0.02, 4.0, false)) << shards;
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "tests/support/child_process.h"
 #include "tools/study/protocol/desk.h"
+#include "tools/study/protocol/hands/browser_trial.h"
 #include "tools/study/protocol/page_answers.h"
 #include "tools/study/protocol/people.h"
 #include "tools/study/run/trial_row.h"
@@ -165,9 +166,10 @@ TEST(Insertion, APersonsHandOnTheWayOfASimulatedOneOvershootsAsFar) {
 TEST(BrowserHand, IsThrownForwardByTheForceOnlyWhereForceIsShown) {
   const auto deepest_m = [](Condition condition) {
     BrowserTrial trial(prepared(1), condition);
+    PersonTrial::Ticks ticks;
     for (int i = 0; i < 2000 && !trial.insertion().over(); ++i) {
       if (!trial.insertion().through()) trial.push(0.0005);
-      trial.step(0.016);
+      trial.step(0.016, ticks);
     }
     EXPECT_TRUE(trial.insertion().through()) << name(condition);
     const Outcome out = trial.insertion().outcome();
@@ -178,12 +180,13 @@ TEST(BrowserHand, IsThrownForwardByTheForceOnlyWhereForceIsShown) {
 
 TEST(BrowserHand, ALateProgramMakesTheHandSlowAndSaysSo) {
   BrowserTrial trial(prepared(0), Condition::Both);
+  PersonTrial::Ticks ticks;
   trial.push(0.3);
-  trial.step(1.0);
+  trial.step(1.0, ticks);
   EXPECT_NEAR(trial.insertion().time_s(), BrowserTrial::kLongestStep_s, 1e-3);
-  EXPECT_NEAR(trial.held_up_s(), 0.95, 1e-9);
+  EXPECT_NEAR(trial.view().held_up_s, 0.95, 1e-9);
   trial.push(std::numeric_limits<double>::quiet_NaN());
-  trial.step(0.05);
+  trial.step(0.05, ticks);
   EXPECT_TRUE(trial.insertion().tool().tip_m().allFinite());
 }
 
@@ -250,7 +253,9 @@ TEST(ProtocolDesk, EscapeBeforeThePunctureIsRepeatedAndAfterItCounts) {
 }
 
 TEST(ProtocolAnswers, HideWhatTheConditionHides) {
-  const auto frame = [](Condition condition) { return trial_frame_json(BrowserTrial(prepared(0), condition)); };
+  const auto frame = [](Condition condition) {
+    return trial_frame_json(BrowserTrial(prepared(0), condition).view(), condition);
+  };
   EXPECT_FALSE(says(frame(Condition::Force), "seen"));
   EXPECT_TRUE(says(frame(Condition::Force), "hand_N"));
   EXPECT_TRUE(says(frame(Condition::Vision), "seen"));

@@ -141,7 +141,7 @@ Result<Deidentified> write_deidentified(const std::filesystem::path& file, const
   MessageCleaner cleaner;
   const wire::SessionInfo clean = cleaned(*session, cleaner);
   report.scene_removed = !session->scene.empty() && clean.scene.empty();
-  Result<wire::McapWriter> writer = wire::McapWriter::open(out, clean);
+  Result<wire::McapWriter> writer = wire::McapWriter::open(out, clean, {}, wire::mcap::Protection::None);
   if (!writer) return writer.error();
   Copy copy(*writer, color, cleaner, report);
   Result<void> written = copy_metadata(*reader, *writer, report);

@@ -56,7 +56,9 @@ Result<JournalHead> read_head(std::string_view& text, const std::string& file) {
   const std::size_t hand = line.find(kHand);
   if (!line.starts_with(kPerson) || hand == std::string_view::npos) return no_journal(file, 2);
   head.participant = line.substr(kPerson.size(), hand - kPerson.size());
-  if (line.substr(hand + kHand.size()) != kHandWords) return no_journal(file, 2);
+  const auto known = std::ranges::find(kHandWords, line.substr(hand + kHand.size()));
+  if (known == kHandWords.end()) return no_journal(file, 2);
+  head.hand = static_cast<PersonHand>(known - kHandWords.begin());
   if (take_line(text) != columns()) return no_journal(file, 3);
   return head;
 }
@@ -88,7 +90,7 @@ std::string_view name(AttemptKind kind) noexcept { return kKinds[static_cast<std
 
 std::string journal_begin(const JournalHead& head) {
   return std::string(kTitle) + head.identity + "\n" + std::string(kPerson) + head.participant + std::string(kHand) +
-         std::string(kHandWords) + "\n" + columns() + "\n";
+         std::string(words(head.hand)) + "\n" + columns() + "\n";
 }
 
 std::string journal_line(const Attempt& attempt) {

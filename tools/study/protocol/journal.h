@@ -30,6 +30,7 @@ struct Attempt {
 struct JournalHead {
   std::string identity;  ///< identity_of() the protocol
   std::string participant;
+  PersonHand hand = PersonHand::Browser;
   [[nodiscard]] friend bool operator==(const JournalHead&, const JournalHead&) = default;
 };
 

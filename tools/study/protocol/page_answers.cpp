@@ -1,7 +1,6 @@
 #include "tools/study/protocol/page_answers.h"
 
 #include "support/program/json.h"
-#include "tools/study/task/linkage_places.h"
 
 namespace telepalp::study {
 namespace {
@@ -42,14 +41,13 @@ std::string object(std::string_view kind, const auto& add) {
 }
 
 /// Places outside the skin: of the needle, only the part above it.
-void add_seen(Json& json, const BrowserTrial& trial) {
-  const LinkagePlaces at = places_of(*trial.tool().linkage());
+void add_seen(Json& json, const TrialView& trial) {
+  const LinkagePlaces& at = trial.places;
   json.begin_object("seen");
   for (const auto& [key, place] :
        {std::pair{"a", at.a_m}, {"o", at.o_m}, {"b", at.b_m}, {"p", at.p_m}, {"d", at.d_m}, {"c", at.c_m}})
     add_pair(json, key, place, kMm);
-  const tissue::LayerReading skin = trial.insertion().tissue().layer(0);
-  const bool hidden = skin.state == tissue::LayerState::Inserted && at.tip_m.y() < 0.0 && at.p_m.y() > 0.0;
+  const bool hidden = trial.through_skin && at.tip_m.y() < 0.0 && at.p_m.y() > 0.0;
   const double share = hidden ? at.p_m.y() / (at.p_m.y() - at.tip_m.y()) : 1.0;
   add_pair(json, "end", at.p_m + share * (at.tip_m - at.p_m), kMm);
   json.add("through_skin", hidden);
@@ -67,6 +65,7 @@ std::string state_json(const Session& session, const std::string& participant) {
     json.add("all", static_cast<std::uint64_t>(session.all()));
     json.add("training", planned.training);
     json.add("condition", name(planned.condition));
+    json.add("device", session.hand() == PersonHand::Device);
     json.add("sees", sees_needle(planned.condition));
     json.add("feels", feels(planned.condition));
     json.add("mechanism", static_cast<std::uint64_t>(planned.place + 1));
@@ -76,11 +75,11 @@ std::string state_json(const Session& session, const std::string& participant) {
   });
 }
 
-std::string trial_frame_json(const BrowserTrial& trial) {
+std::string trial_frame_json(const TrialView& trial, Condition condition) {
   return object("frame", [&](Json& json) {
-    add_pair(json, "along", trial.along(), 1.0);
-    if (sees_needle(trial.condition())) add_seen(json, trial);
-    if (feels(trial.condition())) json.add("hand_N", trial.insertion().needle_N().norm());
+    add_pair(json, "along", trial.along, 1.0);
+    if (sees_needle(condition)) add_seen(json, trial);
+    if (feels(condition)) json.add("hand_N", trial.needle_N);
   });
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/study/protocol/browser_trial.h"
+#include "tools/study/protocol/hands/person_trial.h"
 
 namespace telepalp::study {
 
@@ -14,7 +14,7 @@ namespace telepalp::study {
 [[nodiscard]] std::string state_json(const Session& session, const std::string& participant);
 /// `kind`: frame. The needle outside the skin while it is seen, the force at the hand while it is felt, and the
 /// direction in which the hand pushes the needle in.
-[[nodiscard]] std::string trial_frame_json(const BrowserTrial& trial);
+[[nodiscard]] std::string trial_frame_json(const TrialView& trial, Condition condition);
 /// `kind`: refused, with the sentence.
 [[nodiscard]] std::string page_refused_json(const Error& error);
 /// `kind`: taken. Another page has taken over.

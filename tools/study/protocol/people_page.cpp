@@ -7,7 +7,7 @@
 #include "support/plot/svg.h"
 #include "tools/study/figures/paper_table.h"
 #include "tools/study/page/overshoot_figures.h"
-#include "tools/study/protocol/browser_trial.h"
+#include "tools/study/protocol/hands/browser_trial.h"
 #include "tools/study/protocol/people_words.h"
 
 namespace telepalp::study {
@@ -85,11 +85,11 @@ std::string mechanism_table(const Protocol& protocol, const PeopleResult& result
   return "<div class=\"scroll\">" + report::table(head, rows) + "</div>";
 }
 
-std::string people_table(const PeopleResult& result) {
+std::string people_table(const Protocol& protocol, const PeopleResult& result) {
   Rows rows;
   for (const PersonRecord& person : result.people.records)
     rows.push_back({person.participant.name, std::to_string(person.done) + " of " + std::to_string(person.planned),
-                    std::string(kHandWords)});
+                    std::string(words(protocol.hand))});
   return report::table({"participant", "penetrations done", "hand"}, rows, report::Cells::Words);
 }
 
@@ -105,8 +105,25 @@ std::string plant_table(const PeopleResult& result) {
   return "<div class=\"scroll\">" + report::table(head, rows) + "</div>";
 }
 
-std::string rules(const PeopleResult& result) {
+std::string hand_rules(PersonHand hand) {
+  if (hand == PersonHand::Device)
+    return "<dt>haptic device</dt><dd>the end-effector is the hand at the handle's end. Each penetration begins where "
+           "the end-effector then is. The force of needle and mechanism passes the limiter that the station uses, and "
+           "is given in the conditions with force alone. A device that stops answering ends the penetration, which is "
+           "asked for again</dd>"
+           "<dt>hold-up</dt><dd>time that a penetration lost because the program was late</dd>";
   const Operator arm = browser_arm();
+  return "<dt>browser</dt><dd>force shown as a bar: a mouse gives no force. Between pointer and handle an arm is "
+         "simulated, " +
+         number_text(arm.arm_N_per_m) + " N/m, " + number_text(arm.arm_kg) + " kg, damping ratio " +
+         number_text(arm.arm_damping) +
+         ", which the force moves in the conditions with force. The pointer moves the far end of this arm along the "
+         "path of the handle</dd>"
+         "<dt>hold-up</dt><dd>time that a penetration lost because the program or the browser was late. The hand "
+         "then moved slower than the pointer</dd>";
+}
+
+std::string rules(const Protocol& protocol, const PeopleResult& result) {
   std::string text =
       "<dl class=\"meanings\">" + std::string(kTaskRules) + "<dt>interval</dt><dd>95 %, percentile bootstrap. ";
   text +=
@@ -119,15 +136,8 @@ std::string rules(const PeopleResult& result) {
       "The order depends on the seed and the participant</dd>"
       "<dt>broken off</dt><dd>the person let go before the puncture, by Escape or because the page was no longer in "
       "front. The penetration was asked for again. After the puncture it counts: the hand stands still until the tip "
-      "has stopped</dd>"
-      "<dt>browser</dt><dd>force shown as a bar: a mouse gives no force. Between pointer and handle an arm is "
-      "simulated, " +
-      number_text(arm.arm_N_per_m) + " N/m, " + number_text(arm.arm_kg) + " kg, damping ratio " +
-      number_text(arm.arm_damping) +
-      ", which the force moves in the conditions with force. The pointer moves the far end of this arm along the path "
-      "of the handle</dd>"
-      "<dt>hold-up</dt><dd>time that a penetration lost because the program or the browser was late. The hand "
-      "then moved slower than the pointer</dd></dl>";
+      "has stopped</dd>" +
+      hand_rules(protocol.hand) + "</dl>";
   return text;
 }
 
@@ -151,8 +161,9 @@ std::string people_html(const Protocol& protocol, const PeopleResult& result) {
                           overshoots(protocol, result) + condition_table(result) + mechanism_table(protocol, result));
   std::string charts;
   for (const PersonRecord& person : result.people.records) charts += learning(person);
-  page += report::section("Who took part", "How each was done, and in which order.", people_table(result) + charts);
-  page += report::section("Rules", "What the words of this page mean.", rules(result));
+  page += report::section("Who took part", "How each was done, and in which order.",
+                          people_table(protocol, result) + charts);
+  page += report::section("Rules", "What the words of this page mean.", rules(protocol, result));
   page +=
       report::section("What S4 does not give",
                       "Drawn once for each participant, from the ranges of the simulated study.", plant_table(result));

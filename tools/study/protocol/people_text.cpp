@@ -35,12 +35,12 @@ void add(program::Json& json, std::string_view key, const Interval& interval) {
   json.end_object();
 }
 
-void add_people(program::Json& json, const PeopleResult& result) {
+void add_people(program::Json& json, const Protocol& protocol, const PeopleResult& result) {
   json.begin_list("participants");
   for (const PersonRecord& person : result.people.records) {
     json.begin_object();
     json.add("name", person.participant.name);
-    json.add("hand", kHandWords);
+    json.add("hand", words(protocol.hand));
     json.add("done", static_cast<std::uint64_t>(person.done));
     json.add("planned", static_cast<std::uint64_t>(person.planned));
     json.begin_object("plant");
@@ -81,11 +81,13 @@ std::vector<std::string> people_findings(const Protocol& protocol, const PeopleR
                     fixed_text(*one.correlation, 2) + ".");
   }
   const std::size_t people = result.people.records.size();
-  if (people > 0)
-    out.push_back(
-        std::to_string(people) + (people == 1 ? " participant" : " participants") +
-        " worked in a browser: force shown as a bar. A mouse gives no force, so \"force\" and \"both\" say how "
-        "well a drawn force is seen, not how well a force is felt.");
+  const std::string who = std::to_string(people) + (people == 1 ? " participant" : " participants");
+  if (people > 0 && protocol.hand == PersonHand::Browser)
+    out.push_back(who +
+                  " worked in a browser: force shown as a bar. A mouse gives no force, so \"force\" and \"both\" say "
+                  "how well a drawn force is seen, not how well a force is felt.");
+  if (people > 0 && protocol.hand == PersonHand::Device)
+    out.push_back(who + " worked at a haptic device and felt the force, limited to what the device gives.");
   if (!result.finished()) out.emplace_back("The protocol is not finished: these are the figures so far.");
   return out;
 }
@@ -112,7 +114,7 @@ std::string people_text(const Protocol& protocol, const PeopleResult& result) {
   text += "\n\n";
   for (const PersonRecord& person : result.people.records)
     text += person.participant.name + ": " + std::to_string(person.done) + " of " + std::to_string(person.planned) +
-            " penetrations; " + std::string(kHandWords) + "\n";
+            " penetrations; " + std::string(words(protocol.hand)) + "\n";
   for (const std::string& sentence : people_findings(protocol, result)) text += sentence + "\n";
   return text;
 }
@@ -125,7 +127,7 @@ std::string people_json(const Protocol& protocol, const PeopleResult& result) {
   json.add("design", protocol.design.name);
   json.add("seed", protocol.seed);
   json.add("finished", result.finished());
-  add_people(json, result);
+  add_people(json, protocol, result);
   for (const PeopleCondition& one : result.conditions) add_condition(json, protocol, one);
   for (const ConditionDifference& one : result.differences)
     add(json, std::string(name(one.one)) + "_against_" + std::string(name(one.other)), one.mm);
@@ -134,6 +136,8 @@ std::string people_json(const Protocol& protocol, const PeopleResult& result) {
 }
 
 std::string people_csv(const Protocol& protocol, const PeopleResult& result) {
+  std::string hand(words(protocol.hand));
+  std::ranges::replace(hand, ',', ';');
   std::vector<std::string> rows;
   for (std::size_t person = 0; person < result.people.records.size(); ++person) {
     const PersonRecord& record = result.people.records[person];
@@ -141,7 +145,7 @@ std::string people_csv(const Protocol& protocol, const PeopleResult& result) {
       if (attempt.kind != AttemptKind::Formal) continue;
       Trial trial = attempt.trial;
       trial.person = person;
-      rows.push_back(trial_row(trial) + "," + record.participant.name + ",browser; force shown as a bar");
+      rows.push_back(trial_row(trial) + "," + record.participant.name + "," + hand);
     }
   }
   return rows_text("telepalp-study protocol, " + identity_of(protocol),

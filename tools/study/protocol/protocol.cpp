@@ -95,7 +95,8 @@ std::string identity_of(const Protocol& protocol) {
   return "design " + std::filesystem::path(protocol.design.name).filename().string() + ", seed " +
          std::to_string(protocol.seed) + ", conditions " + conditions + ", training " +
          std::to_string(protocol.training) + ", penetrations " + std::to_string(protocol.penetrations) +
-         ", mechanisms and ranges " + std::to_string(design_checksum(protocol.design));
+         ", mechanisms and ranges " + std::to_string(design_checksum(protocol.design)) +
+         (protocol.hand == PersonHand::Device ? ", at a haptic device" : "");
 }
 
 }  // namespace telepalp::study

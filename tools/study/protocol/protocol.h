@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,9 +11,14 @@
 
 namespace telepalp::study {
 
-/// How participants move the hand, and how they perceive the force. A mouse gives no force, so journal, table and
-/// report say this of each participant.
-inline constexpr std::string_view kHandWords = "browser, force shown as a bar";
+/// How participants move the hand, and how they perceive the force. A mouse gives no force, so people at a browser and
+/// people at a device are different protocols, and journal, table and report say which one it is.
+enum class PersonHand : std::uint8_t { Browser, Device };
+inline constexpr std::array<std::string_view, 2> kHandWords{"browser, force shown as a bar",
+                                                            "haptic device, force felt"};
+[[nodiscard]] constexpr std::string_view words(PersonHand hand) noexcept {
+  return kHandWords[static_cast<std::size_t>(hand)];
+}
 
 /// The protocol of the simulated operators, followed by a person.
 struct Protocol {
@@ -20,6 +27,7 @@ struct Protocol {
   std::uint64_t seed = 1;
   int training = kTrainingPenetrations * kTrainingMechanisms;  ///< penetrations before each condition
   int penetrations = 5;                                        ///< of each mechanism in each condition
+  PersonHand hand = PersonHand::Browser;
 };
 
 /// A person who takes part, known by a short name.

@@ -1,5 +1,6 @@
 #include "tools/study/protocol/protocol_page.h"
 
+#include "proto/wire/session_clock.h"
 #include "tools/study/protocol/page_answers.h"
 
 namespace telepalp::study {
@@ -37,14 +38,16 @@ class ProtocolConversation final : public Conversation {
     if (!holds()) return;
     const Result<PageCommand> command = parse_page_command(message);
     if (!command) return say_(page_refused_json(command.error()));
-    if (!desk().obey(*command)) return;
+    if (!desk().obey(*command, clock_.now())) return;
     say_(desk().state());
     if (const std::optional<std::string> frame = desk().frame()) say_(*frame);
   }
 
   std::optional<std::string> step(double seconds) override {
     if (!holds() || !desk().moves()) return std::nullopt;
-    return desk().step(seconds) ? desk().state() : desk().frame();
+    if (!desk().step(seconds)) return desk().frame();
+    if (desk().lost()) say_(page_refused_json(*desk().lost()));
+    return desk().state();
   }
 
  private:
@@ -55,6 +58,7 @@ class ProtocolConversation final : public Conversation {
     say_(taken_json());
   }
 
+  const wire::SessionClock clock_ = wire::SessionClock::anchored_to_wall_clock();
   std::shared_ptr<Shared> shared_;  // shared: each page may be the last one that is closed
   Say say_;
 };

@@ -55,6 +55,7 @@ class Session {
   /// The newest attempt of this session, which is what the person is told; nullopt: none yet.
   [[nodiscard]] const std::optional<Attempt>& last() const noexcept { return last_; }
   [[nodiscard]] std::size_t mechanisms() const noexcept { return protocol_.design.configurations.size(); }
+  [[nodiscard]] PersonHand hand() const noexcept { return protocol_.hand; }
   [[nodiscard]] const Plant& plant() const noexcept { return plant_; }
 
   /// The person wants to begin. nullopt: not at this stage.

@@ -67,7 +67,7 @@ export class SceneView {
   readonly probePlane = new ProbePlane();
   readonly probe = new Probe();
   readonly halo = new Halo();
-  private readonly pointed = new Pointed();
+  readonly pointed = new Pointed();
 
   /**
    * Callbacks of each drawing: when it begins, when it is put into the canvas, which the browser shows together with all

@@ -15,6 +15,7 @@ export function showInstant(view: SceneView, {picture, station, hand, compensati
 
 function showPicture(view: SceneView, {frame, summary, color, cameraMatrix}: Picture): void {
   view.surface.showDepth(frame, summary, cameraMatrix);
+  view.pointed.follow((place) => view.surface.depthBehind(place));
   if (color !== undefined) view.surface.showPicture(color);
   view.setHome(summary);
 }

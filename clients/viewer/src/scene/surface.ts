@@ -137,7 +137,7 @@ export class Surface {
   }
 
   /** The measured depth at the pixel in which the camera sees the point `at`; 0 if it is not measured. */
-  private depthBehind({x, y, z}: Vector3): number {
+  depthBehind({x, y, z}: Vector3): number {
     if (this.frame === undefined || z > -0.05) return 0;
     const {width, height, samples, unit_m} = this.frame;
     const {column, row} = this.pixelOf({x, y, z});

@@ -21,6 +21,10 @@ class ByteSource {
   [[nodiscard]] virtual std::uint64_t next_data(std::uint64_t offset) const noexcept { return offset; }
 };
 
+/// The bytes of a session, decrypted if they are encrypted, from the disk or the place that was added for its name
+/// (add_place()). Error: it cannot be opened, or its key is not given.
+[[nodiscard]] Result<std::unique_ptr<ByteSource>> open_session(const std::filesystem::path& file);
+/// The bytes of a file on the disk, as they are.
 [[nodiscard]] Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& file);
 [[nodiscard]] std::unique_ptr<ByteSource> in_memory(std::string bytes, std::string name);
 

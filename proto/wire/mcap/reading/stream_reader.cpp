@@ -29,7 +29,7 @@ bool is_plausible(const RecordHead& head) noexcept {
 }  // namespace
 
 Result<McapStreamReader> McapStreamReader::open(const std::filesystem::path& file) {
-  Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_file(file);
+  Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_session(file);
   if (!source) return source.error();
   return open(std::move(source).value());
 }

@@ -49,6 +49,7 @@ function overshoot({what, through, stopped, overshoot: mm}) {
 function task() {
   if (state.stage === 'finished') return 'Finished. Thank you. You can close this page.';
   if (state.stage === 'inserting') return 'Stop as soon as the sac gives way.';
+  if (state.stage === 'ready' && state.device) return 'Hold the end-effector, and push it along the arrow.';
   if (state.stage === 'ready') return 'Press the mouse button in the field and move along the arrow, or hold →.';
   const {done, training, penetration, condition} = state;
   const part = training ? 'Training' : `Mechanism ${state.mechanism} of ${state.mechanisms}`;
@@ -72,11 +73,12 @@ function show() {
   by('mechanism').textContent = state.training ? `${state.mechanism} of the training` : `${state.mechanism} of ${state.mechanisms}`;
   by('penetration').textContent = state.penetration;
   by('participant').textContent = state.participant;
-  by('refused').hidden = true;
+  if (stage !== 'resting') by('refused').hidden = true;
   const hint = {resting: 'Space begins the next penetration', finished: 'Finished'}[stage] ?? (sees ? '' : 'In this condition nothing is seen: go by the force');
   by('unseen').textContent = hint;
   by('force').hidden = !feels;
   by('no-force').hidden = feels;
+  by('how').hidden = state.device;
   by('field-note').textContent = moving() ? 'Esc lets go' : '';
   if (stage === 'resting' || stage === 'finished') rest();
 }
@@ -140,7 +142,7 @@ function pump(now) {
 requestAnimationFrame(pump);
 
 field.addEventListener('pointerdown', (event) => {
-  if (!moving() || event.button !== 0) return;
+  if (!moving() || state.device || event.button !== 0) return;
   pressed = event.pointerId;
   field.setPointerCapture(pressed);
   field.focus({preventScroll: true});
@@ -160,15 +162,15 @@ addEventListener('keydown', (event) => {
     event.preventDefault();
     return event.repeat ? undefined : begin();
   }
-  if (KEYS[event.key] === undefined || !moving()) return;
+  if (KEYS[event.key] === undefined || !moving() || state.device) return;
   event.preventDefault();
   keys.set(event.key, event.shiftKey);
 });
 addEventListener('keyup', (event) => keys.delete(event.key));
-addEventListener('blur', letGo);
+addEventListener('blur', () => state?.device || letGo());  // a hand at a device needs no window in front
 addEventListener('pagehide', letGo);
 document.addEventListener('visibilitychange', () => {
-  if (document.hidden) letGo();
+  if (document.hidden && !state?.device) letGo();
 });
 by('begin').addEventListener('click', begin);
 by('stop').addEventListener('click', letGo);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "tools/study/protocol/session.h"
+#include "tools/study/protocol/hands/person_trial.h"
+#include "tools/study/task/arm.h"
 
 namespace telepalp::study {
 
@@ -36,30 +37,26 @@ class BrowserHand final : public HandMotion {
 };
 
 /// One penetration by a person at a browser, in real time. Owner: the network thread.
-class BrowserTrial {
+class BrowserTrial final : public PersonTrial {
  public:
   BrowserTrial(Prepared prepared, Condition condition) noexcept
       : prepared_(std::move(prepared)), hand_(*prepared_.tool, condition), condition_(condition) {}
 
-  void push(double way_m) noexcept { hand_.push(way_m); }
-  /// The same by a motion in the plane z = 0 [m]: the part of it along the path counts.
-  void move(const Eigen::Vector2d& by_m) noexcept;
-  /// `seconds` of real time have passed. More than kLongestStep_s is lost, so that a program that was late gives a slow
-  /// hand and not a fast one.
-  void step(double seconds) noexcept;
+  void push(double way_m) noexcept override;
+  /// The part of the motion along the path counts.
+  void move(const Eigen::Vector2d& by_m) noexcept override;
+  /// More than kLongestStep_s is lost, so that a program that was late gives a slow hand and not a fast one.
+  void step(double seconds, Ticks& ticks) override;
   static constexpr double kLongestStep_s = 0.05;
 
+  [[nodiscard]] TrialView view() const noexcept override;
   [[nodiscard]] const Insertion& insertion() const noexcept { return *prepared_.insertion; }
-  [[nodiscard]] const HeldTool& tool() const noexcept { return *prepared_.tool; }
-  [[nodiscard]] Condition condition() const noexcept { return condition_; }
-  /// Unit vector of the path where the hand is, as the needle goes in.
-  [[nodiscard]] Eigen::Vector2d along() const noexcept;
-  [[nodiscard]] double held_up_s() const noexcept { return held_up_s_; }
 
  private:
   Prepared prepared_;
   BrowserHand hand_;
   Condition condition_;
+  bool moved_ = false;
   double left_s_ = 0.0;  // time that no tick has covered yet
   double held_up_s_ = 0.0;
 };

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Recordings encrypted with a site's key: recorded, played, exported, reported, repaired, given another key, and given
+# away in a copy that anybody reads: sealed_recording_test.sh BIN.
+set -uo pipefail
+export PATH=$1:$PATH
+work=$(mktemp -d)
+background=()
+trap '[ ${#background[@]} = 0 ] || kill "${background[@]}" 2>/dev/null; wait; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+fail() { echo "FAILED: $1" >&2; [ -z "${2:-}" ] || tail -n 20 "$2" >&2; failures=$((failures + 1)); }
+port_of() { for _ in $(seq 100); do [ -s "$1.ready" ] && break; sleep 0.1; done; sed -n 's/^port=//p' "$1.ready"; }
+
+telepalp-keys site-key --name ward3 --dir keys >keys.log 2>&1 || fail "site-key" keys.log
+telepalp-keys site-key --name ward3 --dir keys >again.log 2>&1 && fail "a site's key is overwritten" again.log
+[ "$(stat -c %a keys/ward3-site.key)" = 600 ] || fail "others may read the site's key"
+grep -q PRIVATE keys/ward3-site.pub && fail "the public part holds the private one"
+
+telepalp-server --source synthetic --port 0 --ready-file site.ready >site.log 2>&1 &
+background+=($!)
+site=$(port_of site)
+# The recorder needs the public part alone, and cannot read what it wrote.
+TELEPALP_SITE_KEYS=keys/ward3-site.pub telepalp-record --connect "127.0.0.1:$site" --out a.mcap --seconds 4 >record.log 2>&1 || fail "an encrypted recording" record.log
+[ "$(head -c 8 a.mcap)" = TPSEAL01 ] || fail "the recording is not encrypted"
+grep -q "camera" a.mcap && fail "the recording shows its topics"
+TELEPALP_SITE_KEYS=keys/ward3-site.pub telepalp-record info a.mcap >public.log 2>&1 && fail "the public part decrypts" public.log
+telepalp-record info a.mcap >none.log 2>&1 && fail "it is read without a key" none.log
+grep -q "fix: name the private part" none.log || fail "the missing key is not said" none.log
+
+export TELEPALP_SITE_KEYS=keys/ward3-site.key
+telepalp-record verify a.mcap >verify.log 2>&1 || fail "verify" verify.log
+telepalp-record copy a.mcap --plain --out plain.mcap >copy.log 2>&1 || fail "a copy that is not encrypted" copy.log
+[ "$(head -c 1 plain.mcap | xxd -p)" = 89 ] || fail "the plain copy is encrypted"
+telepalp-record copy plain.mcap --out again.mcap >copy.log 2>&1 || fail "an encrypted copy" copy.log
+telepalp-record copy again.mcap --plain --out back.mcap >copy.log 2>&1 || fail "back" copy.log
+cmp plain.mcap back.mcap || fail "the copies differ"
+telepalp-export a.mcap --csv /camera/status --out status.csv >export.log 2>&1 || fail "export" export.log
+telepalp-report a.mcap --out report >report.log 2>&1 || fail "report" report.log
+telepalp-replay a.mcap --seconds 2 --out replay >replay.log 2>&1 || fail "replay" replay.log
+telepalp-server --source session:a.mcap,from_s=2,paused=yes --port 0 --ready-file player.ready >player.log 2>&1 &
+background+=($!)
+telepalp-view --connect "127.0.0.1:$(port_of player)" --snapshot played.png --patience 20 >view.log 2>&1 || fail "no picture of the encrypted session" view.log
+
+# A copy that names nobody is given away, so it is not encrypted.
+telepalp-export a.mcap --deidentify given.mcap --out given.txt >given.log 2>&1 || fail "deidentify" given.log
+env -u TELEPALP_SITE_KEYS telepalp-record info given.mcap >given_info.log 2>&1 || fail "the copy to give away is encrypted" given_info.log
+
+# Damage is said, and the rest is read.
+cp a.mcap damaged.mcap
+printf 'x' | dd of=damaged.mcap bs=1 seek=$(($(stat -c %s a.mcap) / 2)) conv=notrunc 2>/dev/null
+telepalp-record verify damaged.mcap >damaged.log 2>&1 && fail "a damaged block is not noticed" damaged.log
+grep -q "damage: " damaged.log || fail "the damage is not said" damaged.log
+telepalp-record repair damaged.mcap --out repaired.mcap >repair.log 2>&1 || fail "repair of a damaged session" repair.log
+head -c $(($(stat -c %s a.mcap) * 2 / 3)) a.mcap >cut.mcap
+telepalp-record verify cut.mcap >cut.log 2>&1 && fail "a session that is cut off is not noticed" cut.log
+telepalp-record repair cut.mcap --out cut_repaired.mcap >repair.log 2>&1 || fail "repair of a session that is cut off" repair.log
+telepalp-record verify cut_repaired.mcap >verify.log 2>&1 || fail "the repaired session" verify.log
+[ "$(head -c 8 cut_repaired.mcap)" = TPSEAL01 ] || fail "the repaired session is not encrypted"
+
+# A recorder that is killed leaves what it wrote.
+telepalp-record --connect "127.0.0.1:$site" --out killed.mcap >killed.log 2>&1 &
+killed=$!
+sleep 4
+kill -KILL $killed; wait $killed 2>/dev/null
+telepalp-record repair killed.mcap >repair.log 2>&1 || fail "a recording whose recorder was killed" repair.log
+telepalp-record verify killed.mcap >verify.log 2>&1 || fail "the finished recording" verify.log
+
+# A new key: only the header changes, and the old key no longer decrypts.
+telepalp-keys site-key --name next --dir keys >keys.log 2>&1 || fail "the next key" keys.log
+tail -c +513 a.mcap | sha256sum >before
+TELEPALP_SITE_KEYS=keys/next-site.pub:keys/ward3-site.key telepalp-record reseal a.mcap >reseal.log 2>&1 || fail "reseal" reseal.log
+tail -c +513 a.mcap | sha256sum | cmp - before || fail "reseal changed more than the header"
+telepalp-record info a.mcap >old.log 2>&1 && fail "the old key still decrypts" old.log
+TELEPALP_SITE_KEYS=keys/next-site.key telepalp-record verify a.mcap >new.log 2>&1 || fail "the new key does not decrypt" new.log
+TELEPALP_SITE_KEYS=keys/next-site.key telepalp-record reseal plain.mcap >plain.log 2>&1 && fail "a plain session is given a key" plain.log
+grep -q "is not encrypted" plain.log || fail "a plain session is not said" plain.log
+
+# Who deletes by retention needs the key, and says so.
+mkdir folder; cp killed.mcap folder/
+env -u TELEPALP_SITE_KEYS telepalp-record expire folder --keep-days 1 >expire.log 2>&1
+grep -q "is encrypted" expire.log || fail "expire without a key does not say so" expire.log
+[ "$failures" = 0 ] && echo "encrypted recordings: recorded, played, exported, repaired, and given a new key"
+exit $((failures > 0))
