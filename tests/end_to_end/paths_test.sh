@@ -33,8 +33,8 @@ tcp-443 tcp-443 over a relay (TCP)
 PAIRS
 
 # The network changes while images come: the longest gap between two images, and how often the program connected.
-probe() { # SECONDS
-  (cd "$work" && exec timeout 60 ip netns exec "$doctor" "$bin/telepalp-path-probe" ward3.meet.example@meet.example keys/anna.key "$1") >"$work/probe.out" 2>"$work/probe.log" &
+probe() { # SECONDS [WAY]: ends early when the datagrams go by this way
+  (cd "$work" && exec timeout 60 ip netns exec "$doctor" "$bin/telepalp-path-probe" ward3.meet.example@meet.example keys/anna.key "$@") >"$work/probe.out" 2>"$work/probe.log" &
   probe_pid=$!
   wait_for "a way for the datagrams" "$work/probe.log" "the images come by sealed datagrams"
 }
@@ -52,6 +52,10 @@ probe 14
 sleep 3
 router doctor no-udp
 expect "UDP is cut" 2 1 "over a relay (TCP)"
+router doctor no-udp
+probe 50 directly
+router doctor port
+expect "UDP passes again: the relay is left" 0.5 1 "through the routers"
 router doctor port
 probe 10
 sleep 3

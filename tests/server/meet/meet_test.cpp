@@ -7,6 +7,7 @@
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/write.hpp>
 
+#include "server/meet/relay/relay_credentials.h"
 #include "server/meet/site/meet_dialer.h"
 #include "server/meet/words/meet_frames.h"
 #include "tests/server/keyed_site.h"
@@ -21,6 +22,7 @@ using asio::ip::tcp;
 struct MetSite : KeyedSite {
   std::vector<std::string> log;  // of the meeting point
   std::vector<std::string> site_log;
+  meet::RelayDoor relay;
   std::unique_ptr<meet::Meet> meeting = meet_at(0);
   std::unique_ptr<meet::MeetDialer> dialer;
   bool takes = true;
@@ -33,6 +35,7 @@ struct MetSite : KeyedSite {
                                         .port = port,
                                         .key = *host_key("meet", {"127.0.0.1", "meet.example"}),
                                         .is_revoked = std::move(is_revoked),
+                                        .relay = relay,
                                         .log = [this](const std::string& text) { log.push_back(text); },
                                         .limits = limits});
     EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
@@ -116,6 +119,66 @@ TEST_F(Meeting, JoinsADoctorWithTheSiteThatHeNames) {
   EXPECT_NE(met.ring.audit().find("doctor anna"), std::string::npos) << "the site itself has checked her key";
   anna.link.stop();
   EXPECT_TRUE(met.run_until([&] { return met.meeting->streams() == 0; }));
+}
+
+TEST(Relay, CredentialsAreThoseThatTheRelayComputes) {
+  const meet::RelayDoor door{.address = "192.0.2.1", .port = 3478, .secret = "0123456789abcdef"};
+  const msg::MeetRelay made =
+      meet::credentials(door, "ward3", 443, std::chrono::system_clock::time_point(std::chrono::seconds(1700000000)));
+  EXPECT_EQ(made.user(), "1700003600:ward3");
+  // printf 1700003600:ward3 | openssl dgst -sha1 -hmac 0123456789abcdef -binary | base64
+  EXPECT_EQ(made.password(), "MPxn24AIDxI3PZjJFWu2/NsyGZ4=");
+  EXPECT_EQ(made.tcp_port(), 443U);
+}
+
+TEST_F(Meeting, GivesAJoinedSiteCredentialsForItsRelay) {
+  join();
+  EXPECT_TRUE(met.dialer->relays().empty()) << "this meeting point has no relay";
+  met.relay = {.address = "127.0.0.1", .port = 3478, .secret = "0123456789abcdef"};
+  met.dialer.reset();
+  met.meeting.reset();
+  met.meeting = met.meet_at(0);
+  join();
+  ASSERT_TRUE(met.run_until([this] { return !met.dialer->relays().empty(); }));
+  const msg::IceRelay told = met.dialer->relays().front();
+  EXPECT_EQ(told.address(), "127.0.0.1");
+  EXPECT_EQ(told.port(), 3478U);
+  EXPECT_EQ(told.tcp_port(), met.meeting->port());
+  EXPECT_EQ(told.password().size(), 28U) << "20 bytes in Base64";
+}
+
+/// The first bytes of a TURN client, and all that follow, reach the relay as they are; its answer comes back.
+TEST_F(Meeting, PassesRequestsForTheRelayOnAndClosesThemWithoutOne) {
+  const std::string request = {0, 3, 0, 0, 0x21, 0x12, '\xA4', 0x42, 'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h', 'i', 'j'};
+  tcp::acceptor relay(met.io, {asio::ip::address_v4::loopback(), 0});
+  tcp::socket at_relay(met.io), caller(met.io), other(met.io);
+  std::string read(request.size(), ' ');
+  bool arrived = false;
+  relay.async_accept(at_relay, [&](const boost::system::error_code& failed) {
+    ASSERT_FALSE(failed);
+    asio::async_read(at_relay, asio::buffer(read), [&](const boost::system::error_code& cut, std::size_t) {
+      arrived = !cut;
+      asio::write(at_relay, asio::buffer("answer", 6));
+    });
+  });
+  other.connect({asio::ip::address_v4::loopback(), met.meeting->port()});
+  asio::write(other, asio::buffer(request));
+  EXPECT_TRUE(met.run_until([&] { return met.meeting->counts().refused == 1; })) << "this meeting point has no relay";
+
+  met.relay = {.address = "127.0.0.1", .port = relay.local_endpoint().port(), .secret = "0123456789abcdef"};
+  met.meeting = met.meet_at(0);
+  caller.connect({asio::ip::address_v4::loopback(), met.meeting->port()});
+  asio::write(caller, asio::buffer(request.substr(0, 3)));
+  EXPECT_FALSE(met.run_until([&] { return arrived; }, 100ms)) << "three bytes show nothing yet";
+  asio::write(caller, asio::buffer(request.substr(3)));
+  ASSERT_TRUE(met.run_until([&] { return arrived; }));
+  EXPECT_EQ(read, request);
+  std::string answer(6, ' ');
+  bool answered = false;
+  asio::async_read(caller, asio::buffer(answer),
+                   [&](const boost::system::error_code& cut, std::size_t) { answered = !cut; });
+  EXPECT_TRUE(met.run_until([&] { return answered; }));
+  EXPECT_EQ(answer, "answer");
 }
 
 TEST_F(Meeting, CannotLeadADoctorToAnotherSite) {
