@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kLookEvery = 250ms;
-constexpr auto kFirstPause = 1s, kLongestPause = 30s;
+constexpr std::chrono::milliseconds kFirstPause = 1s, kLongestPause = 30s;
 constexpr auto kOldPathStays = 3s;      // datagrams that are on their way still arrive
 constexpr auto kBetterPathWithin = 5s;  // of an attempt that shall do without the relay
 constexpr std::size_t kMostAttempts = 3;

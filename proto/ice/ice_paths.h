@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "messages/control.pb.h"
-#include "proto/ice/candidate.h"
-#include "proto/ice/path_kind.h"
+#include "proto/ice/words/candidate.h"
+#include "proto/ice/words/path_kind.h"
 
 namespace telepalp::ice {
 

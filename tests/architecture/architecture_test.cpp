@@ -23,8 +23,10 @@ const std::vector<Rule> kRules{
     {"proto/impaired", {"proto/words", "proto/link", "proto/impaired"}},
     {"proto/link", {"proto/words", "proto/link"}},
     {"proto/keys", {"proto/words", "proto/keys"}},
+    {"proto/ice", {"proto/words", "proto/ice", "messages"}},
     // The codec's byte decides of a message that does not say whether it is a key frame: see codec/unmarked.
-    {"proto/wire", {"proto/words", "proto/keys", "proto/link", "codec/unmarked", "proto/wire", "messages", "foxglove"}},
+    {"proto/wire",
+     {"proto/words", "proto/keys", "proto/ice", "proto/link", "codec/unmarked", "proto/wire", "messages", "foxglove"}},
     {"support", {"proto/words", "support"}},
     // Sessions in a cluster are read and written like session files.
     {"support/session_store", {"proto/words", "proto/wire/mcap", "support/nats", "support/session_store"}},

@@ -67,7 +67,7 @@ begin_meet() {
   wait_for "the meeting point" "$work/meet.log" "listening on"
 }
 begin_server() {
-  start_in "$work" "$patient" "$work/server.log" "$bin/telepalp-server" --source synthetic --http-port 8765 \
+  start_in "$work" "$patient" "$work/server.log" "$bin/telepalp-server" --source synthetic \
     --key keys/server.key --meet meet.example
   wait_for "the server" "$work/server.log" "joined the meeting point"
 }

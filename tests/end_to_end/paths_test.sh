@@ -31,4 +31,31 @@ symmetric symmetric over a relay (UDP)
 no-udp port over a relay (TCP)
 tcp-443 tcp-443 over a relay (TCP)
 PAIRS
+
+# The network changes while images come: the longest gap between two images, and how often the program connected.
+probe() { # SECONDS
+  (cd "$work" && exec timeout 60 ip netns exec "$doctor" "$bin/telepalp-path-probe" ward3.meet.example@meet.example keys/anna.key "$1") >"$work/probe.out" 2>"$work/probe.log" &
+  probe_pid=$!
+  wait_for "a way for the datagrams" "$work/probe.log" "the images come by sealed datagrams"
+}
+expect() { # WHAT GAP_S CONNECTIONS WAY
+  wait "$probe_pid" || fail "$1: the probe failed" "$work/probe.log"
+  read -r _ _ _ gap connections found <"$work/probe.out"
+  echo "paths: $1: gap $gap s, connections $connections, $found"
+  awk -v gap="$gap" -v most="$2" 'BEGIN {exit !(gap < most)}' || fail "$1: images pause for $gap s" "$work/probe.log"
+  [ "$connections" = "$3" ] || fail "$1: $connections connections instead of $3" "$work/probe.log"
+  grep -q "$4" <<<"$found" || fail "$1: expected '$4', found '$found'" "$work/probe.log"
+}
+router doctor port
+server_behind port
+probe 14
+sleep 3
+router doctor no-udp
+expect "UDP is cut" 2 1 "over a relay (TCP)"
+router doctor port
+probe 10
+sleep 3
+ip -n "$doctor" addr flush dev pdoa
+ip -n "$doctor" addr add 10.2.0.3/24 dev pdoa && ip -n "$doctor" route add default via 10.2.0.1
+expect "the doctor's address changes" 2 2 "through the routers"
 exit $((failures > 0))

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "proto/ice/candidate.h"
+#include "proto/ice/words/candidate.h"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "proto/ice/words/path_kind.h"
 #include "proto/wire/client/client_link.h"
 #include "proto/wire/topics.h"
 #include "proto/words/numbers/quantile.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "proto/ice/candidate.h"
-#include "proto/ice/path_kind.h"
+#include "proto/ice/words/candidate.h"
+#include "proto/ice/words/path_kind.h"
 #include "proto/words/result.h"
 
 namespace telepalp::ice {

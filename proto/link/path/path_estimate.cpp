@@ -1,6 +1,7 @@
 #include "proto/link/path/path_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -244,6 +245,45 @@ bool references_arrive(const PathEstimate& path, Nanoseconds deadline) noexcept 
   return path.round_trip() > 0ns && (path.loss() < kHardlyAnyLoss || can_repair(deadline, path));
 }
 
+namespace {
+
+/// Blocks of at most so many data shards get repair shards by exact probabilities. For larger ones these need more
+/// repair shards than two deviations, because the bursts have a long tail.
+constexpr std::size_t kSmallBlock = 12;
+constexpr std::size_t kMostOfSmallBlock = 6;
+/// The share of small blocks that may need a repair round, and that may fail where none fits. The second one is ten
+/// times that of large blocks: on a thin line, half as many repair shards as data shards cost more images than they
+/// save.
+constexpr double kSmallMayAsk = 0.02;
+constexpr double kSmallMayFail = 0.003;
+
+/// Probability that more than `repairs` of `packets` are lost; `repairs` is at most kMostOfSmallBlock. Bursts begin at
+/// random and have geometric lengths: the distribution of Polya and Aeppli.
+double more_are_lost(std::size_t packets, std::size_t repairs, double loss, double burst_packets) noexcept {
+  const double burst = std::max(1.0, burst_packets);
+  const double bursts = static_cast<double>(packets) * loss / burst;
+  std::array<double, kMostOfSmallBlock + 1> lost{std::exp(-bursts)};
+  double at_most = lost[0];
+  for (std::size_t n = 1; n <= repairs; ++n) {
+    double weight = bursts / static_cast<double>(n) / burst;
+    for (std::size_t i = 1; i <= n; ++i, weight *= 1.0 - 1.0 / burst)
+      lost[n] += static_cast<double>(i) * weight * lost[n - i];
+    at_most += lost[n];
+  }
+  return 1.0 - at_most;
+}
+
+/// The least number of repair shards, up to `most`, with which few enough small blocks fail.
+std::size_t small_block_repairs(std::size_t data_shards, std::size_t most, double loss, double burst_packets,
+                                bool repairable) noexcept {
+  const double may_fail = repairable ? kSmallMayAsk : kSmallMayFail;
+  std::size_t repairs = 1;
+  while (repairs < most && more_are_lost(data_shards + repairs, repairs, loss, burst_packets) > may_fail) ++repairs;
+  return repairs;
+}
+
+}  // namespace
+
 std::size_t repair_shards(std::size_t data_shards, double loss, double burst_packets, bool repairable) noexcept {
   const double k = static_cast<double>(data_shards);
   if (k * loss < (repairable ? 0.1 : 0.01)) return 0;
@@ -251,7 +291,8 @@ std::size_t repair_shards(std::size_t data_shards, double loss, double burst_pac
   // where none fits, 0.03 % may fail.
   const double deviations = repairable ? 2.0 : 3.5;
   const double inflation = 2.0 * std::max(1.0, burst_packets) - 1.0;
-  const auto most = static_cast<std::size_t>(std::ceil(0.4 * k)) + 1;
+  auto most = static_cast<std::size_t>(std::ceil(0.4 * k)) + 1;
+  if (data_shards <= kSmallBlock) most = small_block_repairs(data_shards, most, loss, burst_packets, repairable);
   for (std::size_t repairs = 1; repairs < most; ++repairs) {
     const double packets = k + static_cast<double>(repairs);
     const double expected = packets * loss + deviations * std::sqrt(packets * loss * (1.0 - loss) * inflation);

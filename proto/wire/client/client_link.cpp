@@ -4,7 +4,6 @@
 #include <random>
 #include <utility>
 
-#include "proto/ice/ice_paths.h"
 #include "proto/wire/datagram_message.h"
 #include "proto/wire/datagrams/client_datagrams.h"
 #include "proto/wire/datagrams/datagram_offer.h"
@@ -177,8 +176,15 @@ void ClientLink::on_ready(const msg::Hello& peer) {
   clock_.forget_samples();
   connection_->subscribe(options_.subscribes);
   prober_.start([this] {
+    if (connection_ && !dialer_.has_own_address()) return own_address_lost();
     if (connection_) connection_->probe_clock();
   });
+}
+
+/// A new connection from the new address is there sooner than the silence on the old one is noticed.
+void ClientLink::own_address_lost() {
+  connection_->abandon();
+  on_closed("this computer's address has changed");
 }
 
 void ClientLink::on_revocation_list(const msg::RevocationList& list) {

@@ -12,7 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "proto/ice/path_kind.h"
+#include "proto/ice/ice_paths.h"
+#include "proto/ice/words/path_kind.h"
 #include "proto/keys/known_list.h"
 #include "proto/wire/client/client_outbox.h"
 #include "proto/wire/client/client_timers.h"
@@ -22,10 +23,6 @@
 #include "proto/wire/datagrams/path_watch.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
-
-namespace telepalp::ice {
-class IcePaths;
-}
 
 namespace telepalp::wire {
 
@@ -161,6 +158,7 @@ class ClientLink : private ConnectionOwner {
   void connect();
   void greet(std::unique_ptr<ByteStream> stream);
   void on_connect_failed(const std::string& reason, std::optional<Error> not_served_because = std::nullopt);
+  void own_address_lost();
   void refuse(Error why);
   [[nodiscard]] bool trusts_server();
   void retry_later();

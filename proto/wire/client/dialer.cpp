@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "proto/wire/sockets/udp_socket.h"
+
 namespace telepalp::wire {
 namespace {
 
@@ -70,7 +72,11 @@ void Dialer::connect_next() {
                             }));
 }
 
+bool Dialer::has_own_address() const { return is_own_address(io_, own_); }
+
 void Dialer::connected(tcp::socket socket, const Endpoint& server) {
+  error_code gone;
+  own_ = socket.local_endpoint(gone).address();
   Result<std::unique_ptr<ByteStream>> stream = secured(std::move(socket));
   if (!stream) return handlers_.on_refused(stream.error());
   handlers_.on_connected(std::move(stream).value(), server);

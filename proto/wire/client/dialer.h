@@ -42,6 +42,8 @@ class Dialer {
 
   void dial();
   void hang_up();
+  /// False: this computer has lost the address from which it last connected, so that nothing more arrives there.
+  [[nodiscard]] bool has_own_address() const;
   /// The server as a user names it, for texts.
   [[nodiscard]] std::string server() const { return server_.text(); }
 
@@ -67,6 +69,7 @@ class Dialer {
   std::deque<Endpoint> untried_;         // further addresses of the host's name
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::ip::tcp::socket connecting_;
+  boost::asio::ip::address own_;  // from which it last connected
   OwnTimer deadline_;
 };
 

@@ -3,6 +3,7 @@
 #include <netinet/in.h>
 
 #include <boost/asio/error.hpp>
+#include <cerrno>
 
 namespace telepalp::wire {
 namespace {
@@ -30,6 +31,15 @@ boost::system::error_code open_udp(asio::ip::udp::socket& socket, const asio::ip
   mark(socket, traffic);
   socket.non_blocking(true, failed);
   return failed;
+}
+
+bool is_own_address(asio::io_context& io, const asio::ip::address& address) {
+  const asio::ip::udp::endpoint any_port(address, 0);
+  asio::ip::udp::socket socket(io);
+  boost::system::error_code failed;
+  socket.open(any_port.protocol(), failed);
+  if (!failed) socket.bind(any_port, failed);
+  return failed.value() != EADDRNOTAVAIL;
 }
 
 bool is_sent(const boost::system::error_code& code) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/system/error_code.hpp>
 #include <cstdint>
@@ -21,6 +22,9 @@ enum class TrafficClass : std::uint8_t {
 /// Marks its datagrams with `traffic`.
 [[nodiscard]] boost::system::error_code open_udp(boost::asio::ip::udp::socket& socket,
                                                  const boost::asio::ip::udp& protocol, TrafficClass traffic);
+
+/// False: this computer does not have `address`, or no longer.
+[[nodiscard]] bool is_own_address(boost::asio::io_context& io, const boost::asio::ip::address& address);
 
 /// False: the socket's buffer is full, and the datagram can be sent again. Any other failure is a lost datagram.
 [[nodiscard]] bool is_sent(const boost::system::error_code& code) noexcept;

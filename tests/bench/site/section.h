@@ -35,6 +35,10 @@ struct SiteSection {
 /// A thousand sites at one meeting point, and its restart.
 [[nodiscard]] Result<SiteRows> run_meeting_section(const SitePlace& place);
 
+/// The ways of datagrams between two sites behind routers of seven kinds, a change of the network, and what a direct
+/// path adds to the delay.
+[[nodiscard]] Result<SiteRows> run_paths_section(const SitePlace& place);
+
 /// A real server on loopback: connections that send nothing and keep others out, revoked keys, and the audit log's
 /// lines about streams and revoked keys.
 [[nodiscard]] Result<SiteRows> run_strangers_section(const SitePlace& place);

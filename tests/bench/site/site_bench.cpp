@@ -14,6 +14,7 @@ namespace {
 const std::vector<SiteSection> kSections{
     {"flows", "a session of touch beside other flows, through the kernel's queue", run_flows_section},
     {"meet", "a thousand sites at one meeting point, and its restart", run_meeting_section},
+    {"paths", "ways of datagrams between sites behind routers of seven kinds", run_paths_section},
     {"strangers", "silent and flooding strangers, revoked keys, and the audit log", run_strangers_section},
 };
 

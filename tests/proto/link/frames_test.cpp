@@ -423,5 +423,16 @@ TEST(RepairShards, GrowWithLossAndBurstsAndStayBelowTheBound) {
   EXPECT_LE(repair_shards(128, 1.0, 100.0, false), kMostRepairShards);
 }
 
+TEST(RepairShards, OfASmallBlockAreNoMoreThanItsLossesNeed) {
+  EXPECT_EQ(repair_shards(3, 0.01, 1.0, false), 1U) << "two of four packets are lost in one block of 1700";
+  EXPECT_EQ(repair_shards(8, 0.01, 1.0, false), 2U) << "one would fail in one block of 280";
+  EXPECT_EQ(repair_shards(1, 0.1, 4.0, false), 2U) << "a burst takes both packets in one block of 27";
+  EXPECT_EQ(repair_shards(12, 0.01, 1.0, true), 1U);
+  for (std::size_t shards = 1; shards <= 12; ++shards) {
+    EXPECT_LE(repair_shards(shards, 1.0, 100.0, false), (shards * 2 + 4) / 5 + 1);
+    EXPECT_GE(repair_shards(shards, 0.3, 4.0, false), repair_shards(shards, 0.02, 4.0, false)) << shards;
+  }
+}
+
 }  // namespace
 }  // namespace telepalp::link

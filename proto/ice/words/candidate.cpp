@@ -1,4 +1,4 @@
-#include "proto/ice/candidate.h"
+#include "proto/ice/words/candidate.h"
 
 #include <algorithm>
 #include <array>
