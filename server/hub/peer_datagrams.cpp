@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "proto/wire/datagram_message.h"
+#include "proto/wire/sockets/udp_socket.h"
 
 namespace telepalp::hub {
 
@@ -28,6 +29,7 @@ void PeerDatagrams::close() noexcept {
   closed_ = true;
   port_.leave(number_);
   if (end_) end_->close();
+  if (paths_) paths_->close();
 }
 
 std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io, DatagramPort& port, Hub& hub,
@@ -43,9 +45,9 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
       wire::DatagramEnd::Handlers{
           .send = [raw = made.get()](std::span<const std::byte> datagram) { return raw->send(datagram); },
           .next_frame = [&hub, subscriber,
-                         raw = made.get()](wire::Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
-            if (!raw->address_.is_proved()) return nullptr;
-            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber, wanted);
+                         raw = made.get()](wire::Wanted now) -> std::shared_ptr<const link::SharedFrame> {
+            if (!raw->is_proved()) return nullptr;
+            const std::optional<wire::Message> message = hub.next_for_datagram(subscriber, now);
             if (!message) return nullptr;
             return raw->port_.frames().frame_of(*message, raw->peer_.now());
           },
@@ -56,8 +58,46 @@ std::unique_ptr<PeerDatagrams> PeerDatagrams::offer(boost::asio::io_context& io,
               },
           .on_phase = [raw = made.get()](wire::DatagramPhase phase) { raw->on_phase(phase); },
           .now = made->peer_.now});
+  if (made->peer_.signal) made->find_paths(io);
   return made;
 }
+
+void PeerDatagrams::find_paths(boost::asio::io_context& io) {
+  offer_.message.set_finds_path(true);
+  paths_ = std::make_unique<ice::IcePaths>(
+      io.get_executor(),
+      ice::IcePaths::Settings{.end = ice::IcePaths::End::Server,
+                              .type_of_service = wire::type_of_service(wire::TrafficClass::Pictures)},
+      ice::IcePaths::Handlers{.signal = peer_.signal,
+                              .on_datagram =
+                                  [this](std::span<const std::byte> datagram) {
+                                    (void)end_->received(datagram);
+                                    end_->pump();
+                                  },
+                              .on_path = [this](std::optional<ice::PathKind> path) { on_path(path); },
+                              .relays = peer_.relays});
+}
+
+void PeerDatagrams::start() {
+  if (paths_) return paths_->begin();
+  has_begun_ = true;
+  end_->start();
+}
+
+/// Until the first path is found, the images go over TCP. When a path is lost, the silence on it is noticed.
+void PeerDatagrams::on_path(std::optional<ice::PathKind> path) {
+  if (!path) return;
+  if (!std::exchange(has_begun_, true)) return end_->start();
+  end_->way_changed();
+  if (carries_images() && peer_.on_phase) peer_.on_phase(wire::DatagramPhase::Up);
+}
+
+std::string PeerDatagrams::way() const {
+  return paths_ && paths_->path() ? ice::in_words(*paths_->path(), end_->link().path().round_trip()) : std::string();
+}
+
+/// On a path that was found, the peer has answered connectivity checks from its address, and goes on to do so.
+bool PeerDatagrams::is_proved() const noexcept { return paths_ || address_.is_proved(); }
 
 /// True in each phase except Up, because TCP then carries the images and loses nothing.
 bool PeerDatagrams::references_arrive() const noexcept {
@@ -99,16 +139,16 @@ void PeerDatagrams::prove(const DatagramPort::Endpoint& from, std::size_t bytes)
 
 /// A datagram for an address that may get no more is lost.
 bool PeerDatagrams::send(std::span<const std::byte> datagram) {
+  if (paths_) return paths_->send(datagram);
   const std::optional<DatagramPort::Endpoint> to = address_.receiver();
   return !to || !address_.may_send(*to, datagram.size()) || port_.send(datagram, *to);
 }
 
-bool PeerDatagrams::carries_images() const noexcept {
-  return end_->phase() == wire::DatagramPhase::Up && address_.is_proved();
-}
+bool PeerDatagrams::carries_images() const noexcept { return end_->phase() == wire::DatagramPhase::Up && is_proved(); }
 
 void PeerDatagrams::on_phase(wire::DatagramPhase phase) {
   hub_.send_by_datagram(peer_.subscriber, carries_images());
+  if (paths_ && phase == wire::DatagramPhase::Blocked) paths_->lost();
   if (peer_.on_phase) peer_.on_phase(phase);
 }
 
