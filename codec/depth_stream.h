@@ -20,8 +20,8 @@ struct DepthStreamSettings {
 };
 
 /// Compresses the frames of one camera in order. Fast and Intra frames are all key frames. Temporal and Bounded frames
-/// between key frames are predicted from the frame before. In Temporal, every eighth of these is also coded alone; while
-/// that takes fewer bytes, all frames are key frames.
+/// between key frames are predicted from the frame before. In Temporal, one in eight of these is also coded alone, and
+/// each one while the two codings differ by less than 1 %; a frame that takes fewer bytes alone is a key frame.
 class DepthEncoder {
  public:
   explicit DepthEncoder(const DepthStreamSettings& settings);

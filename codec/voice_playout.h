@@ -21,7 +21,7 @@ struct VoicePacket {
 };
 
 /// The jitter buffer between a network and a loudspeaker. Packets come late, twice, in another order, or never; the
-/// loudspeaker takes 20 ms of sound at a time. The delay follows the path: with it, 99.5 % of the frames of the last
+/// loudspeaker takes 20 ms of sound at a time. The delay follows the path: with it, 99 % of the frames of the last
 /// ten seconds would have been there when their turn came, in their own packet or repeated in the next one. A missing
 /// frame is restored from the next one, or concealed. Where the delay no longer fits, or the two clocks drift apart,
 /// single frames are skipped or stretched. Holds at most one second of frames. Pure: times are arguments, of any steady

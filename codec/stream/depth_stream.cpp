@@ -1,6 +1,7 @@
 #include "codec/depth_stream.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -15,8 +16,10 @@
 namespace telepalp::codec {
 namespace {
 
-/// Of so many frames of Temporal that may be predicted, one is also coded alone.
+/// Of so many frames of Temporal that may be predicted, at least one is also coded alone.
 constexpr int kCompareEvery = 8;
+/// While the two codings differ by a smaller share, each frame is coded both ways.
+constexpr double kUndecided = 0.01;
 
 bool same_size_and_unit(const DepthImage& a, const DepthImage& b) noexcept {
   return a.width == b.width && a.height == b.height && a.unit_m == b.unit_m;
@@ -32,6 +35,7 @@ struct DepthEncoder::State {
   CodedFrame previous;   // the last frame as the decoder has it
   int since_key = 0;
   bool key_frame_requested = true;
+  int compared_every = 1;       // of the frames that may be predicted
   int until_compared = 0;       // frames that may be predicted until both codings are compared again
   bool prediction_pays = true;  // the last comparison found the predicted frame smaller
 
@@ -50,6 +54,7 @@ DepthEncoder::DepthEncoder(const DepthStreamSettings& settings)
                                            .previous = {},
                                            .since_key = 0,
                                            .key_frame_requested = true,
+                                           .compared_every = 1,
                                            .until_compared = 0,
                                            .prediction_pays = true})) {}
 DepthEncoder::~DepthEncoder() = default;
@@ -78,16 +83,20 @@ CodedFrame DepthEncoder::State::code(const DepthImage& depth, const std::optiona
 }
 
 /// Of some cameras, most of all noisy ones, the frame before predicts less well than the neighbouring pixels. Then the
-/// frames are coded alone, and are key frames.
+/// frames are coded alone, and are key frames. The longer the comparisons agree, the rarer they become.
 CodedFrame DepthEncoder::State::code_smaller(const DepthImage& depth, const std::optional<DepthWindow>& window) {
   if (until_compared > 0) {
     --until_compared;
     return code(depth, window, !prediction_pays);
   }
-  until_compared = kCompareEvery - 1;
   CodedFrame predicted = code(depth, window, false);
   CodedFrame alone = code(depth, window, true);
-  prediction_pays = predicted.packet.bytes.size() < alone.packet.bytes.size();
+  const auto [predicted_B, alone_B] = std::pair{predicted.packet.bytes.size(), alone.packet.bytes.size()};
+  const bool pays = predicted_B < alone_B;
+  const double apart = std::abs(static_cast<double>(predicted_B) / static_cast<double>(alone_B) - 1.0);
+  const bool decided = apart >= kUndecided && pays == std::exchange(prediction_pays, pays);
+  compared_every = decided ? std::min(2 * compared_every, kCompareEvery) : 1;
+  until_compared = compared_every - 1;
   return prediction_pays ? std::move(predicted) : std::move(alone);
 }
 
@@ -128,8 +137,8 @@ EncodedDepth DepthEncoder::encode(const DepthImage& depth, const std::optional<D
   const bool predictive = is_predictive(mode);
   const bool is_key = !predictive || state.next_is_key(depth);
   const std::optional<DepthWindow> around = has_window ? window : std::nullopt;
-  CodedFrame coded = !is_key && mode == DepthMode::Temporal ? state.code_smaller(depth, around)
-                                                            : state.code(depth, around, is_key);
+  CodedFrame coded =
+      !is_key && mode == DepthMode::Temporal ? state.code_smaller(depth, around) : state.code(depth, around, is_key);
   state.since_key = is_key || coded.packet.key_frame ? 0 : state.since_key + 1;
   encoded.bytes = std::move(coded.packet.bytes);
   encoded.crc = coded.packet.crc;

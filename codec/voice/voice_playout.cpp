@@ -9,7 +9,7 @@ namespace telepalp::codec {
 namespace {
 
 constexpr std::size_t kTransits = 500;    // ten seconds
-constexpr double kShareInTime = 0.995;    // of the frames
+constexpr double kShareInTime = 0.99;     // of the frames
 constexpr std::uint32_t kGiveUp = 10;     // missing frames in a row, after which nobody talks
 constexpr double kSkipAbove = 1.2;        // frames; by one more than the next bound, and the jitter of the calls
 constexpr double kSkipAtOnceAbove = 4.0;  // frames

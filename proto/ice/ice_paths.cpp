@@ -21,13 +21,14 @@ constexpr std::size_t kMostRelays = 4;
 constexpr std::size_t kLeastUser = 4, kLeastPassword = 22;  // RFC 8839 §5.4
 constexpr std::size_t kMostRelayText = 256;
 
-std::vector<Relay> relays_of(const std::vector<msg::IceRelay>& messages) {
+std::vector<Relay> relays_of(const std::vector<msg::IceRelay>& messages, Reach reach) {
   std::vector<Relay> relays;
   for (const msg::IceRelay& message : messages) {
     boost::system::error_code no_address;
-    (void)boost::asio::ip::make_address(message.address(), no_address);
-    if (no_address || message.port() > 65535 || message.tcp_port() > 65535 || relays.size() == kMostRelays ||
-        message.user().size() > kMostRelayText || message.password().size() > kMostRelayText)
+    const auto address = boost::asio::ip::make_address(message.address(), no_address);
+    if (no_address || !may_check(address, reach) || message.port() > 65535 || message.tcp_port() > 65535 ||
+        relays.size() == kMostRelays || message.user().size() > kMostRelayText ||
+        message.password().size() > kMostRelayText)
       continue;
     relays.push_back({.address = message.address(),
                       .port = static_cast<std::uint16_t>(message.port()),
@@ -104,7 +105,7 @@ bool IcePaths::start(Number number, const std::vector<msg::IceRelay>& relays) {
   ++counts_.attempts;
   auto agent = IceAgent::start(executor_,
                                {.controlling = settings_.end == End::Server,
-                                .relays = relays_of(relays),
+                                .relays = relays_of(relays, settings_.reach),
                                 .reach = settings_.reach,
                                 .type_of_service = settings_.type_of_service},
                                {.on_candidate =

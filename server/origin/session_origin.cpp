@@ -64,9 +64,8 @@ Offer SessionOrigin::offer() {
                                           return parts_.survey->notes.apply(json, who,
                                                                             std::chrono::system_clock::now());
                                         })};
-  offer.resources[kMarks.topic.name] = {.state = [this] {
-    return state_message(parts_.said.at(parts_.player->state().position_s(), clock_.now()));
-  }};
+  offer.resources[kMarks.topic.name] = {
+      .state = [this] { return state_message(parts_.said.at(parts_.player->state().position_s(), clock_.now())); }};
   if (parts_.comparison)
     offer.resources[kComparison.topic.name] = {.state = [this] { return state_message(parts_.comparison->state()); },
                                                .change = at_once([this](const std::string& json, const std::string&) {

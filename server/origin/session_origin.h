@@ -26,7 +26,7 @@ class SessionOrigin final : public Origin {
   struct Parts {
     std::unique_ptr<playback::SessionPlayer> player;
     std::shared_ptr<SessionSurvey> survey;
-    PlayedNotes said;  ///< on the picture, while the session took place
+    PlayedNotes said;                                         ///< on the picture, while the session took place
     std::unique_ptr<playback::SessionComparison> comparison;  ///< null: no folder of other sessions is named
     bool is_endless;                                          ///< no visitor can end its repetition
   };

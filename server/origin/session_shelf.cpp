@@ -49,7 +49,7 @@ std::uint64_t utc_s(fs::file_time_type at) {
 struct SessionShelf::Opened {
   std::unique_ptr<playback::SessionPlayer> player;
   std::unique_ptr<playback::SessionComparison> comparison{};  ///< null: no folder of other sessions is named
-  std::vector<wire::ToldNote> told{};  // while the session took place
+  std::vector<wire::ToldNote> told{};                         // while the session took place
 
   static Result<Opened> read(const playback::PlaybackSpec& spec, bool loop, const wire::SessionClock& clock,
                              const Options& options, const Progress& progress) {
@@ -85,8 +85,8 @@ Result<std::unique_ptr<Origin>> SessionShelf::origin_of(Opened opened, const pla
   const fs::path file = fs::absolute(spec.file).lexically_normal();
   std::shared_ptr<SessionSurvey> survey = surveys_[file].lock();
   if (!survey) {
-    Result<playback::SessionNotes> notes =
-        playback::SessionNotes::open(spec.file, opened.player->state().duration_s(), wire::as_session_notes(opened.told));
+    Result<playback::SessionNotes> notes = playback::SessionNotes::open(spec.file, opened.player->state().duration_s(),
+                                                                        wire::as_session_notes(opened.told));
     if (!notes) return notes.error();
     survey.reset(new SessionSurvey{{spec.file, opened.player->begin(), options_.say}, std::move(*notes)});
     surveys_[file] = survey;

@@ -47,7 +47,7 @@ cmp a.mcap b.mcap || fail "the copy differs"
 telepalp-record copy file.mcap --out "$left/ward3/c.mcap" --keep-days 1 >copy.log 2>&1 && fail "a file without consent is stored" copy.log
 
 # Played from the middle, through a server anywhere.
-start player telepalp-server --source "session:$left/ward3/a.mcap,from_s=6,paused=yes" --port 0 --http-port 0 --ready-file player.ready
+start player telepalp-server --source "session:$left/ward3/a.mcap,from_s=6" --port 0 --http-port 0 --ready-file player.ready
 player=$(port_of player)
 telepalp-view --connect "127.0.0.1:$player" --snapshot played.png --patience 20 >view.log 2>&1 || fail "no picture of the played session" view.log
 [ -s played.png ] || fail "no picture of the played session" view.log

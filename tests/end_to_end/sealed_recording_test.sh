@@ -37,7 +37,7 @@ cmp plain.mcap back.mcap || fail "the copies differ"
 telepalp-export a.mcap --csv /camera/status --out status.csv >export.log 2>&1 || fail "export" export.log
 telepalp-report a.mcap --out report >report.log 2>&1 || fail "report" report.log
 telepalp-replay a.mcap --seconds 2 --out replay >replay.log 2>&1 || fail "replay" replay.log
-telepalp-server --source session:a.mcap,from_s=2,paused=yes --port 0 --ready-file player.ready >player.log 2>&1 &
+telepalp-server --source session:a.mcap,from_s=1 --port 0 --ready-file player.ready >player.log 2>&1 &
 background+=($!)
 telepalp-view --connect "127.0.0.1:$(port_of player)" --snapshot played.png --patience 20 >view.log 2>&1 || fail "no picture of the encrypted session" view.log
 

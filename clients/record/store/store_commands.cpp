@@ -22,15 +22,15 @@ program::Usage copy_usage() {
           .options = {{"out", "SESSION", "the new session; encrypted if TELEPALP_SITE_KEYS names a key"},
                       {"keep-days", "N", "in a cluster: kept so long, but not longer than the session's consent says"},
                       {"plain", "", "do not encrypt the copy"}},
-          .example = "telepalp-record copy session.mcap --keep-days 30 --out nats://127.0.0.1/ward3/session.mcap"};
+          .example = "telepalp-record copy nats://10.0.0.5/ward3/a.mcap --out a.mcap"};
 }
 
 program::Usage reseal_usage() {
   return {.program = "telepalp-record reseal",
-          .purpose = "lets a new key of the site decrypt encrypted sessions; the old key no longer does",
+          .purpose = "lets the first key of TELEPALP_SITE_KEYS decrypt sessions, instead of the old one",
           .positional = "FILE...",
           .options = {},
-          .example = "TELEPALP_SITE_KEYS=new-site.pub:old-site.key telepalp-record reseal session.mcap"};
+          .example = "telepalp-record reseal session.mcap"};
 }
 
 program::Usage forget_usage() {

@@ -14,8 +14,11 @@ constexpr std::size_t kMostKept = 32;  ///< started frames that are kept for rep
 /// grow without bound.
 constexpr std::size_t kMostBesideAnImage = 2 * kMostKept;
 
-/// A path that loses more gets echoes.
+/// A path that loses more gets echoes, and one that loses more than kManyEchoesLoss gets more of them.
 constexpr double kEchoLoss = 0.02;
+constexpr double kManyEchoesLoss = 0.05;
+constexpr std::array<Nanoseconds, 2> kEchoesAfter{7ms, 14ms};
+constexpr std::array<Nanoseconds, 4> kManyEchoesAfter{3ms, 6ms, 10ms, 15ms};
 
 }  // namespace
 
@@ -25,6 +28,11 @@ std::shared_ptr<const SharedFrame> shared(Frame frame) {
       SharedFrame::Label{
           .channel = frame.channel, .number = frame.number, .key_frame = frame.key_frame, .captured = frame.captured},
       std::span<const std::byte>{}, std::span(*bytes), bytes);
+}
+
+std::span<const Nanoseconds> echoes_after(double loss) noexcept {
+  if (loss <= kEchoLoss) return {};
+  return loss <= kManyEchoesLoss ? std::span<const Nanoseconds>(kEchoesAfter) : kManyEchoesAfter;
 }
 
 std::vector<std::byte> FrameSender::Next::joined() const {
@@ -113,8 +121,12 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
                         std::deque<Piece>& to) {
   const SharedFrame::Label& label = frame->label();
   const FrameLayout& layout = frame->layout();
-  const bool can_ask = can_repair(deadline_ - (now - label.captured), path);
-  const std::size_t repairs = repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
+  // Nobody asks for repairs of a frame of one shard that was lost: its receiver does not know of it.
+  const bool can_ask = layout.data_shards > 1 && can_repair(deadline_ - (now - label.captured), path);
+  const std::span<const Nanoseconds> echoes = label.echoed ? echoes_after(path.loss()) : std::span<const Nanoseconds>{};
+  // Echoes are better repairs: a burst that takes the first datagrams takes repairs beside them, too.
+  const std::size_t repairs =
+      echoes.size() > 2 ? 0 : repair_shards(layout.data_in_block(0), path.loss(), path.burst_packets(), can_ask);
   Outgoing outgoing{.header = {.channel = label.channel,
                                .key_frame = label.key_frame,
                                .frame = label.number,
@@ -128,10 +140,8 @@ void FrameSender::start(std::shared_ptr<const SharedFrame> frame, SessionTime no
     to.push_back({place, static_cast<std::uint8_t>(block), static_cast<std::uint8_t>(i / layout.blocks)});
     ++outgoing.blocks[block].unsent;
   }
-  for (std::size_t block = 0; block < layout.blocks; ++block)
-    queue_repairs(place, outgoing, block, repairs, to);
-  if (label.echoed && path.loss() > kEchoLoss)
-    for (const Nanoseconds after : kEchoesAfter) add_echo({now + after, place});
+  for (std::size_t block = 0; block < layout.blocks; ++block) queue_repairs(place, outgoing, block, repairs, to);
+  for (const Nanoseconds after : echoes) add_echo({now + after, place});
   ++statistics_.started;
   statistics_.data_shards += layout.data_shards;
   sent_.push_back(std::move(outgoing));

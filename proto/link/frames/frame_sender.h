@@ -40,13 +40,14 @@ struct SenderStatistics {
   std::uint64_t requested_shards = 0;  ///< repair shards that were sent on request
 };
 
-/// Times from a frame's first datagrams to its echoes. A burst of losses that lasts longer takes all three; then the
-/// next voice messages help, because each repeats the speech of those before it.
-inline constexpr std::array<Nanoseconds, 2> kEchoesAfter{std::chrono::milliseconds(7), std::chrono::milliseconds(14)};
+/// Times from the first datagrams of an echoed frame to its echoes, on a path with this share of losses. A burst that
+/// lasts longer takes all of them; then the next voice messages help, because each repeats the speech of those before
+/// it. With four echoes, hardly any burst takes more than two messages.
+[[nodiscard]] std::span<const Nanoseconds> echoes_after(double loss) noexcept;
 
 /// Cuts frames into fragments. At most one frame of each channel waits, and a newer one replaces it. A started frame is
-/// sent completely; an urgent one (SharedFrame::Label) is sent before what is left of it. `deadline` counts from the frame's capture. Pure: time and the path are arguments. Owner: one
-/// thread.
+/// sent completely; an urgent one (SharedFrame::Label) is sent before what is left of it. `deadline` counts from the
+/// frame's capture. Pure: time and the path are arguments. Owner: one thread.
 class FrameSender {
  public:
   explicit FrameSender(Nanoseconds deadline) : deadline_(deadline) {}
@@ -125,7 +126,7 @@ class FrameSender {
   std::uint8_t last_channel_ = kMostChannels;  ///< channel of the frame started last: channels take turns
   std::deque<Outgoing> sent_;                  ///< started frames, kept for repairs
   std::uint64_t forgotten_ = 0;                ///< number of frames removed from the front of sent_
-  std::deque<Piece> urgent_;  ///< of urgent frames, with their echoes
+  std::deque<Piece> urgent_;                   ///< of urgent frames, with their echoes
   std::deque<Piece> first_round_;
   std::deque<Piece> requested_;
   std::deque<Echo> echoes_;

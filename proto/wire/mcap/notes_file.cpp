@@ -69,8 +69,7 @@ Result<std::vector<ToldNote>> told_notes(const std::filesystem::path& session) {
     if (!next) continue;  // one damaged chunk; the player counts it
     if (!*next) break;
     msg::LiveNote live;
-    if (live.ParseFromString(*(**next).payload) && is_whole(live))
-      found.push_back({seconds_from(begin, live), live});
+    if (live.ParseFromString(*(**next).payload) && is_whole(live)) found.push_back({seconds_from(begin, live), live});
   }
   std::ranges::stable_sort(found, {}, &ToldNote::at_s);
   return found;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/asio/io_context.hpp>
 #include <algorithm>
+#include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <deque>
 
@@ -38,9 +38,8 @@ struct Wire {
                   return down_cut || carry(datagram, client);
                 },
             .next_frame = [this](Wanted wanted) -> std::shared_ptr<const link::SharedFrame> {
-              const auto next = std::ranges::find_if(waiting, [&](const Message& message) {
-                return wanted == Wanted::Any || is_urgent(message.topic);
-              });
+              const auto next = std::ranges::find_if(
+                  waiting, [&](const Message& message) { return wanted == Wanted::Any || is_urgent(message.topic); });
               if (next == waiting.end()) return nullptr;
               const Message message = std::move(*next);
               waiting.erase(next);
