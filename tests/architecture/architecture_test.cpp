@@ -63,9 +63,12 @@ const std::vector<Rule> kRules{
      {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "clients/report",
       "tools/replay", "messages", "foxglove"}},
     // Simulated people work with the station's mechanism, tissue and scenes, and tell it in the style of the report.
+    // A person at a device is driven as by the daemon, and kept in a session file.
     {"tools/study",
-     {"proto/words", "support", "codec", "haptic_station/core", "haptic_station/device", "haptic_station/effects",
-      "haptic_station/mechanism", "haptic_station/scenes", "haptic_station/tissue", "clients/report", "tools/study"}},
+     {"proto/words", "proto/wire", "support", "codec", "messages", "haptic_station/control", "haptic_station/core",
+      "haptic_station/device", "haptic_station/effects", "haptic_station/loop", "haptic_station/mechanism",
+      "haptic_station/ports", "haptic_station/scenes", "haptic_station/station", "haptic_station/tissue",
+      "clients/report", "tools/study"}},
 };
 
 /// Headers that the real-time part must not include: those of functions that can wait, and those of libraries that it

@@ -6,6 +6,7 @@
 
 #include "tools/study/protocol/hands/person_trial.h"
 #include "tools/study/protocol/page_command.h"
+#include "tools/study/protocol/session.h"
 #include "tools/study/protocol/sitting_file.h"
 
 namespace telepalp::study {

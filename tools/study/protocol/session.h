@@ -33,12 +33,6 @@ inline constexpr StageRow kStages[] = {
   return stage;
 }
 
-/// A mechanism with its needle above whole tissue, and the insertion that begins.
-struct Prepared {
-  std::unique_ptr<HeldTool> tool;
-  std::unique_ptr<Insertion> insertion;  ///< refers to `tool`
-};
-
 /// The way of one participant through the plan. Pure. Owner: the network thread.
 class Session {
  public:

@@ -77,6 +77,12 @@ class Insertion {
   int ticks_ = 0;
 };
 
+/// A mechanism with its needle above whole tissue, and the insertion that begins.
+struct Prepared {
+  std::unique_ptr<HeldTool> tool;
+  std::unique_ptr<Insertion> insertion;  ///< refers to `tool`
+};
+
 /// Who moves the hand in an insertion.
 class HandMotion {
  public:

@@ -6,7 +6,8 @@
 
 #include "haptic_station/loop/tick_sample.h"
 #include "proto/words/result.h"
-#include "tools/study/protocol/session.h"
+#include "tools/study/person/operator.h"
+#include "tools/study/task/insertion.h"
 #include "tools/study/task/linkage_places.h"
 
 namespace telepalp::study {
