@@ -81,7 +81,9 @@ TEST_F(SealedSession, ReadsAsItWasWrittenInPiecesOfAnySize) {
       const std::string content = noise(size, 1);
       const fs::path file = write(content, piece, Protection::OfSite);
       EXPECT_EQ(read(file) == content, true) << size << " B in pieces of " << piece;
-      if (size > 32) EXPECT_EQ(bytes_of(file).find(content.substr(0, 32)), std::string::npos) << "stored readable";
+      if (size > 32) {
+        EXPECT_EQ(bytes_of(file).find(content.substr(0, 32)), std::string::npos) << "stored readable";
+      }
     }
 }
 
@@ -129,7 +131,9 @@ TEST_F(SealedSession, BlocksThatChangedTheirPlaceOrTheirFileAreUnreadable) {
   for (const std::string& wrong : {swapped, mixed}) {
     const auto source = decrypted(in_memory(wrong, "wrong"));
     std::string part;
-    if (source) EXPECT_FALSE((*source)->read(0, 10, part));
+    if (source) {
+      EXPECT_FALSE((*source)->read(0, 10, part));
+    }
   }
 }
 

@@ -142,7 +142,9 @@ void expect_speech(std::size_t image_B) {
               << talk.sent_Mbit_per_s() << " Mbit/s\n";
     EXPECT_LE(talk.mouth_to_ear_ms(0.95), kMostDelay_ms) << "seed " << seed;
     EXPECT_GE(talk.played_percent(), 99.0) << "seed " << seed;
-    if (image_B > 0) EXPECT_GE(talk.images_percent(), 50.0) << "seed " << seed;
+    if (image_B > 0) {
+      EXPECT_GE(talk.images_percent(), 50.0) << "seed " << seed;
+    }
   }
 }
 
