@@ -1,5 +1,8 @@
 #pragma once
 
+#include "proto/words/result.h"
+#include "support/program/options.h"
+
 namespace telepalp::record {
 
 // The commands of telepalp-record on files: each parses the options in `argv` and returns the program's exit code.
@@ -12,5 +15,9 @@ int expire_command(int argc, const char* const* argv);
 int copy_command(int argc, const char* const* argv);
 int reseal_command(int argc, const char* const* argv);
 int forget_command(int argc, const char* const* argv);
+
+/// Says for how long a cluster keeps the recording that --out names, if it is in a cluster. On the disk,
+/// telepalp-record expire ends its retention. Error: the consent is over, or an option does not suit a cluster.
+[[nodiscard]] Result<void> settle_cluster_terms(const program::Arguments& arguments);
 
 }  // namespace telepalp::record

@@ -1,10 +1,6 @@
-#include <chrono>
-#include <optional>
-
 #include "clients/record/file_commands.h"
 #include "clients/record/live/amounts.h"
 #include "clients/record/live/recording.h"
-#include "clients/record/store/cluster_terms.h"
 #include "support/program/default_ports.h"
 #include "support/program/ending.h"
 #include "support/program/log.h"
@@ -114,25 +110,6 @@ Result<record::RecordingOptions> recording_options(const program::Arguments& arg
                                   .progress = program::takes_progress(stderr)};
 }
 
-/// Says for how long a cluster may keep the recording. On the disk, telepalp-record expire ends its retention.
-Result<void> settle_cluster_terms(const program::Arguments& arguments) {
-  if (!session_store::is_in_cluster(arguments.text("out"))) return {};
-  std::optional<std::chrono::days> keep;
-  if (arguments.has("keep-days")) {
-    const Result<std::int64_t> days = arguments.whole("keep-days", 1, 36500);
-    if (!days) return days.error();
-    keep = std::chrono::days(*days);
-  }
-  if (arguments.has("keep-last"))
-    return Error{.what = "a cluster keeps whole sessions",
-                 .where = "--keep-last",
-                 .fix = "give --keep-days, or record to a file"};
-  const auto terms = record::cluster_terms(arguments.text("consent"), keep, std::chrono::system_clock::now());
-  if (!terms) return terms.error();
-  session_store::use_cluster_sessions(*terms);
-  return {};
-}
-
 int run_recording(const program::Arguments& arguments) {
   if (!arguments.has("out"))
     return program::fail(
@@ -144,7 +121,7 @@ int run_recording(const program::Arguments& arguments) {
   if (!options) return program::fail(options.error(), program::kAskedWrongly);
   if (const Result<void> stated = program::check_consent(arguments, "this recording"); !stated)
     return program::fail(stated.error(), program::kAskedWrongly);
-  if (const Result<void> settled = settle_cluster_terms(arguments); !settled)
+  if (const Result<void> settled = record::settle_cluster_terms(arguments); !settled)
     return program::fail(settled.error(), program::kAskedWrongly);
   Result<std::shared_ptr<const keys::KeyFile>> key =
       keys::load_client_key(arguments.text("key"), std::chrono::system_clock::now());

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "proto/wire/mcap/format/byte_source.h"
-#include "proto/wire/mcap/writing/byte_sink.h"
+#include "proto/wire/mcap/format/byte_sink.h"
 #include "proto/words/result.h"
 #include "support/session_store/session_place.h"
 

@@ -1,7 +1,10 @@
 // Where sessions are kept: copies between the disk and a cluster, encrypted or not, and new keys for encrypted ones.
+#include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "clients/record/file_commands.h"
+#include "clients/record/store/cluster_terms.h"
 #include "clients/record/store/reseal.h"
 #include "clients/record/store/whole_copy.h"
 #include "proto/wire/mcap/format/byte_source.h"
@@ -109,6 +112,24 @@ int reseal_command(int argc, const char* const* argv) {
 
 int forget_command(int argc, const char* const* argv) {
   return program::run_program(forget_usage(), argc, argv, run_forget);
+}
+
+Result<void> settle_cluster_terms(const program::Arguments& arguments) {
+  if (!session_store::is_in_cluster(arguments.text("out"))) return {};
+  std::optional<std::chrono::days> keep;
+  if (arguments.has("keep-days")) {
+    const Result<std::int64_t> days = arguments.whole("keep-days", 1, 36500);
+    if (!days) return days.error();
+    keep = std::chrono::days(*days);
+  }
+  if (arguments.has("keep-last"))
+    return Error{.what = "a cluster keeps whole sessions",
+                 .where = "--keep-last",
+                 .fix = "give --keep-days, or record to a file"};
+  const auto terms = cluster_terms(arguments.text("consent"), keep, std::chrono::system_clock::now());
+  if (!terms) return terms.error();
+  session_store::use_cluster_sessions(*terms);
+  return {};
 }
 
 }  // namespace telepalp::record

@@ -7,9 +7,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "proto/wire/mcap/format/place.h"
-#include "proto/wire/mcap/sealed/sealed_source.h"
-
 namespace telepalp::wire::mcap {
 namespace {
 
@@ -81,13 +78,6 @@ Result<std::unique_ptr<ByteSource>> open_file(const std::filesystem::path& file)
   }
   return std::unique_ptr<ByteSource>(
       std::make_unique<File>(descriptor, static_cast<std::uint64_t>(status.st_size), file.string()));
-}
-
-Result<std::unique_ptr<ByteSource>> open_session(const std::filesystem::path& file) {
-  const Place* const place = place_of(file);
-  Result<std::unique_ptr<ByteSource>> source = place != nullptr ? place->open(file.string()) : open_file(file);
-  if (!source) return source;
-  return decrypted(*std::move(source));
 }
 
 std::unique_ptr<ByteSource> in_memory(std::string bytes, std::string name) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "proto/wire/mcap/format/byte_source.h"
-#include "proto/wire/mcap/writing/byte_sink.h"
+#include "proto/wire/mcap/format/byte_sink.h"
 #include "proto/words/result.h"
 
 namespace telepalp::wire::mcap {

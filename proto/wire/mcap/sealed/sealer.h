@@ -8,7 +8,7 @@
 
 #include "proto/keys/seal/site_key.h"
 #include "proto/wire/mcap/sealed/sealed_header.h"
-#include "proto/wire/mcap/writing/byte_sink.h"
+#include "proto/wire/mcap/format/byte_sink.h"
 #include "proto/words/result.h"
 
 namespace telepalp::wire::mcap {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "proto/wire/mcap/writing/byte_sink.h"
+#include "proto/wire/mcap/format/byte_sink.h"
 #include "proto/wire/mcap/writing/output_file.h"
 
 namespace telepalp::wire::mcap {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "proto/wire/mcap/sealed/sealer.h"
-#include "proto/wire/mcap/writing/byte_sink.h"
+#include "proto/wire/mcap/format/byte_sink.h"
 #include "proto/words/result.h"
 
 namespace telepalp::wire::mcap {
