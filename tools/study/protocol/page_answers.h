@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tools/study/protocol/hands/person_trial.h"
+#include "tools/study/protocol/session.h"
 
 namespace telepalp::study {
 
