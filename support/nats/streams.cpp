@@ -122,9 +122,12 @@ Result<std::optional<std::string>> Streams::newest(const std::string& stream, co
   jsDirectGetMsgOptions_Init(&which);
   which.LastBySubject = subject.c_str();
   natsMsg* message = nullptr;
-  const natsStatus status = js_DirectGetMsg(&message, parts_->context, stream.c_str(), nullptr, &which);
+  jsErrCode code{};
+  natsStatus status = js_DirectGetMsg(&message, parts_->context, stream.c_str(), nullptr, &which);
+  if (status == NATS_NOT_FOUND)  // the server that answered may lag behind the leader
+    status = js_GetLastMsg(&message, parts_->context, stream.c_str(), subject.c_str(), nullptr, &code);
   if (status == NATS_NOT_FOUND) return std::optional<std::string>();
-  if (status != NATS_OK) return refused_by_jetstream(status, jsErrCode{}, subject);
+  if (status != NATS_OK) return refused_by_jetstream(status, code, subject);
   std::string payload(natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message)));
   natsMsg_Destroy(message);
   return std::optional(std::move(payload));
