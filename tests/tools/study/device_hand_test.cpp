@@ -110,7 +110,11 @@ TEST(DevicePenetration, ASilentOrImpossibleDeviceEndsItWithoutForce) {
     }
     loop::GatedReading reading = reading_at(arm.hand_m());
     reading.implausible_s = implausible_s;
-    EXPECT_EQ(at_device.step(reading, age_s).N.norm() > 0.0, at_device.lost() == DevicePenetration::Lost::No);
+    const double given_N = at_device.step(reading, age_s).N.norm();
+    if (at_device.lost() != DevicePenetration::Lost::No) {
+      EXPECT_EQ(given_N, 0.0);
+      EXPECT_EQ(at_device.step(reading_at(arm.hand_m()), 0.0).N.norm(), 0.0) << "it stays ended";
+    }
     return at_device.lost();
   };
   EXPECT_EQ(lost_after(0.01, 0.01), DevicePenetration::Lost::No);
