@@ -40,7 +40,6 @@ const protocol = () => page.evaluate(() => ({state: window.protocol.state, frame
 
 test('the device moves the needle and gets its force; the mouse moves nothing', async () => {
   assert.equal((await protocol()).state.device, true);
-  await device.move([0, 0.1, 0]);
   await page.keyboard.press('Space');
   await page.waitForFunction(() => window.protocol.frame?.seen !== undefined);
   assert.match(await page.textContent('#do'), /Hold the end-effector/);
@@ -68,7 +67,9 @@ test('the report says that force was felt, and the sitting is a session', async 
   assert.deepEqual(files, ['p08-0001.mcap']);
   const file = join(out, 'sessions', files[0]);
   assert.match(execFileSync(join(binDir, 'telepalp-record'), ['verify', file], {encoding: 'utf8'}), /whole|no damage|messages/);
-  const rows = execFileSync(join(binDir, 'telepalp-export'), ['csv', file, '--out', join(place.folder, 'csv')], {encoding: 'utf8'});
-  assert.ok(rows !== undefined);
+  const csv = join(place.folder, 'ticks.csv');
+  execFileSync(join(binDir, 'telepalp-export'), [file, '--csv', '/station/ticks', '--out', csv]);
+  assert.ok(readFileSync(csv, 'utf8').split('\n').length > 100, 'the ticks of the penetration');
+  execFileSync(join(binDir, 'telepalp-report'), [file, '--out', join(place.folder, 'report.html')]);
   assert.deepEqual(browser.problems.filter((problem) => !/WebSocket|ERR_CONNECTION/.test(problem)), []);
 });
