@@ -78,7 +78,7 @@ function show() {
   by('unseen').textContent = hint;
   by('force').hidden = !feels;
   by('no-force').hidden = feels;
-  by('how').hidden = state.device;
+  by('how').closest('.card').hidden = state.device;
   by('field-note').textContent = moving() ? 'Esc lets go' : '';
   if (stage === 'resting' || stage === 'finished') rest();
 }
