@@ -20,8 +20,7 @@ struct DepthStreamSettings {
 };
 
 /// Compresses the frames of one camera in order. Fast and Intra frames are all key frames. Temporal and Bounded frames
-/// between key frames are predicted from the frame before. In Temporal, one in eight of these is also coded alone, and
-/// each one while the two codings differ by less than 1 %; a frame that takes fewer bytes alone is a key frame.
+/// between key frames are predicted from the frame before.
 class DepthEncoder {
  public:
   explicit DepthEncoder(const DepthStreamSettings& settings);

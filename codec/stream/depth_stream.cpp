@@ -1,7 +1,6 @@
 #include "codec/depth_stream.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -15,11 +14,6 @@
 
 namespace telepalp::codec {
 namespace {
-
-/// Of so many frames of Temporal that may be predicted, at least one is also coded alone.
-constexpr int kCompareEvery = 8;
-/// While the two codings differ by a smaller share, each frame is coded both ways.
-constexpr double kUndecided = 0.01;
 
 bool same_size_and_unit(const DepthImage& a, const DepthImage& b) noexcept {
   return a.width == b.width && a.height == b.height && a.unit_m == b.unit_m;
@@ -35,15 +29,9 @@ struct DepthEncoder::State {
   CodedFrame previous;   // the last frame as the decoder has it
   int since_key = 0;
   bool key_frame_requested = true;
-  int compared_every = 1;       // of the frames that may be predicted
-  int until_compared = 0;       // frames that may be predicted until both codings are compared again
-  bool prediction_pays = true;  // the last comparison found the predicted frame smaller
 
   [[nodiscard]] bool next_is_key(const DepthImage& depth);
-  [[nodiscard]] Reference reference() const noexcept;
-  [[nodiscard]] CodedFrame code(const DepthImage& depth, const std::optional<DepthWindow>& window, bool is_key);
-  [[nodiscard]] CodedFrame code_smaller(const DepthImage& depth, const std::optional<DepthWindow>& window);
-  [[nodiscard]] CodedFrame code_whole(const DepthImage& depth, const Reference& reference);
+  [[nodiscard]] CodedFrame code(const DepthImage& depth, bool is_key, const Reference& reference);
   [[nodiscard]] CodedFrame code_around(const DepthImage& depth, const DepthWindow& window, const Reference& reference);
 };
 
@@ -53,10 +41,7 @@ DepthEncoder::DepthEncoder(const DepthStreamSettings& settings)
                                            .since_levels = 0,
                                            .previous = {},
                                            .since_key = 0,
-                                           .key_frame_requested = true,
-                                           .compared_every = 1,
-                                           .until_compared = 0,
-                                           .prediction_pays = true})) {}
+                                           .key_frame_requested = true})) {}
 DepthEncoder::~DepthEncoder() = default;
 DepthEncoder::DepthEncoder(DepthEncoder&&) noexcept = default;
 DepthEncoder& DepthEncoder::operator=(DepthEncoder&&) noexcept = default;
@@ -69,38 +54,7 @@ bool DepthEncoder::State::next_is_key(const DepthImage& depth) {
          since_key + 1 >= std::min(settings.key_every, kMost);
 }
 
-/// The frame before, as the reference of the next one.
-Reference DepthEncoder::State::reference() const noexcept {
-  return {.depth = &previous.depth,
-          .palette = previous.palette ? &*previous.palette : nullptr,
-          .crc = previous.packet.crc,
-          .since_key = static_cast<std::uint16_t>(since_key + 1)};
-}
-
-CodedFrame DepthEncoder::State::code(const DepthImage& depth, const std::optional<DepthWindow>& window, bool is_key) {
-  const Reference from = is_key ? Reference{} : reference();
-  return window ? code_around(depth, *window, from) : code_whole(depth, from);
-}
-
-/// Of some cameras, most of all noisy ones, the frame before predicts less well than the neighbouring pixels. Then the
-/// frames are coded alone, and are key frames. The longer the comparisons agree, the rarer they become.
-CodedFrame DepthEncoder::State::code_smaller(const DepthImage& depth, const std::optional<DepthWindow>& window) {
-  if (until_compared > 0) {
-    --until_compared;
-    return code(depth, window, !prediction_pays);
-  }
-  CodedFrame predicted = code(depth, window, false);
-  CodedFrame alone = code(depth, window, true);
-  const auto [predicted_B, alone_B] = std::pair{predicted.packet.bytes.size(), alone.packet.bytes.size()};
-  const bool pays = predicted_B < alone_B;
-  const double apart = std::abs(static_cast<double>(predicted_B) / static_cast<double>(alone_B) - 1.0);
-  const bool decided = apart >= kUndecided && pays == std::exchange(prediction_pays, pays);
-  compared_every = decided ? std::min(2 * compared_every, kCompareEvery) : 1;
-  until_compared = compared_every - 1;
-  return prediction_pays ? std::move(predicted) : std::move(alone);
-}
-
-CodedFrame DepthEncoder::State::code_whole(const DepthImage& depth, const Reference& reference) {
+CodedFrame DepthEncoder::State::code(const DepthImage& depth, bool is_key, const Reference& reference) {
   if (settings.mode == DepthMode::Fast) return {.packet = write_frame(depth, settings.mode, {}), .depth = {}};
   LevelPalette palette = palette_of(depth.samples);
   if (settings.mode != DepthMode::Bounded) {
@@ -108,7 +62,7 @@ CodedFrame DepthEncoder::State::code_whole(const DepthImage& depth, const Refere
     if (!is_predictive(settings.mode)) return {.packet = std::move(packet), .depth = {}};
     return {.packet = std::move(packet), .depth = depth, .palette = std::move(palette)};
   }
-  if (reference.depth == nullptr) reconstruction = reconstruction_levels_for(depth, palette, settings.bound);
+  if (is_key) reconstruction = reconstruction_levels_for(depth, palette, settings.bound);
   return code_bounded(depth, palette, reconstruction, reference);
 }
 
@@ -136,10 +90,12 @@ EncodedDepth DepthEncoder::encode(const DepthImage& depth, const std::optional<D
   }
   const bool predictive = is_predictive(mode);
   const bool is_key = !predictive || state.next_is_key(depth);
-  const std::optional<DepthWindow> around = has_window ? window : std::nullopt;
-  CodedFrame coded =
-      !is_key && mode == DepthMode::Temporal ? state.code_smaller(depth, around) : state.code(depth, around, is_key);
-  state.since_key = is_key || coded.packet.key_frame ? 0 : state.since_key + 1;
+  state.since_key = is_key ? 0 : state.since_key + 1;
+  const Reference reference{.depth = is_key ? nullptr : &state.previous.depth,
+                            .palette = is_key || !state.previous.palette ? nullptr : &*state.previous.palette,
+                            .crc = state.previous.packet.crc,
+                            .since_key = static_cast<std::uint16_t>(state.since_key)};
+  CodedFrame coded = has_window ? state.code_around(depth, *window, reference) : state.code(depth, is_key, reference);
   encoded.bytes = std::move(coded.packet.bytes);
   encoded.crc = coded.packet.crc;
   encoded.key_frame = coded.packet.key_frame;
