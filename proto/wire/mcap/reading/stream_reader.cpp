@@ -28,12 +28,6 @@ bool is_plausible(const RecordHead& head) noexcept {
 
 }  // namespace
 
-Result<McapStreamReader> McapStreamReader::open(const std::filesystem::path& file) {
-  Result<std::unique_ptr<mcap::ByteSource>> source = mcap::open_session(file);
-  if (!source) return source.error();
-  return open(std::move(source).value());
-}
-
 Result<McapStreamReader> McapStreamReader::open(std::unique_ptr<mcap::ByteSource> source) {
   if (const Result<void> magic = mcap::check_magic(*source); !magic) return magic.error();
   return McapStreamReader(std::move(source));
