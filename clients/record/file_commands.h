@@ -16,8 +16,8 @@ int copy_command(int argc, const char* const* argv);
 int reseal_command(int argc, const char* const* argv);
 int forget_command(int argc, const char* const* argv);
 
-/// Says for how long a cluster keeps the recording that --out names, if it is in a cluster. On the disk,
-/// telepalp-record expire ends its retention. Error: the consent is over, or an option does not suit a cluster.
+/// If --out names a session in a cluster, tells the cluster how long to keep it. (On the disk, telepalp-record expire
+/// ends the retention.) Error: the consent is over, or an option does not suit a cluster.
 [[nodiscard]] Result<void> settle_cluster_terms(const program::Arguments& arguments);
 
 }  // namespace telepalp::record

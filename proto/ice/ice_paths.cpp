@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr auto kLookEvery = 250ms;
 constexpr std::chrono::milliseconds kFirstPause = 1s, kLongestPause = 30s;
 constexpr auto kOldPathStays = 3s;      // datagrams that are on their way still arrive
-constexpr auto kBetterPathWithin = 5s;  // of an attempt that shall do without the relay
+constexpr auto kBetterPathWithin = 5s;  // an attempt to do without the relay may last so long
 constexpr std::size_t kMostAttempts = 3;
 constexpr std::size_t kMostRelays = 4;
 constexpr std::size_t kLeastUser = 4, kLeastPassword = 22;  // RFC 8839 §5.4

@@ -44,7 +44,7 @@ class IcePaths {
   };
   struct Counts {
     std::uint64_t attempts = 0;
-    std::uint64_t refused = 0;  ///< candidates, credentials and attempts of the peer
+    std::uint64_t refused = 0;  ///< what the peer may not send: candidates, credentials, attempts
   };
 
   IcePaths(const boost::asio::any_io_executor& executor, const Settings& settings, Handlers handlers);
@@ -54,9 +54,9 @@ class IcePaths {
 
   /// Of a server: begins an attempt, now or when the pause after the last one is over. An attempt that runs goes on.
   void begin();
-  /// Of a server: nothing arrives by the present path. It is kept, and any other one is better.
+  /// Of a server: nothing arrives by the present path. It is used until there is another one, of whatever kind.
   void lost();
-  /// The peer's message. What it must not say is ignored and counted.
+  /// The peer's message. What the peer may not say is ignored and counted.
   void heard(const msg::IcePath& message);
   /// False: the socket is full, and the datagram can be sent again. Without a path the datagram is lost.
   [[nodiscard]] bool send(std::span<const std::byte> datagram);

@@ -19,9 +19,9 @@ class PlayedNotes {
   /// `notes`: as wire::told_notes() gives them. Marks with neither words nor a place are left out.
   explicit PlayedNotes(std::vector<wire::ToldNote> notes);
 
-  /// The notes at `position_s` of the session, at most the four newest. Each note has the time at which it appeared, of
-  /// the receivers' clock, whose present time is `now`. While it stands that long, as in a paused session, its time is
-  /// renewed.
+  /// The notes at `position_s` of the session, at most the four newest. `now`: of the receivers' clock. A note's time
+  /// is the one at which it appeared on that clock; in a paused session it is renewed, so that pages do not take it
+  /// away.
   [[nodiscard]] const msg::MarksState& at(double position_s, SessionTime now);
 
  private:

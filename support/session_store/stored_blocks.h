@@ -26,7 +26,8 @@ struct SessionName {
 /// that describes the session. A block that is stored again replaces itself, so that nothing is stored twice.
 class StoredBlocks {
  public:
-  static constexpr std::uint64_t kMostBlocks = 90'000;  // 45 GB; more than 100 000 subjects are not listed
+  static constexpr std::uint64_t kMostBlocks =
+      90'000;  // 45 GB. Each block has a subject, of which NATS lists at most 100 000
 
   struct About {
     std::uint32_t block_B = 0;

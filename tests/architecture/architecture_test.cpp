@@ -63,7 +63,7 @@ const std::vector<Rule> kRules{
      {"proto", "support", "codec", "server/capture", "server/pipeline", "haptic_station", "clients/report",
       "tools/replay", "messages", "foxglove"}},
     // Simulated people work with the station's mechanism, tissue and scenes, and tell it in the style of the report.
-    // A person at a device is driven as by the daemon, and kept in a session file.
+    // A study with people drives a haptic device as the daemon does, and keeps each sitting in a session file.
     {"tools/study",
      {"proto/words", "proto/wire", "support", "codec", "messages", "haptic_station/control", "haptic_station/core",
       "haptic_station/device", "haptic_station/effects", "haptic_station/loop", "haptic_station/mechanism",

@@ -51,16 +51,22 @@ int asked_wrongly(std::string what, const program::Usage& usage) {
                        program::kAskedWrongly);
 }
 
+/// --keep-days; nullopt: it is not given.
+Result<std::optional<std::chrono::days>> keep_days(const program::Arguments& arguments) {
+  if (!arguments.has("keep-days")) return std::optional<std::chrono::days>();
+  const Result<std::int64_t> days = arguments.whole("keep-days", 1, 36500);
+  if (!days) return days.error();
+  return std::optional(std::chrono::days(*days));
+}
+
 int run_copy(const program::Arguments& arguments) {
   if (arguments.positional().size() != 1 || !arguments.has("out"))
     return asked_wrongly("copy needs one session, and a new one named by --out", copy_usage());
   WholeCopyOptions options;
   if (arguments.has("plain")) options.protection = wire::mcap::Protection::None;
-  if (arguments.has("keep-days")) {
-    const Result<std::int64_t> days = arguments.whole("keep-days", 1, 36500);
-    if (!days) return program::fail(days.error(), program::kAskedWrongly);
-    options.keep = std::chrono::days(*days);
-  }
+  const auto keep = keep_days(arguments);
+  if (!keep) return program::fail(keep.error(), program::kAskedWrongly);
+  options.keep = *keep;
   const std::string out = arguments.text("out");
   const Result<std::uint64_t> bytes = copy_whole(arguments.positional().front(), out, options);
   if (!bytes) return program::fail(bytes.error());
@@ -116,17 +122,13 @@ int forget_command(int argc, const char* const* argv) {
 
 Result<void> settle_cluster_terms(const program::Arguments& arguments) {
   if (!session_store::is_in_cluster(arguments.text("out"))) return {};
-  std::optional<std::chrono::days> keep;
-  if (arguments.has("keep-days")) {
-    const Result<std::int64_t> days = arguments.whole("keep-days", 1, 36500);
-    if (!days) return days.error();
-    keep = std::chrono::days(*days);
-  }
+  const auto keep = keep_days(arguments);
+  if (!keep) return keep.error();
   if (arguments.has("keep-last"))
     return Error{.what = "a cluster keeps whole sessions",
                  .where = "--keep-last",
                  .fix = "give --keep-days, or record to a file"};
-  const auto terms = cluster_terms(arguments.text("consent"), keep, std::chrono::system_clock::now());
+  const auto terms = cluster_terms(arguments.text("consent"), *keep, std::chrono::system_clock::now());
   if (!terms) return terms.error();
   session_store::use_cluster_sessions(*terms);
   return {};

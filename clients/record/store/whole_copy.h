@@ -16,8 +16,8 @@ struct WholeCopyOptions {
 };
 
 /// Copies all bytes of a complete session between the disk and a cluster, and encrypts or decrypts them: the copy has
-/// exactly its messages. Returns the session's size, decrypted. Error: the session is not complete, `out` exists, or it
-/// is in a cluster and the session's own consent allows no time there.
+/// exactly its messages. Returns the session's size, decrypted. Error: the session is not complete, or `out` exists. Error
+/// in a cluster: the session states no consent, or its consent has ended.
 [[nodiscard]] Result<std::uint64_t> copy_whole(const std::filesystem::path& session, const std::filesystem::path& out,
                                                const WholeCopyOptions& options);
 

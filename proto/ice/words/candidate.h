@@ -33,7 +33,7 @@ enum class Reach {
 };
 
 /// False for addresses to which no peer may point this program: unspecified, loopback, link-local, multicast,
-/// broadcast, and IPv4 addresses in the clothes of IPv6.
+/// broadcast, and IPv4 addresses written as IPv6.
 [[nodiscard]] bool may_check(const boost::asio::ip::address& address, Reach reach);
 
 /// Reads a candidate as RFC 8839 §5.1 writes it, without extensions:

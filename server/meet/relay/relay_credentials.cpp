@@ -44,8 +44,12 @@ Result<RelayDoor> relay_door(const std::string& host, std::uint16_t port, const 
     return Error{.what = "the relay's name is unknown: " + failed.message(),
                  .where = "--relay " + host,
                  .fix = "give the relay's public address: --relay 203.0.113.1:3478"};
-  return RelayDoor{
-      .address = found.begin()->endpoint().address().to_string(), .port = port, .secret = std::move(secret)};
+  const boost::asio::ip::address address = found.begin()->endpoint().address();
+  if (address.is_loopback() || address.is_unspecified())
+    return Error{.what = "the relay's address is " + address.to_string() + ", at which no site reaches it",
+                 .where = "--relay " + host,
+                 .fix = "give the relay's public address: --relay 203.0.113.1:3478"};
+  return RelayDoor{.address = address.to_string(), .port = port, .secret = std::move(secret)};
 }
 
 msg::MeetRelay credentials(const RelayDoor& door, std::string_view who, std::uint16_t tcp_port,

@@ -15,7 +15,7 @@ namespace telepalp::meet {
 struct RelayDoor {
   std::string address;  ///< IP address, as sites and callers reach it; empty: there is no relay
   std::uint16_t port = 0;
-  std::string secret;  ///< shared with the relay; nobody else gets it
+  std::string secret;  ///< the relay and the meeting point have it, and nobody else
 };
 
 /// How long credentials hold, and when a site gets newer ones.
@@ -23,7 +23,7 @@ inline constexpr std::chrono::minutes kCredentialsHold{60};
 inline constexpr std::chrono::minutes kCredentialsRenewed{20};
 
 /// Looks up the relay's name, and reads the secret: the file's first line, of 16 to 256 B. Blocks.
-/// Error: the name is unknown, or the file holds no such line.
+/// Error: the name is unknown or means this computer alone (loopback), or the file holds no such line.
 [[nodiscard]] Result<RelayDoor> relay_door(const std::string& host, std::uint16_t port,
                                            const std::filesystem::path& secret_file);
 

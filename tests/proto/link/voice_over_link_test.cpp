@@ -88,7 +88,7 @@ class Talk {
     voice_ = frame(kVoice, number + 1, kVoice_B, now);
     if (image_B_ > 0) image_ = frame(kImages, number + 1, image_B_, now);
   }
-  /// As DatagramEnd does with the hub's queue: speech goes first, and alone while an image is being sent.
+  /// Sends in the order of DatagramEnd: speech before images, and only speech while an image is being sent.
   void send(SessionTime now) {
     do {
       const bool takes_any = pair_.server().ready_for_frame(now);
