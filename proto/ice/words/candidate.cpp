@@ -58,13 +58,14 @@ bool may_check(const boost::asio::ip::address_v4& address, Reach reach) {
 }
 
 bool may_check(const boost::asio::ip::address_v6& address, Reach reach) {
+  if (address.scope_id() != 0) return false;  // names a network card of the computer that wrote it
   if (address.is_loopback()) return reach == Reach::Loopback;
   const auto bytes = address.to_bytes();
   const bool holds_v4 = std::all_of(bytes.begin(), bytes.begin() + 8, [](unsigned char byte) { return byte == 0; });
   const bool nat64 = bytes[0] == 0x00 && bytes[1] == 0x64 && bytes[2] == 0xFF && bytes[3] == 0x9B;
   const bool six_to_four = bytes[0] == 0x20 && bytes[1] == 0x02;
   return !address.is_unspecified() && !address.is_link_local() && !address.is_multicast() && !holds_v4 && !nat64 &&
-         !six_to_four && address.scope_id() == 0;
+         !six_to_four;
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ const Refused kRefused[] = {
     {"link-local, where clouds keep secrets", at("169.254.169.254")},
     {"link-local of IPv6", at("fe80::1")},
     {"link-local with a scope", at("fe80::1%lo")},
+    {"a card of the other computer", at("2001:db8::1%7")},
     {"multicast", at("224.0.0.251")},
     {"multicast of IPv6", at("ff02::fb")},
     {"broadcast", at("255.255.255.255")},
