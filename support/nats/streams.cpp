@@ -16,12 +16,14 @@ constexpr std::chrono::milliseconds kAnswersWithin = 5s;
 constexpr std::chrono::milliseconds kStoresWithin = 1s;  // one attempt of store_patiently()
 constexpr std::chrono::milliseconds kTriesAgainAfter = 100ms;
 
-/// True for a failure that ends by itself: the connection is lost, or the cluster has no leader at the moment.
+/// True for a failure that ends by itself: the connection is lost, or the cluster has no leader at the moment. Nobody
+/// answers for a stream without a leader, and libnats reports this with the code of a server without JetStream.
 bool may_pass(natsStatus status, jsErrCode code) {
+  if (status == NATS_NO_RESPONDERS) return true;
   if (code == JSClusterNotAvailErr || code == JSClusterNotLeaderErr) return true;
   if (code != jsErrCode{}) return false;
-  return status == NATS_TIMEOUT || status == NATS_NO_RESPONDERS || status == NATS_CONNECTION_DISCONNECTED ||
-         status == NATS_INSUFFICIENT_BUFFER || status == NATS_IO_ERROR || status == NATS_NO_SERVER;
+  return status == NATS_TIMEOUT || status == NATS_CONNECTION_DISCONNECTED || status == NATS_INSUFFICIENT_BUFFER ||
+         status == NATS_IO_ERROR || status == NATS_NO_SERVER;
 }
 
 }  // namespace

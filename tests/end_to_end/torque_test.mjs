@@ -56,6 +56,10 @@ async function pressDeeper() {
   return shownTorque_N_m();
 }
 
+async function explain(late) {
+  assert.fail(`${late.message}; ${depth_m} m, ${JSON.stringify([await status(page), device.wrench])} ${station.heard}`);
+}
+
 test('without contact there is neither ring nor torque', async () => {
   await device.move([0, 0.03, 0]);
   assert.equal(await shownTorque_N_m(), undefined);
@@ -63,11 +67,10 @@ test('without contact there is neither ring nor torque', async () => {
 });
 
 test('a needle that presses beside the hand gives a torque: a ring, and its number', async () => {
-  const torque_N_m = await until('the page shows a torque', pressDeeper)
-      .catch(async (late) => assert.fail(`${late.message}; ${JSON.stringify([await status(page), device.wrench])} ${station.heard}`));
+  const torque_N_m = await until('the page shows a torque', pressDeeper).catch(explain);
   const [x, y, z] = device.wrench.torque_N_m;
   assert.ok(Math.hypot(x, y) < 0.05 * z, 'the lever along x and the force along y turn about z');
   assert.ok(torque_N_m <= LEVER_M * 10 && torque_N_m > 0.05, String(torque_N_m));
-  await until('the ring is drawn', async () => (await ringPixels()) > 150);
+  await until('the ring is drawn', async () => (await pressDeeper(), (await ringPixels()) > 150)).catch(explain);
   if (process.env.TELEPALP_PICTURES) await page.screenshot({path: join(process.env.TELEPALP_PICTURES, 'torque.png')});
 });

@@ -72,6 +72,18 @@ TEST_F(NatsStreams, KeepTheNewestMessageOfEachSubject) {
       << "a stream that is there stays";
 }
 
+TEST_F(NatsStreams, AMessageWaitsWhileNobodyAnswersForItsStream) {
+  start_with_streams();
+  const auto refused = streams_->store_patiently("later.a", "lost", 300ms);
+  ASSERT_FALSE(refused) << "no stream takes this subject";
+  std::jthread elects([&] {
+    std::this_thread::sleep_for(500ms);
+    EXPECT_TRUE(streams_->keep({.name = "LATER", .subjects = {"later.>"}, .is_work_queue = false, .longest_kept = 1h}));
+  });
+  EXPECT_TRUE(streams_->store_patiently("later.a", "kept", 10s));
+  EXPECT_EQ(**streams_->newest("LATER", "later.a"), "kept");
+}
+
 TEST_F(NatsStreams, AnItemIsDeliveredToOneAndAgainWhenItIsGivenBack) {
   start_with_streams();
   ASSERT_TRUE(streams_->store("work.a", "do it"));
