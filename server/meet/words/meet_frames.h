@@ -20,7 +20,7 @@ inline constexpr std::size_t kTokenBytes = 16;
 inline constexpr std::size_t kMostFrameBytes = 4096;
 
 /// Each end sends something at least this often, and ends a connection on which nothing came for kSilence.
-inline constexpr std::chrono::seconds kBeat{10};
+inline constexpr std::chrono::seconds kBeat{12};
 inline constexpr std::chrono::seconds kSilence{25};
 
 /// `message` as it is sent: its length in two bytes, the lower one first, then the message.

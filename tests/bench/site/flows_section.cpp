@@ -94,6 +94,7 @@ Result<Measured> measure(const SitePlace& place, const FlowRun& run) {
     measured.standing_ms = queue.between_ms(times.ended + kStandsFrom, times.ended + kAfter).p50();
   } else {
     if (Result<void> begun = begin(); !begun) return begun.error();
+    std::this_thread::sleep_for(kSettles);
     times.began = wall_clock();
     std::this_thread::sleep_for(kBeside);
     times.ended = wall_clock();

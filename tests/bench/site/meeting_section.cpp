@@ -4,6 +4,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -27,9 +28,9 @@ constexpr std::size_t kSites = 1000;
 constexpr auto kIdle = 20s;
 constexpr auto kLongest = 60s;  // until all have joined
 
-Result<fs::path> written(const fs::path& file, const Result<std::string>& key) {
-  if (!key) return key.error();
-  std::ofstream(file) << *key;
+Result<fs::path> written(const fs::path& file, const Result<std::string>& text) {
+  if (!text) return text.error();
+  std::ofstream(file) << *text;
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
   return file;
 }
@@ -89,6 +90,8 @@ Result<SiteRows> run_meeting_section(const SitePlace& place) {
       written(place.scratch / "meet.key",
               authority->server_key({.name = "meet", .now = now, .valid = std::chrono::days(1)}, {"127.0.0.1"}));
   if (!key) return key.error();
+  if (const auto list = written(place.scratch / "revoked.crl", authority->revocation_list({}, now, 1)); !list)
+    return list.error();
   const fs::path ready = place.scratch / "ready";
   std::string port = "0";
   const auto start = [&] {
@@ -101,7 +104,12 @@ Result<SiteRows> run_meeting_section(const SitePlace& place) {
   };
   auto meeting = start();
   const std::optional<std::string> at = support::await_ready(ready, "port");
-  if (!at) return Error{.what = "telepalp-meet did not start", .where = "telepalp-bench site", .fix = "ninja telepalp_programs"};
+  if (!at) {
+    std::ifstream log(place.scratch / "meet.log");
+    return Error{.what = "telepalp-meet did not start: " + std::string(std::istreambuf_iterator<char>(log), {}),
+                 .where = "telepalp-bench site",
+                 .fix = "see its message"};
+  }
   port = *at;
 
   Sites sites(*authority, now);
