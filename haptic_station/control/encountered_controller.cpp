@@ -25,7 +25,8 @@ ControlOutput EncounteredController::step(const ControlInput& given, double dt_g
   if (event) enter_phase(*event, in);
   // Act.
   HeldForce wanted = phase_force(in, dt_s);
-  const bool breaks = phases_.outer_change() || force_control_.contact_changed();
+  // Position control goes on with the lift's force, so where Out body begins, nothing breaks.
+  const bool breaks = (phases_.outer_change() && phases_.phase() != Phase::OutBody) || force_control_.contact_changed();
   (void)fade_.step(wanted.skin + wanted.drive, breaks, fade_rate_N_per_s(), dt_s);
   wanted.fade = fade_.fading_N();
   const Wrench<HapticBase> wrench = limited(wanted, dt_s);
@@ -60,7 +61,7 @@ Seen EncounteredController::seen_of(const ControlInput& in, FaultCause stands) c
 
 void EncounteredController::enter_phase(Event event, const ControlInput& in) noexcept {
   if (event == Event::Rearm) limiter_.rearm();
-  if (phases_.phase() == Phase::OutBody) position_control_.begin(in, plane_.target_height_m());
+  if (phases_.phase() == Phase::OutBody) position_control_.begin(in, plane_.target_height_m(), lift_.force_N());
 }
 
 /// A browser's hand that hovers presses nothing. So an end-effector that came below the skin while no force held it is

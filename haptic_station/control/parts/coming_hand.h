@@ -25,15 +25,16 @@ inline constexpr double kComesDown_m_per_s = 0.05;
   return in.hand_velocity.v.y() < -kComesDown_m_per_s || over_m.y() < kAtHand_m;
 }
 
-/// `force_N` with at most `most_N` upwards, and at most `most_N` against the movement of the hand and of an
-/// end-effector that the hand pushes down. On a flank, both also move sideways on their way down. The end-effector's
-/// own movement counts because the hand's is known late, by the delay of the tracker.
+/// `force_N` with at most `most_N` upwards and out of the body, and at most `most_N` against the movement of the hand
+/// and of an end-effector that the hand pushes down. On a flank, both also move sideways on their way down. The
+/// end-effector's own movement counts because the hand's is known late, by the delay of the tracker.
 [[nodiscard]] inline Eigen::Vector3d yielding(const ControlInput& in, Eigen::Vector3d force_N, double most_N) noexcept {
   force_N.y() = std::min(force_N.y(), most_N);
-  const auto yield_to = [&](const Eigen::Vector3d& velocity) {
-    const Eigen::Vector3d way = velocity.stableNormalized();
+  const auto yield_to = [&](const Eigen::Vector3d& direction) {
+    const Eigen::Vector3d way = direction.stableNormalized();
     force_N += std::max(0.0, -force_N.dot(way) - most_N) * way;
   };
+  if (in.contact.valid) yield_to(-in.contact.normal.v);
   yield_to(in.hand_velocity.v);
   if (in.device_velocity.v.y() < -kComesDown_m_per_s) yield_to(in.device_velocity.v);
   return force_N;

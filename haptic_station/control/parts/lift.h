@@ -23,6 +23,7 @@ class Lift {
 
   /// The force for the end-effector [N], `dt_s` after the last call. `target_height_m`: y of the plane in H.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, double target_height_m, double dt_s) noexcept;
+  [[nodiscard]] const Eigen::Vector3d& force_N() const noexcept { return force_N_; }  ///< at the last step; or zero
   /// Call at a tick without lift: the next step() begins with the device's velocity and no force.
   void rest() noexcept {
     seen_m_per_s_.reset();

@@ -13,14 +13,14 @@ constexpr double kHeightSmoothing_s = 0.02;        // time constant of the filte
 
 }  // namespace
 
-void PositionControl::begin(const ControlInput& in, double target_height_m) noexcept {
+void PositionControl::begin(const ControlInput& in, double target_height_m, const Vector3d& from_N) noexcept {
   hand_ = {in.hand.m, in.hand_velocity.v};
   hand_.per_s.y() = 0.0;
   const Vector3d goal{in.hand.m.x(), target_height_m, in.hand.m.z()};
   height_m_ = target_height_m;
   rises_m_per_s_ = 0.0;
   offset_ = {in.device.m - goal, in.device_velocity.v - hand_.per_s};
-  force_N_.setZero();
+  force_N_ = from_N;
 }
 
 /// The speed of the followed hand is limited to `fastest_m_per_s`, and so is the speed that its position steps imply.

@@ -24,9 +24,10 @@ class PositionControl {
   PositionControl(const PositionControlSettings& settings, double offset_fade_s) noexcept
       : settings_(settings), offset_fade_s_(offset_fade_s) {}
 
-  /// Call when Out body begins. The target starts with the position and velocity of the end-effector, so that the force
-  /// starts at zero.
-  void begin(const ControlInput& in, double target_height_m) noexcept;
+  /// Call when Out body begins. The target starts with the position and velocity of the end-effector. The force starts
+  /// with `from_N`, the lift's: if the lift's force faded while this one began at zero and grew, their sum would exceed
+  /// the bound of each on a hand that comes down.
+  void begin(const ControlInput& in, double target_height_m, const Eigen::Vector3d& from_N) noexcept;
 
   /// The force for the end-effector [N]. `target_height_m`: y of the target in H.
   [[nodiscard]] Eigen::Vector3d step(const ControlInput& in, double target_height_m, double dt_s) noexcept;

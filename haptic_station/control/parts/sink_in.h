@@ -7,11 +7,11 @@ namespace telepalp::control {
 
 /// Handles a contact that begins below the skin, because the skin rose or the station was not ready. The hand has done
 /// no work to reach that depth. The whole body, with the objects inside, is therefore displayed lower by that depth,
-/// along the skin's normal, and rises to its true place. The displayed surface also moves towards the measured one. Both
-/// rises together are 100 mm/s or less; with a gap between skin and end-effector, 150 mm/s or less. When the contact's
-/// coverage grows, for example because the camera sees the skin again, the body is lowered so far that the indentation
-/// times the coverage stays the same: otherwise a skin that stiffens under a deep hand would give the hand energy.
-/// Owner: haptic thread.
+/// along the skin's normal, and rises to its true place. The displayed surface also moves towards the measured one.
+/// Both rises together are 100 mm/s or less; with a gap between skin and end-effector, 150 mm/s or less. When the
+/// contact's coverage grows, for example because the camera sees the skin again, the body is lowered so far that the
+/// indentation times the coverage stays the same: otherwise a skin that stiffens under a deep hand would give the hand
+/// energy. Owner: haptic thread.
 class SinkIn {
  public:
   /// Begins a contact. `contact`: the contact with the body at its true place, where it is not lowered.

@@ -28,15 +28,23 @@ ControlInput hand_at(const Vector3d& hand, const Vector3d& device) {
 TEST(PositionControl, BeginsAtZeroForceWhereTheEndEffectorIs) {
   const ControlInput in = hand_at({0.05, 0.06, 0.0}, {0.0, 0.02, 0.0});
   PositionControl control({}, 0.15);
-  control.begin(in, kPlane_m);
+  control.begin(in, kPlane_m, Vector3d::Zero());
   EXPECT_LT(control.step(in, kPlane_m, kTick_s).norm(), 0.05);
   EXPECT_LT((control.target().m - in.device.m).norm(), 1e-3);
+}
+
+TEST(PositionControl, TakesOverTheForceOfTheLift) {
+  const ControlInput in = hand_at({0.05, 0.06, 0.0}, {0.0, 0.02, 0.0});
+  const Vector3d lifts_N{0.1, 0.8, 0.0};
+  PositionControl control({}, 0.15);
+  control.begin(in, kPlane_m, lifts_N);
+  EXPECT_LT((control.step(in, kPlane_m, kTick_s) - lifts_N).norm(), 0.05);
 }
 
 TEST(PositionControl, TargetEndsUnderTheHandOnThePlane) {
   const ControlInput in = hand_at({0.05, 0.06, -0.02}, {0.0, 0.02, 0.0});
   PositionControl control({}, 0.15);
-  control.begin(in, kPlane_m);
+  control.begin(in, kPlane_m, Vector3d::Zero());
   for (int tick = 0; tick < 6000; ++tick) (void)control.step(in, kPlane_m, kTick_s);
   EXPECT_NEAR((control.target().m - Vector3d(0.05, kPlane_m, -0.02)).norm(), 0.0, 1e-6);
 }
@@ -46,7 +54,7 @@ TEST(PositionControl, AHandCanAlwaysHoldTheEndEffector) {
   const ControlInput near = hand_at({0.0, 0.06, 0.0}, {0.0, kPlane_m, 0.0});
   const ControlInput far = hand_at({0.3, 0.06, 0.0}, {0.0, kPlane_m, 0.0});
   PositionControl control(settings, 0.15);
-  control.begin(near, kPlane_m);
+  control.begin(near, kPlane_m, Vector3d::Zero());
   Vector3d before_N = Vector3d::Zero();
   for (int tick = 0; tick < 4000; ++tick) {
     const Vector3d force_N = control.step(far, kPlane_m, kTick_s);
@@ -69,7 +77,7 @@ double motion_at_rest_m(const FreeDevice& free, double hand_m_per_s) {
   device::SimulatedPair pair(free.settings, {});
   pair.place({{0.0, kPlane_m, 0.0}}, {{0.0, 1.0, 0.0}});  // no hand touches the device
   PositionControl control({}, 0.15);
-  control.begin(hand_at({0.0, 0.06, 0.0}, pair.device().m), kPlane_m);
+  control.begin(hand_at({0.0, 0.06, 0.0}, pair.device().m), kPlane_m, Vector3d::Zero());
   std::array<Force<HapticBase>, 16> late{};
   double least_m = 1.0, most_m = -1.0;
   for (std::size_t tick = 0; tick < 18'000; ++tick) {
@@ -135,7 +143,7 @@ TEST(PositionControl, HardlyOpposesAHandThatPushesTheEndEffectorDown) {
   const PositionControlSettings settings;
   PositionControl control(settings, 0.15);
   ControlInput in = hand_at({0.0, kPlane_m, 0.0}, {0.0, kPlane_m, 0.0});
-  control.begin(in, kPlane_m);
+  control.begin(in, kPlane_m, {0.0, settings.against_hand_N, 0.0});
   for (int tick = 0; tick < kSoon_ticks; ++tick) {
     in.device_velocity.v.y() = in.hand_velocity.v.y() = -0.6;
     in.device.m.y() = in.hand.m.y() = kPlane_m - 0.6 * kTick_s * tick;
