@@ -8,8 +8,8 @@
 namespace telepalp::codec {
 
 /// How long speech waits in its jitter buffer to be heard together with the picture of its instant. The picture never
-/// waits for the speech, because the hand follows the picture. Speech that comes later than the picture is heard when it
-/// comes. Pure.
+/// waits for the speech, because the hand follows the picture. Speech that comes later than the picture is heard when
+/// it comes. Pure.
 class LipSync {
  public:
   /// Speech is not held longer for a slow picture: then an answer in time matters more than lips.

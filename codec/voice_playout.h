@@ -26,8 +26,8 @@ struct VoicePacket {
 /// loudspeaker takes 20 ms of sound at a time. The delay follows the path: with it, 99.5 % of the frames of the last
 /// ten seconds would have been there when their turn came, in their own packet or repeated in the next one. A missing
 /// frame is restored from the next one, or concealed. Where the delay no longer fits, or the two clocks drift apart,
-/// single frames are skipped or stretched. hold() lengthens the delay so that speech waits for its picture. Holds at most one second of frames. Pure: times are arguments, of any steady
-/// clock of the listener.
+/// single frames are skipped or stretched. hold() lengthens the delay so that speech waits for its picture. Holds at
+/// most one second of frames. Pure: times are arguments, of any steady clock of the listener.
 class VoicePlayout {
  public:
   static constexpr Nanoseconds kLeastDelay = std::chrono::milliseconds(5);

@@ -38,7 +38,7 @@ struct GatewayOptions {
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
+  std::function<std::string()> problem{};  ///< why the health check fails; empty: healthy
   /// Who speaks at the patient's side; shared with the microphone at the server itself (voice::RoomVoice).
   std::shared_ptr<voice::VoiceFloor> patient_floor = std::make_shared<voice::VoiceFloor>();
   std::function<std::string()> more_metrics{};       ///< Prometheus text that /metrics ends with

@@ -17,9 +17,10 @@
 namespace telepalp::playback {
 
 /// The station's events of a whole session file, and where people speak in it, for an overview before it is played. A
-/// separate thread reads them; the mutex guards the list, which the network thread copies. At most kMostEvents are kept:
-/// the first ones. Where people speak is read at once from the recorder's own record. Only a file without one (of an
-/// earlier release, repaired, cut or merged) is surveyed, after the events: that takes as long as reading most of it.
+/// separate thread reads them; the mutex guards the list, which the network thread copies. At most kMostEvents are
+/// kept: the first ones. Where people speak is read at once from the recorder's own record. Only a file without one (of
+/// an earlier release, repaired, cut or merged) is surveyed, after the events: that takes as long as reading most of
+/// it.
 class SessionEvents {
  public:
   static constexpr int kMostEvents = 5000;

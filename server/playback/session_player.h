@@ -20,8 +20,8 @@ namespace telepalp::playback {
 
 /// Publishes a recorded session again: images as recorded, times mapped to the present session time, a pause of more
 /// than 2 s cut to 2 s. Speech is published at speed 1 alone (PlayedVoice). A separate thread reads the file and waits
-/// until each message is due; commands wake it. It uses a mutex and a condition variable, because it must sleep until the next message or command; no real-time thread
-/// waits for it.
+/// until each message is due; commands wake it. It uses a mutex and a condition variable, because it must sleep until
+/// the next message or command; no real-time thread waits for it.
 class SessionPlayer {
  public:
   struct Handlers {

@@ -53,24 +53,25 @@ RoomVoice::RoomVoice(boost::asio::io_context& network, hub::Hub& hub, const wire
     });
   });
   microphone_.emplace(options_.device, options_.is_open, clock_,
-                      RoomMicrophone::Handlers{
-                          .on_heard =
-                              [this](HeardFrame frame) {
-                                if (waiting_ >= kMostWaiting) {
-                                  ++lost_;
-                                  return;
-                                }
-                                ++waiting_;
-                                on_network([this, frame = std::move(frame)]() mutable { heard(std::move(frame)); });
-                              },
-                          .on_state =
-                              [this](bool hears, const std::string& problem) {
-                                on_network([this, hears, problem] {
-                                  state_.set_hears(hears);
-                                  state_.set_microphone_problem(problem);
-                                  say_state();
-                                });
-                              }});
+                      RoomMicrophone::Handlers{.on_heard =
+                                                   [this](HeardFrame frame) {
+                                                     if (waiting_ >= kMostWaiting) {
+                                                       ++lost_;
+                                                       return;
+                                                     }
+                                                     ++waiting_;
+                                                     on_network([this, frame = std::move(frame)]() mutable {
+                                                       heard(std::move(frame));
+                                                     });
+                                                   },
+                                               .on_state =
+                                                   [this](bool hears, const std::string& problem) {
+                                                     on_network([this, hears, problem] {
+                                                       state_.set_hears(hears);
+                                                       state_.set_microphone_problem(problem);
+                                                       say_state();
+                                                     });
+                                                   }});
 }
 
 RoomVoice::~RoomVoice() {

@@ -44,8 +44,8 @@ std::filesystem::path in(const std::string& name) {
 /// What the recorder writes of `messages`.
 std::filesystem::path recorded(const std::string& name, const std::vector<wire::Message>& messages) {
   const std::filesystem::path file = in(name);
-  auto files = record::SessionFiles::open({.name = file, .session = wire::samples::kInfo, .attachments = {}, .splitting = {}},
-                                          [](const std::string&) {});
+  auto files = record::SessionFiles::open(
+      {.name = file, .session = wire::samples::kInfo, .attachments = {}, .splitting = {}}, [](const std::string&) {});
   EXPECT_TRUE(files) << to_string(files.error());
   for (const wire::Message& message : messages) (*files)->write(message);
   EXPECT_TRUE((*files)->close({"telepalp.recording", {}}));
@@ -114,19 +114,22 @@ TEST(SessionSpeech, ASessionWithoutSpeechHasNeitherARecordNorLanes) {
   const auto speech = recorded_speech(reader);
   ASSERT_TRUE(speech);
   EXPECT_TRUE(speech->empty());
-  EXPECT_TRUE(std::ranges::none_of(reader.summary().metadata, [](const auto& one) { return one.name == kSpeechMetadata; }));
+  EXPECT_TRUE(
+      std::ranges::none_of(reader.summary().metadata, [](const auto& one) { return one.name == kSpeechMetadata; }));
   std::filesystem::remove(file);
 }
 
 TEST(SessionSpeech, ADamagedRecordIsRefusedWhateverItHolds) {
-  const auto whole = speech_record(Speech{{wire::kDoctorVoice.name, {.spans = {{kBegin, kBegin + 1s, -20}}, .messages = 50}}});
+  const auto whole =
+      speech_record(Speech{{wire::kDoctorVoice.name, {.spans = {{kBegin, kBegin + 1s, -20}}, .messages = 50}}});
   ASSERT_TRUE(whole);
   std::string many = "50 0";
   for (std::size_t i = 0; i <= LoudSpans::kMost; ++i) many += " 0 1 -20";
   for (const std::string& text :
        {std::string(), std::string("50"), std::string("50 0 5"), std::string("50 0 5 4 -20"), std::string("50 0 1 2 3"),
-        std::string("50 0 1 2 -101"), std::string("-1 0"), std::string("50 99999999999999999999"), std::string("50 0 a b c"),
-        std::string("50 0 1 99999999999999 -3"), std::string("50 0  1 2 -3"), many, std::string(200'000, '1')}) {
+        std::string("50 0 1 2 -101"), std::string("-1 0"), std::string("50 99999999999999999999"),
+        std::string("50 0 a b c"), std::string("50 0 1 99999999999999 -3"), std::string("50 0  1 2 -3"), many,
+        std::string(200'000, '1')}) {
     const auto file = in("damaged_record");
     auto writer = wire::McapWriter::open(file, wire::samples::kInfo, {});
     ASSERT_TRUE(writer);

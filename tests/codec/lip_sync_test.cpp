@@ -41,8 +41,9 @@ std::vector<Nanoseconds> ages_heard(Nanoseconds picture) {
   for (std::uint32_t number = 0; number < 600; ++number) {
     const SessionTime spoken = begin + number * Nanoseconds(kVoiceFrameTime);
     const SessionTime arrived = spoken + kVoiceFrameTime + 30ms;
-    playout.add({.talker = 1, .number = number, .begun = 0, .opus = encoder.encode(support::speech(number)), .spoken = spoken},
-                arrived);
+    playout.add(
+        {.talker = 1, .number = number, .begun = 0, .opus = encoder.encode(support::speech(number)), .spoken = spoken},
+        arrived);
     lips.shown(picture);
     EXPECT_TRUE(playout.fastest_age());
     playout.hold(lips.delay(*playout.fastest_age()));
@@ -60,8 +61,8 @@ TEST(LipSync, ThroughTheJitterBufferSpeechIsAsOldAsItsPicture) {
     const std::vector<Nanoseconds> ages = ages_heard(picture);
     ASSERT_GT(ages.size(), 300u);
     for (const Nanoseconds age : ages)
-      ASSERT_LE(std::abs(to_milliseconds(age - picture)), 30.0) << to_milliseconds(age) << " ms, picture "
-                                                                << to_milliseconds(picture) << " ms";
+      ASSERT_LE(std::abs(to_milliseconds(age - picture)), 30.0)
+          << to_milliseconds(age) << " ms, picture " << to_milliseconds(picture) << " ms";
   }
 }
 

@@ -121,13 +121,12 @@ class Room : public testing::Test {
 
  private:
   void write_config(const std::string& device) {
-    std::ofstream(folder_ / "asoundrc.new")
-        << "pcm.nothing { type null }\n"
-        << "pcm.room_in { type file slave.pcm nothing file /dev/null infile \"" << (folder_ / "said.raw").string()
-        << "\" format raw }\n"
-        << "pcm.room_out { type file slave.pcm nothing file \"" << (folder_ / "played.raw").string()
-        << "\" format raw }\n"
-        << device;
+    std::ofstream(folder_ / "asoundrc.new") << "pcm.nothing { type null }\n"
+                                            << "pcm.room_in { type file slave.pcm nothing file /dev/null infile \""
+                                            << (folder_ / "said.raw").string() << "\" format raw }\n"
+                                            << "pcm.room_out { type file slave.pcm nothing file \""
+                                            << (folder_ / "played.raw").string() << "\" format raw }\n"
+                                            << device;
     std::filesystem::rename(folder_ / "asoundrc.new", folder_ / "asoundrc");
   }
 
@@ -188,8 +187,7 @@ TEST_F(Room, ClosedAgainItIsSilentAtOnceAndOpenedAgainItBeginsAnew) {
 TEST_F(Room, TheDoctorIsHeardInTheRoomAsItWasSaid) {
   start();
   ASSERT_TRUE(run_until([&] { return !played().empty(); }));
-  const std::vector<wire::Message> words =
-      support::spoken_messages(wire::kDoctorVoice, clock_.now(), 0, 150, 9);
+  const std::vector<wire::Message> words = support::spoken_messages(wire::kDoctorVoice, clock_.now(), 0, 150, 9);
   for (const wire::Message& message : words) {
     const auto due = clock_.steady(message.published);
     (void)run_until([&] { return std::chrono::steady_clock::now() >= due; });
@@ -210,9 +208,8 @@ TEST_F(Room, TheDoctorIsHeardInTheRoomAsItWasSaid) {
 TEST_F(Room, ADeviceThatIsNotThereIsSaidAndTriedAgain) {
   take_away();
   start({.is_open = true});
-  ASSERT_TRUE(run_until([&] {
-    return !voice_->state().microphone_problem().empty() && !voice_->state().loudspeaker_problem().empty();
-  }));
+  ASSERT_TRUE(run_until(
+      [&] { return !voice_->state().microphone_problem().empty() && !voice_->state().loudspeaker_problem().empty(); }));
   EXPECT_NE(voice_->state().microphone_problem().find("arecord -L"), std::string::npos)
       << voice_->state().microphone_problem();
   EXPECT_FALSE(voice_->state().hears());

@@ -255,9 +255,9 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
          first_screen(session, summary, verdict) + senders_section(summary) + view_section(session, view_png) +
-         notes_section(session) + motion_sections(session, summary) + speech_section(session) + states_section(summary) +
-         image_counts_section(session, summary) + timing_sections(session, summary) + events_section(session) +
-         page_words_section() + "</body></html>\n";
+         notes_section(session) + motion_sections(session, summary) + speech_section(session) +
+         states_section(summary) + image_counts_section(session, summary) + timing_sections(session, summary) +
+         events_section(session) + page_words_section() + "</body></html>\n";
 }
 
 }  // namespace telepalp::report

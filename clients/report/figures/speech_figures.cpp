@@ -53,8 +53,7 @@ void for_each_side(const Session& session, Visit visit) {
 
 std::vector<plot::Chart> speech_lanes(const Session& session) {
   std::vector<plot::Chart> lanes;
-  for_each_side(session,
-                [&](const Side& side, const auto& spans) { lanes.push_back(lane(session, side, spans)); });
+  for_each_side(session, [&](const Side& side, const auto& spans) { lanes.push_back(lane(session, side, spans)); });
   return lanes;
 }
 
@@ -63,8 +62,8 @@ std::string speech_words(const Session& session) {
   for_each_side(session, [&](const Side& side, const auto& spans) {
     Nanoseconds spoken{};
     for (const speech::Spoken& span : spans) spoken += span.until - span.from;
-    words += (words.empty() ? "" : "; ") + std::string(side.who) + " spoke for " +
-             plot::number(to_seconds(spoken), 1) + " s, " + counted(spans.size(), "time", "times");
+    words += (words.empty() ? "" : "; ") + std::string(side.who) + " spoke for " + plot::number(to_seconds(spoken), 1) +
+             " s, " + counted(spans.size(), "time", "times");
   });
   return words.empty() ? "" : "Of what was said, " + words + ".";
 }

@@ -11,15 +11,15 @@
 
 namespace telepalp::voice {
 
-/// A thread that uses a device while the device is wanted, and tries again when the device is not there or has been taken
-/// away. The mutex and the condition variable are there because it must sleep until it is wanted.
+/// A thread that uses a device while the device is wanted, and tries again when the device is not there or has been
+/// taken away. The mutex and the condition variable are there because it must sleep until it is wanted.
 class DeviceThread {
  public:
   struct Work {
     /// Uses the device until goes_on() is false. Error: why it cannot; it is called again after kRetry.
     std::function<Result<void>(DeviceThread& thread)> use;
-    /// `problem`: why the device cannot be used; empty: it can, or it is no longer wanted. Called on this thread when the
-    /// problem is another one.
+    /// `problem`: why the device cannot be used; empty: it can, or it is no longer wanted. Called on this thread when
+    /// the problem is another one.
     std::function<void(const std::string& problem)> on_problem;
   };
   static constexpr std::chrono::seconds kRetry{2};

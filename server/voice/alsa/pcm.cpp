@@ -24,8 +24,9 @@ void say_nothing(const char*, int, const char*, int, const char*, ...) {}
 Error cannot_open(const std::string& device, int problem) {
   return {.what = std::string("the sound device cannot be opened: ") + snd_strerror(problem),
           .where = device,
-          .fix = "connect it, end the program that uses it, or name another one: arecord -L lists microphones, aplay -L "
-                 "loudspeakers; the server's user must be in the group audio"};
+          .fix =
+              "connect it, end the program that uses it, or name another one: arecord -L lists microphones, aplay -L "
+              "loudspeakers; the server's user must be in the group audio"};
 }
 
 }  // namespace
@@ -56,7 +57,8 @@ Error Pcm::failed(int problem) const {
           .fix = "connect it again; the server tries again by itself"};
 }
 
-/// Calls `part(done)` with the number of samples transferred so far until all are. `part` returns as snd_pcm_readi does.
+/// Calls `part(done)` with the number of samples transferred so far until all are. `part` returns as snd_pcm_readi
+/// does.
 template <class Transfer>
 Result<void> Pcm::transfer(Transfer part) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
@@ -81,9 +83,8 @@ Result<void> Pcm::transfer(Transfer part) {
 
 Result<codec::VoiceSamples> Pcm::read() {
   Block block{};
-  const Result<void> got = transfer([&](snd_pcm_uframes_t done) {
-    return snd_pcm_readi(pcm_.get(), block.data() + done, block.size() - done);
-  });
+  const Result<void> got = transfer(
+      [&](snd_pcm_uframes_t done) { return snd_pcm_readi(pcm_.get(), block.data() + done, block.size() - done); });
   if (!got) return got.error();
   codec::VoiceSamples samples;
   std::ranges::transform(block, samples.begin(), [](std::int16_t one) { return static_cast<float>(one) / kFullScale; });
@@ -95,9 +96,8 @@ Result<void> Pcm::write(const codec::VoiceSamples& samples) {
   std::ranges::transform(samples, block.begin(), [](float one) {
     return static_cast<std::int16_t>(std::lround(std::clamp(one * kFullScale, -kFullScale, kFullScale - 1.0F)));
   });
-  return transfer([&](snd_pcm_uframes_t done) {
-    return snd_pcm_writei(pcm_.get(), block.data() + done, block.size() - done);
-  });
+  return transfer(
+      [&](snd_pcm_uframes_t done) { return snd_pcm_writei(pcm_.get(), block.data() + done, block.size() - done); });
 }
 
 std::chrono::nanoseconds Pcm::read_delay() const {

@@ -12,15 +12,15 @@ struct _snd_pcm;  // of ALSA, whose header has thousands of macros
 
 namespace telepalp::voice {
 
-/// A sound device of ALSA in one direction: one channel at 48 kHz, 20 ms at a time. ALSA converts what the hardware has.
-/// A device that sound overruns, or that falls silent for want of sound, is started again and counted. Owner: one
+/// A sound device of ALSA in one direction: one channel at 48 kHz, 20 ms at a time. ALSA converts what the hardware
+/// has. A device that sound overruns, or that falls silent for want of sound, is started again and counted. Owner: one
 /// thread.
 class Pcm {
  public:
   enum class Direction { Capture, Playback };
 
-  /// Opens `device`, a name of ALSA such as "default" or "hw:1,0". Error: it is not there, is used by another program, or
-  /// cannot convert to this format.
+  /// Opens `device`, a name of ALSA such as "default" or "hw:1,0". Error: it is not there, is used by another program,
+  /// or cannot convert to this format.
   [[nodiscard]] static Result<Pcm> open(const std::string& device, Direction direction);
 
   /// The next 20 ms from the microphone. Waits at most a second for them. Error: the device is gone, or gives no sound.

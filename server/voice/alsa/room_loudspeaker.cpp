@@ -11,7 +11,8 @@ RoomLoudspeaker::RoomLoudspeaker(std::string device, const wire::SessionClock& c
                                  std::function<void(const std::string& problem)> on_problem)
     : device_(std::move(device)),
       clock_(clock),
-      thread_(true, {.use = [this](DeviceThread& thread) { return play(thread); }, .on_problem = std::move(on_problem)}) {}
+      thread_(true,
+              {.use = [this](DeviceThread& thread) { return play(thread); }, .on_problem = std::move(on_problem)}) {}
 
 void RoomLoudspeaker::add(std::vector<codec::VoicePacket> packets) {
   const SessionTime now = clock_.now();

@@ -24,7 +24,7 @@ class RoomLoudspeaker {
   /// Packets that have come now. Any thread.
   void add(std::vector<codec::VoicePacket> packets);
   void stop() { thread_.stop(); }
-  [[nodiscard]] codec::VoicePlayout::Counts counts() const;  ///< any thread
+  [[nodiscard]] codec::VoicePlayout::Counts counts() const;                ///< any thread
   [[nodiscard]] std::uint64_t breaks() const noexcept { return breaks_; }  ///< any thread
 
  private:

@@ -18,12 +18,12 @@ struct HeardFrame {
   std::string opus{};
 };
 
-/// The microphone in the patient's room. Its device is open only while the microphone is: a closed one has its own light
-/// off, and other programs may use it. Captures and codes on a thread of its own.
+/// The microphone in the patient's room. Its device is open only while the microphone is: a closed one has its own
+/// light off, and other programs may use it. Captures and codes on a thread of its own.
 class RoomMicrophone {
  public:
   struct Handlers {
-    std::function<void(HeardFrame)> on_heard;                         ///< on the microphone's thread
+    std::function<void(HeardFrame)> on_heard;                       ///< on the microphone's thread
     std::function<void(bool hears, std::string problem)> on_state;  ///< on the microphone's thread, at each change
   };
   RoomMicrophone(std::string device, bool is_open, const wire::SessionClock& clock, Handlers handlers);

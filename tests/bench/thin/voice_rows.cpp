@@ -113,7 +113,8 @@ class Mouth {
   Network network_;
 };
 
-/// A client that looks and listens: a screen, which shows the newest image as soon as it is complete, and a loudspeaker.
+/// A client that looks and listens: a screen, which shows the newest image as soon as it is complete, and a
+/// loudspeaker.
 class Ear {
   /// A frame whose sound began at `at`.
   struct Heard {
@@ -312,7 +313,8 @@ Result<void> add_voice_rows(Report& report) {
     if (const auto added = add_rows(report, name, line); !added) return added;
   report.notes.emplace_back(
       "voice: a hub, its sockets and a client with a jitter buffer, 4 Mbit/s, 50 ms there and back; 24 kbit/s of Opus, "
-      "six earlier packets in each message; mouth to ear holds the frame's own 20 ms and Opus's delay; speech waits for "
+      "six earlier packets in each message; mouth to ear holds the frame's own 20 ms and Opus's delay; speech waits "
+      "for "
       "the picture by codec/lip_sync.h");
   return {};
 }

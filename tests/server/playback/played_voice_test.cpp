@@ -89,7 +89,8 @@ class Listener {
       const auto frame = wire::read_voice_frame(*message.payload);
       ASSERT_TRUE(frame);
       ++words;
-      offsets.push_back(session_time(static_cast<std::int64_t>(frame->captured_ns())) - (kBegin + frame->number() * kFrame));
+      offsets.push_back(session_time(static_cast<std::int64_t>(frame->captured_ns())) -
+                        (kBegin + frame->number() * kFrame));
       for (codec::VoicePacket& packet : speech::packets_of(*frame)) playout_.add(std::move(packet), clock_.now());
     } else if (message.topic.name == wire::kStationState.name) {
       ++states;
@@ -153,10 +154,12 @@ TEST(PlayedVoice, AfterASeekNothingOldIsHeard) {
   for (const double to_s : {14.0, 2.0, 2.6, 1.2}) {  // far and near, forth and back
     listener.command("{\"seek_s\": " + std::to_string(to_s) + "}");
     listener.listen(600ms);
-    const auto first = static_cast<std::uint32_t>(to_s / 0.02) - 1;  // the message of a frame comes when it has been said
+    const auto first =
+        static_cast<std::uint32_t>(to_s / 0.02) - 1;  // the message of a frame comes when it has been said
     ASSERT_GT(listener.heard.size(), 10u) << to_s;
     const auto is_old = [&](std::uint32_t number) { return number < first || number > first + 40; };
-    EXPECT_LE(std::ranges::count_if(listener.heard, is_old), 1) << "sought " << to_s << " s: at most the frame that was due";
+    EXPECT_LE(std::ranges::count_if(listener.heard, is_old), 1)
+        << "sought " << to_s << " s: at most the frame that was due";
     EXPECT_FALSE(is_old(listener.heard.back()));
   }
   std::filesystem::remove(file);
@@ -180,7 +183,9 @@ TEST(PlayedVoice, AfterAPauseItGoesOnWithoutAGapAndWithoutGuesses) {
 TEST(PlayedVoice, WordsFromBeforeAJumpAreCutOffTheFirstMessages) {
   PlayedVoice voice;
   const std::vector<wire::Message> messages = support::spoken_messages(wire::kPatientVoice, kBegin, 0, 20, 7);
-  const auto played = [&](std::size_t at) { return wire::read_voice_frame(*voice.as_played(messages[at])->payload).value(); };
+  const auto played = [&](std::size_t at) {
+    return wire::read_voice_frame(*voice.as_played(messages[at])->payload).value();
+  };
   EXPECT_EQ(played(10).earlier_size(), 0);
   EXPECT_EQ(played(10).begun(), 10u);
   EXPECT_EQ(played(12).earlier_size(), 2);
