@@ -5,6 +5,7 @@
 #include "server/capture/capture_source.h"
 #include "server/hub/peer_listener.h"
 #include "server/pipeline/depth_options.h"
+#include "server/voice/room_voice.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
 #include "support/program/files/shipped.h"
@@ -44,6 +45,8 @@ program::Usage usage() {
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: beside this program"},
                       {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
+                      {"voice", "alsa[:DEVICE]", "hear and speak in the patient's room; begins muted"},
+                      {"voice-open", "", "open the microphone of --voice at the start"},
                       {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
                       {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
@@ -168,6 +171,16 @@ Result<std::filesystem::path> compare_option(const program::Arguments& arguments
   return std::filesystem::path(arguments.text("compare-dir"));
 }
 
+Result<std::optional<std::string>> voice_option(const program::Arguments& arguments) {
+  if (!arguments.has("voice")) {
+    if (arguments.has("voice-open")) return no_effect_without("voice", "voice-open");
+    return std::optional<std::string>{};
+  }
+  const Result<std::string> device = voice::alsa_device(arguments.text("voice"));
+  if (!device) return device.error();
+  return std::optional(*device);
+}
+
 }  // namespace
 
 Result<Asked> read_asked(const program::Arguments& arguments) {
@@ -202,6 +215,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!recorder) return recorder.error();
   const Result<std::filesystem::path> compare_folder = compare_option(arguments);
   if (!compare_folder) return compare_folder.error();
+  const Result<std::optional<std::string>> voice = voice_option(arguments);
+  if (!voice) return voice.error();
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
                .seconds = std::chrono::duration<double>(*seconds),
@@ -220,6 +235,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .health = *health,
                .meet = *meet,
                .recorder = *recorder,
+               .voice_device = *voice,
+               .voice_open = arguments.has("voice-open"),
                .compare_folder = *compare_folder};
 }
 

@@ -33,6 +33,8 @@ struct Asked {
   std::optional<gateway::HealthPort::Options> health;           // nullopt: no port for monitoring
   std::optional<meet::MeetDialer::Options> meet;                // nullopt: no meeting point
   std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing
+  std::optional<std::string> voice_device;                      // of ALSA; nullopt: the server does not hear the room
+  bool voice_open = false;                                      // the room's microphone, from the start
   std::filesystem::path compare_folder;                         // empty: the played session is compared with no other
 };
 

@@ -58,6 +58,7 @@ class Ending {
     parts_.publisher.reset();
     parts_.health.reset();
     parts_.gateway.reset();
+    parts_.voice.reset();
     parts_.recorder.reset();  // before the server ends, so that the recorder completes its file; it gets at most 3 s
     parts_.server->stop(reason);
   }

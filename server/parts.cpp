@@ -88,7 +88,9 @@ void open_sources(Parts& parts, const Asked& asked) {
           .show =
               [&parts](std::unique_ptr<origin::Origin> chosen) {
                 if (!parts.gateway) return;  // the server ends
-                parts.gateway->offer(chosen->offer());
+                origin::Offer offer = chosen->offer();
+                if (parts.voice) parts.voice->session_is_played(bool(offer.playback));
+                parts.gateway->offer(std::move(offer));
                 parts.server->replace(std::move(chosen));
               }});
 }
@@ -101,6 +103,7 @@ void offer(gateway::GatewayOptions& options, Parts& parts) {
   options.resources[origin::kSource.topic.name] = parts.sources->resource();
   if (options.access->has_keys())
     options.resources[origin::kPeople.topic.name] = origin::people_resource(*options.access);
+  if (parts.voice) options.resources[origin::kRoomVoice.topic.name] = parts.voice->resource();
   options.open_session = [&shelf](const origin::ReadingSpec& asked, origin::Progress progress,
                                   const origin::OpenedOrigin& done) {
     shelf.read_alone(asked, std::move(progress), done);
@@ -185,6 +188,19 @@ Result<void> open_recorder(Parts& parts, Asked& asked) {
   return {};
 }
 
+/// Before the gateway, whose visitors open the microphone and speak at the same side.
+Result<void> open_voice(Parts& parts, Asked& asked) {
+  if (!asked.voice_device) return {};
+  auto floor = asked.gateway ? asked.gateway->patient_floor : std::make_shared<voice::VoiceFloor>();
+  parts.voice = std::make_unique<voice::RoomVoice>(
+      parts.io, parts.server->hub(), parts.server->clock(),
+      voice::RoomVoice::Options{
+          .device = *asked.voice_device, .is_open = asked.voice_open, .floor = std::move(floor), .log = log_line});
+  parts.voice->session_is_played(bool(parts.origin->offer().playback));
+  if (asked.gateway) asked.gateway->more_metrics = [&parts] { return parts.voice ? parts.voice->metrics() : ""; };
+  return {};
+}
+
 Result<void> open_gateway(Parts& parts, Asked& asked) {
   if (!asked.gateway) return {};
   Server& server = *parts.server;
@@ -207,7 +223,8 @@ Result<void> open_health(Parts& parts, Asked& asked) {
     return gateway::metrics_text(parts.server->hub(), access->counts(), parts.server->datagram_counts(),
                                  {.browsers = parts.gateway ? parts.gateway->connections() : 0,
                                   .touch_is_held = access->touch().holder(std::chrono::steady_clock::now()).has_value(),
-                                  .is_healthy = problem(parts, *access).empty()});
+                                  .is_healthy = problem(parts, *access).empty()}) +
+           (parts.voice ? parts.voice->metrics() : "");
   };
   auto listens = gateway::HealthPort::open(parts.io, *asked.health);
   if (!listens) return listens.error();
@@ -236,7 +253,7 @@ Result<void> open_meet(Parts& parts, Asked& asked) {
 
 Result<void> open_parts(Parts& parts, Asked& asked) {
   for (const auto open_part :
-       {open_upstream, open_server, open_recorder, open_gateway, open_health, open_meet, open_publisher})
+       {open_upstream, open_server, open_recorder, open_voice, open_gateway, open_health, open_meet, open_publisher})
     if (const Result<void> opened = open_part(parts, asked); !opened) return opened.error();
   return {};
 }

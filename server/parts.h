@@ -15,6 +15,7 @@
 #include "server/recording/session_recorder.h"
 #include "server/relay/publisher.h"
 #include "server/server.h"
+#include "server/voice/room_voice.h"
 
 namespace telepalp::server {
 
@@ -27,6 +28,7 @@ struct Parts {
   std::optional<origin::SourceChoice> sources;           // nullopt: no browsers
   std::unique_ptr<origin::Origin> origin;                // handed to the server at the start
   std::unique_ptr<recording::SessionRecorder> recorder;  // null: visitors may not record
+  std::unique_ptr<voice::RoomVoice> voice;               // null: the server does not hear the patient's room
   std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
   std::unique_ptr<gateway::HealthPort> health;           // null: no port for monitoring
   std::unique_ptr<meet::MeetDialer> meet;                // null: no meeting point

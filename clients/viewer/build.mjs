@@ -12,7 +12,8 @@ await mkdir(out, {recursive: true});
 const {metafile} = await build({
   entryPoints: {start: 'src/start.ts', viewer: 'src/main.ts', link_worker: 'src/site/link_worker.ts',
                 depth_worker: 'src/depth/depth_worker.ts', mixed: 'src/mixed/headset_anchor.ts',
-                voice: 'src/voice/voice.ts', voice_worker: 'src/voice/voice_worker.ts', voice_worklet: 'src/voice/voice_worklet.ts'},
+                voice_lanes: 'src/playback/voice_lanes.ts',
+                later_cards: 'src/panel/technician/later_cards.ts', voice: 'src/voice/voice.ts', voice_worker: 'src/voice/voice_worker.ts', voice_worklet: 'src/voice/voice_worklet.ts'},
   outdir: out,
   bundle: true,
   format: 'esm',

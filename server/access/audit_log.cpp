@@ -70,6 +70,8 @@ std::string_view name(AuditEvent event) noexcept {
       return "chose-source";
     case AuditEvent::SetExposure:
       return "set-exposure";
+    case AuditEvent::SetMicrophone:
+      return "set-microphone";
     case AuditEvent::SentOut:
       return "sent-out";
     case AuditEvent::LetIn:

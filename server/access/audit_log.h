@@ -37,6 +37,7 @@ enum class AuditEvent {
   BroughtSession,
   ChoseSource,
   SetExposure,
+  SetMicrophone,
   SentOut,
   LetIn,
   TookAwayTouch,

@@ -21,13 +21,13 @@
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in/web_sessions.h"
 #include "server/gateway/static_files.h"
-#include "server/gateway/voice/voice_floor.h"
 #include "server/hub/hub.h"
 #include "server/hub/server_stats.h"
 #include "server/origin/origin.h"
 #include "server/origin/reading.h"
 #include "server/origin/state_publisher.h"
 #include "server/views/view_maker.h"
+#include "server/voice/voice_floor.h"
 
 namespace telepalp::gateway {
 
@@ -38,7 +38,10 @@ struct GatewayOptions {
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};            ///< why the health check fails; empty: healthy
+  std::function<std::string()> problem{};  ///< why the health check fails; empty: healthy
+  /// Who speaks at the patient's side; shared with the microphone at the server itself (voice::RoomVoice).
+  std::shared_ptr<voice::VoiceFloor> patient_floor = std::make_shared<voice::VoiceFloor>();
+  std::function<std::string()> more_metrics{};       ///< Prometheus text that /metrics ends with
   std::function<hub::DatagramCounts()> datagrams{};  ///< counts of datagrams that arrived at the UDP port
   origin::Offer offer{};                             ///< what visitors may see of the server's origin, and change in it
   origin::Resources resources{};                     ///< those of the server itself
@@ -61,8 +64,7 @@ struct GatewayContext {
   origin::Readings readings;
   std::unordered_set<Connection*> connections;  ///< open connections, at most options.max_connections
   HandHolder holder{};
-  VoiceFloor patient_floor{};  ///< who speaks at the patient's side
-  VoiceFloor doctor_floor{};
+  voice::VoiceFloor doctor_floor{};  ///< who speaks as the doctor
   WebSessions sessions{};
   hub::Hub views{};  ///< topics for viewers alone: views (server/views/view_topics.h) and states of resources
   std::unique_ptr<views::ViewMaker> view_maker{};    ///< null after the gateway's destruction

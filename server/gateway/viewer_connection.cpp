@@ -148,7 +148,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     if (context()->view_maker) context()->view_maker->subscriptions_changed();
     if (std::exchange(reading_, nullptr)) return;  // its last holder ends it
     context()->holder.let_go(viewer);
-    context()->patient_floor.leave(viewer);
+    context()->options.patient_floor->leave(viewer);
     context()->doctor_floor.leave(viewer);
     note_hand(false, "why=\"the connection ended\"");
     publish_holder();
@@ -305,8 +305,8 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
     publish_holder();
   }
 
-  VoiceFloor& floor_of(const wire::Topic& topic) {
-    return topic.name == wire::kDoctorVoice.name ? context()->doctor_floor : context()->patient_floor;
+  voice::VoiceFloor& floor_of(const wire::Topic& topic) {
+    return topic.name == wire::kDoctorVoice.name ? context()->doctor_floor : *context()->options.patient_floor;
   }
 
   /// Passes on what the visitor says, if it may speak there and nobody else does.

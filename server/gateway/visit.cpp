@@ -168,7 +168,8 @@ HttpReply Visit::metrics(const HttpRequest& request) const {
                    context_.options.datagrams ? context_.options.datagrams() : hub::DatagramCounts{},
                    {.browsers = context_.connections.size(),
                     .touch_is_held = context_.options.access->touch().holder(steady_now()).has_value(),
-                    .is_healthy = !context_.options.problem || context_.options.problem().empty()});
+                    .is_healthy = !context_.options.problem || context_.options.problem().empty()}) +
+      (context_.options.more_metrics ? context_.options.more_metrics() : "");
   HttpReply reply = refuse(request, http::status::ok, text);
   reply.set(http::field::content_type, "text/plain; version=0.0.4; charset=utf-8");
   return reply;

@@ -53,14 +53,16 @@ inline constexpr StateTopic kRecording =
 inline constexpr StateTopic kSessions = state_topic("/sessions", "telepalp.msg.SessionList", 1000ms);  ///< SessionPart
 
 inline constexpr StateTopic kSource = state_topic("/source", "telepalp.msg.SourceState", 250ms);  ///< SourceCommand
+inline constexpr StateTopic kRoomVoice =
+    state_topic("/room_voice", "telepalp.msg.RoomVoiceState", 250ms);                             ///< RoomVoiceCommand
 inline constexpr StateTopic kPeople = state_topic("/people", "telepalp.msg.PeopleState", 250ms);  ///< PeopleCommand
 // Of a camera, and of a played session, which only shows them.
 inline constexpr StateTopic kMarks = state_topic("/marks", "telepalp.msg.MarksState", 100ms);  ///< MarkCommand
 inline constexpr StateTopic kExposure =
     state_topic("/exposure", "telepalp.msg.ExposureState", 100ms);  ///< ExposureCommand
 
-inline constexpr std::array kStateTopics{kPlayback, kEvents,  kNetwork, kNotes,    kComparison, kRecording,
-                                         kSessions, kReading, kSource,  kExposure, kPeople,     kMarks};
+inline constexpr std::array kStateTopics{kPlayback, kEvents, kNetwork,  kNotes,  kComparison, kRecording, kSessions,
+                                         kReading,  kSource, kExposure, kPeople, kMarks,      kRoomVoice};
 
 /// The Protobuf type of one of kStateTopics.
 [[nodiscard]] const google::protobuf::Descriptor* descriptor_of_state(const wire::Topic& topic);

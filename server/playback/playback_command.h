@@ -25,7 +25,7 @@ struct PlaybackSpec {
   double from_s = 0.0;
   double speed = 1.0;
   bool paused = false;
-  std::vector<std::string> topics{"/camera/*", "/station/*"};
+  std::vector<std::string> topics{"/camera/*", "/station/*", "/patient/voice", "/doctor/voice"};
 };
 [[nodiscard]] Result<PlaybackSpec> read_spec(const std::string& text);
 

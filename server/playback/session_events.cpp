@@ -1,8 +1,8 @@
 #include "server/playback/session_events.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
 #include "proto/words/counted.h"
 
@@ -33,7 +33,10 @@ msg::SessionEvents SessionEvents::events() const {
 }
 
 void SessionEvents::read(const std::filesystem::path& file, SessionTime begin, const Say& say) {
-  const LeftOut left_out = read_events(file, begin);
+  Result<wire::McapReader> reader = wire::McapReader::open(file);
+  const std::optional<speech::Speech> recorded = reader ? speech::recorded_speech(*reader) : speech::Speech{};
+  if (recorded) show(*recorded, begin);
+  const LeftOut left_out = reader ? read_events(*reader, begin) : LeftOut{.file = reader.error()};
   const std::string list = "the page's list of events of " + file.filename().string();
   if (left_out.file)
     say(list + " is empty: " + to_string(*left_out.file));
@@ -42,18 +45,31 @@ void SessionEvents::read(const std::filesystem::path& file, SessionTime begin, c
         " of the file. fix: telepalp-record verify names the damage");
   else if (left_out.too_many)
     say(list + " ends after " + std::to_string(kMostEvents) + " events. fix: cut the session: telepalp-record cut");
+  {
+    const std::scoped_lock lock(mutex_);
+    events_.set_complete(true);
+  }
+  if (!recorded) show(speech::surveyed_speech(*reader, [this] { return !stopping_; }), begin);
+}
+
+void SessionEvents::show(const speech::Speech& speech, SessionTime begin) {
   const std::scoped_lock lock(mutex_);
-  events_.set_complete(true);
+  for (const auto& [topic, side] : speech)
+    for (const speech::Spoken& span : side.spans) {
+      msg::SessionEvents::Speech& told = *events_.add_speech();
+      told.set_from_s(std::max(0.0, to_seconds(span.from - begin)));
+      told.set_until_s(std::max(0.0, to_seconds(span.until - begin)));
+      told.set_doctor(topic == wire::kDoctorVoice.name);
+      told.set_loudest_db(span.loudest_dB);
+    }
 }
 
 /// A damaged chunk costs only its own events: reading continues after it.
-SessionEvents::LeftOut SessionEvents::read_events(const std::filesystem::path& file, SessionTime begin) {
+SessionEvents::LeftOut SessionEvents::read_events(wire::McapReader& reader, SessionTime begin) {
   LeftOut left_out;
-  Result<wire::McapReader> reader = wire::McapReader::open(file);
-  if (!reader) return {.file = reader.error()};
-  reader->select({.topics = {std::string(wire::kStationEvents.name)}});
+  reader.select({.topics = {std::string(wire::kStationEvents.name)}});
   for (int count = 0; !stopping_;) {
-    const Result<std::optional<wire::Message>> message = reader->next();
+    const Result<std::optional<wire::Message>> message = reader.next();
     msg::StationEvent event;
     const bool is_event = message && *message && event.ParseFromString(*(*message)->payload);
     if (message && !*message) break;

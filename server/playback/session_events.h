@@ -9,13 +9,18 @@
 #include <thread>
 
 #include "messages/playback.pb.h"
+#include "proto/wire/mcap/reader.h"
 #include "proto/words/result.h"
 #include "proto/words/time.h"
+#include "support/speech/session_speech.h"
 
 namespace telepalp::playback {
 
-/// The station's events of a whole session file, for an overview before it is played. A separate thread reads them; the
-/// mutex guards the list, which the network thread copies. At most kMostEvents are kept: the first ones.
+/// The station's events of a whole session file, and where people speak in it, for an overview before it is played. A
+/// separate thread reads them; the mutex guards the list, which the network thread copies. At most kMostEvents are
+/// kept: the first ones. Where people speak is read at once from the recorder's own record. Only a file without one (of
+/// an earlier release, repaired, cut or merged) is surveyed, after the events: that takes as long as reading most of
+/// it.
 class SessionEvents {
  public:
   static constexpr int kMostEvents = 5000;
@@ -41,7 +46,8 @@ class SessionEvents {
     bool too_many = false;      ///< the events after the first kMostEvents
   };
   void read(const std::filesystem::path& file, SessionTime begin, const Say& say);
-  LeftOut read_events(const std::filesystem::path& file, SessionTime begin);
+  LeftOut read_events(wire::McapReader& reader, SessionTime begin);
+  void show(const speech::Speech& speech, SessionTime begin);
 
   mutable std::mutex mutex_;
   msg::SessionEvents events_;

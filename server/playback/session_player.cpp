@@ -151,7 +151,10 @@ void SessionPlayer::carry_out(const msg::PlaybackCommand& command) {
 }
 
 /// Maps the present position to now, at the present speed.
-void SessionPlayer::anchor() { map_ = {.recorded = position_, .now = clock_.now(), .speed = speed_}; }
+void SessionPlayer::anchor() {
+  map_ = {.recorded = position_, .now = clock_.now(), .speed = speed_};
+  voice_.jumped();
+}
 
 void SessionPlayer::go_to(SessionTime at) {
   const std::vector<wire::Message> needed = timeline_.seek(at);
@@ -225,7 +228,9 @@ void SessionPlayer::publish(const wire::Message& recorded) {
     if (status.ParseFromString(*recorded.payload)) color_registered_ = status.color_registered();
     return;  // the player states its own status
   }
+  if (recorded.topic.spoken && map_.speed != 1.0) return;
   std::optional<wire::Message> message = retimed(recorded, map_);
+  if (message && recorded.topic.spoken) message = voice_.as_played(*message);
   if (!message) return;
   note_shown(recorded);
   outlet_->hand_over(std::move(*message), commands_);
@@ -248,7 +253,9 @@ void SessionPlayer::note_shown(const wire::Message& recorded) {
 void SessionPlayer::publish_status_when_due() {
   const SessionTime now = clock_.now();
   const std::string how = ended_ ? "at its end" : playing_ ? "playing" : "paused";
-  const std::string speed = speed_ == 1.0 ? "" : ", speed " + std::to_string(speed_).substr(0, 4);
+  const std::string speed = speed_ == 1.0 ? ""
+                                          : ", speed " + std::to_string(speed_).substr(0, 4) +
+                                                (timeline_.has_speech() ? ", without the voices" : "");
   if (status_.text == how + speed && now - status_.at < kStatusEvery) return;
   status_ = {.text = how + speed, .at = now};
   msg::CaptureStatus status;

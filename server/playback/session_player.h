@@ -11,6 +11,7 @@
 #include "proto/wire/session_clock.h"
 #include "server/playback/playback_command.h"
 #include "server/playback/player/network_outlet.h"
+#include "server/playback/player/played_voice.h"
 #include "server/playback/player/player_commands.h"
 #include "server/playback/retimed.h"
 #include "server/playback/timeline.h"
@@ -18,9 +19,9 @@
 namespace telepalp::playback {
 
 /// Publishes a recorded session again: images as recorded, times mapped to the present session time, a pause of more
-/// than 2 s cut to 2 s. A separate thread reads the file and waits until each message is due; commands wake it. It
-/// uses a mutex and a condition variable, because it must sleep until the next message or command; no real-time thread
-/// waits for it.
+/// than 2 s cut to 2 s. Speech is published at speed 1 alone (PlayedVoice). A separate thread reads the file and waits
+/// until each message is due; commands wake it. It uses a mutex and a condition variable, because it must sleep until
+/// the next message or command; no real-time thread waits for it.
 class SessionPlayer {
  public:
   struct Handlers {
@@ -98,6 +99,7 @@ class SessionPlayer {
   std::optional<Shown> shown_;
   Status status_;
   SessionTime repeated_at_{};
+  PlayedVoice voice_;
   std::optional<NetworkOutlet> outlet_;  // from start() on
 
   PlayerCommands commands_;

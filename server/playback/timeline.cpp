@@ -67,6 +67,13 @@ Result<Timeline> Timeline::open(const std::filesystem::path& file, std::vector<s
   return Timeline(std::move(*reader), std::move(topics));
 }
 
+bool Timeline::has_speech() const {
+  return std::ranges::any_of(reader_.summary().channels.all(), [&](const auto& entry) {
+    const auto& topic = entry.second.topic;
+    return topic && topic->spoken && is_played(topic->name);
+  });
+}
+
 bool Timeline::is_played(std::string_view topic) const { return is_wanted(topics_, topic); }
 
 /// The topics of the file whose last message a receiver needs.

@@ -30,6 +30,8 @@ class Timeline {
   /// The next message; nullopt at the end. Damaged parts are skipped and counted.
   [[nodiscard]] std::optional<wire::Message> next();
 
+  /// True if speech is among the messages that are played.
+  [[nodiscard]] bool has_speech() const;
   [[nodiscard]] std::uint64_t damaged() const noexcept { return damaged_; }
 
  private:

@@ -30,6 +30,8 @@ const std::vector<Rule> kRules{
     {"support", {"proto/words", "support"}},
     // Sessions in a cluster are read and written like session files.
     {"support/session_store", {"proto/words", "proto/wire/mcap", "support/nats", "support/session_store"}},
+    // Recorded speech is found by its sound.
+    {"support/speech", {"proto/words", "proto/wire", "codec", "messages", "support/speech"}},
     {"codec", {"proto/words", "codec"}},
     {"server", {"proto", "support", "codec", "server", "messages", "foxglove"}},
     {"haptic_station/surface", {"proto/words", "codec/levels", "support/models", "haptic_station/surface"}},

@@ -231,7 +231,7 @@ test('an overloaded viewer says that this computer is slow, and its numbers stay
 });
 
 /** Files that the page loads only when the user asks for what they do. */
-const LATER = ['mixed.js', 'voice.js', 'voice_worker.js', 'voice_worklet.js'];
+const LATER = ['later_cards.js', 'mixed.js', 'voice.js', 'voice_lanes.js', 'voice_worker.js', 'voice_worklet.js'];
 
 /** Bytes over the wire of everything that the page loads by itself. */
 async function weight(address) {

@@ -219,7 +219,7 @@ test('the doctor\'s page had no problem', async () => {
 
 test('a played session lets both sides be heard again, and nobody can speak into it', async () => {
   const ports = await place.server(
-      join(binDir, 'telepalp-server'), ['--source', `session:${join(place.folder, 'with.mcap')},topics=/camera/*+/patient/voice+/doctor/voice`, '--viewer', viewer]);
+      join(binDir, 'telepalp-server'), ['--source', `session:${join(place.folder, 'with.mcap')}`, '--viewer', viewer]);
   await technician.page.goto(`http://127.0.0.1:${ports.http_port}/?view=technician&mesh=off`);
   await untilStatus(technician.page, 'the session is shown', (now) => now.connected);
   await technician.page.waitForSelector('#timeline', {state: 'visible'});
@@ -227,6 +227,22 @@ test('a played session lets both sides be heard again, and nobody can speak into
   await until('the page listens', async () => (await button(technician.page)).text === 'Listening');
   await untilHeard(technician.page, '/doctor/voice', 50);
   await untilHeard(technician.page, '/patient/voice', 50);
+  const lanes = await technician.page.$$eval('#voice-lanes [data-lane]', (all) => all.map((lane) => [lane.dataset.lane, lane.querySelectorAll('i').length]));
+  assert.deepEqual(lanes.map(([name]) => name), ['Patient', 'Doctor'], 'both have a lane on the timeline');
+  assert.ok(lanes.every(([, bars]) => bars >= 1), JSON.stringify(lanes));
+});
+
+test('at another speed the voices are silent and the button says so; at speed 1 they are heard again', async () => {
+  const {page} = technician;
+  await page.selectOption('#timeline-speed', '10');
+  await until('the button says it', async () => (await button(page)).text === 'Silent at 10 ×');
+  await pause(500);
+  const {played} = (await counts(page)).heard['/doctor/voice'];
+  await pause(1500);
+  assert.ok((await counts(page)).heard['/doctor/voice'].played - played <= 2, 'nothing is played');
+  await page.selectOption('#timeline-speed', '1');
+  await until('the button says it', async () => (await button(page)).text === 'Listening');
+  await untilHeard(page, '/doctor/voice', played + 100);
 });
 
 test('the technician\'s page had no problem', () => assert.deepEqual(technician.problems, []));

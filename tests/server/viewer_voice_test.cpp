@@ -7,7 +7,7 @@
 #include "proto/wire/voice/voice_message.h"
 #include "proto/words/voice/voice_packet.h"
 #include "server/gateway/viewer_commands.h"
-#include "server/gateway/voice/voice_floor.h"
+#include "server/voice/voice_floor.h"
 
 namespace telepalp::server {
 namespace {
@@ -118,7 +118,7 @@ TEST(ViewerVoice, EachSideNeedsARightOfItsOwn) {
 }
 
 TEST(VoiceFloor, TheFirstIsHeardUntilItHasBeenSilentFor300ms) {
-  gateway::VoiceFloor floor;
+  voice::VoiceFloor floor;
   EXPECT_TRUE(floor.speaks(1, at(0ms)));
   EXPECT_FALSE(floor.speaks(2, at(20ms)));
   EXPECT_TRUE(floor.speaks(1, at(40ms)));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "proto/words/counted.h"
+#include "support/speech/session_speech.h"
 
 namespace telepalp::record {
 namespace {
@@ -69,6 +70,7 @@ Result<void> SessionFiles::begin_part() {
     return written;
   }
   writer_.emplace(std::move(*writer));
+  speech_ = {};
   offered_to_part_ = latched_.size();
   part_began_.reset();
   return {};
@@ -76,7 +78,8 @@ Result<void> SessionFiles::begin_part() {
 
 Result<void> SessionFiles::end_part(const wire::mcap::Metadata* notes) {
   Result<void> done;
-  if (notes != nullptr) done = writer_->add(*notes);
+  if (const auto speech = speech::speech_record(speech_.speech())) done = writer_->add(*speech);
+  if (notes != nullptr && done) done = writer_->add(*notes);
   const Result<void> closed = writer_->close();
   dropped_ += offered_to_part_ - std::min(offered_to_part_, writer_->messages());
   parts_.push_back({writer_->name(), writer_->messages(), writer_->bytes(), newest_});
@@ -116,6 +119,7 @@ void SessionFiles::put(const wire::Message& published) {
   if (writer_) {
     if (!part_began_) part_began_ = message.published;
     ++offered_to_part_;
+    speech_.add(message);
     if (const Result<void> written = writer_->write(message); !written) fail(written.error());
   } else {
     ++dropped_;

@@ -14,6 +14,7 @@
 #include "proto/wire/mcap/writer.h"
 #include "proto/wire/message.h"
 #include "proto/words/result.h"
+#include "support/speech/speech_survey.h"
 
 namespace telepalp::record {
 
@@ -31,7 +32,8 @@ struct Splitting {
 
 /// The files of one recording: one file, or parts NAME.0001.mcap, NAME.0002.mcap, … Each part is a complete session. A
 /// later part begins with the last message of each latched topic (such as camera model and status) and with a key frame
-/// of depth, unless none comes within 2 s. When a write fails, the part is completed with the messages that it holds.
+/// of depth, unless none comes within 2 s. A part with speech ends with a record of where people speak
+/// (speech::speech_record()). When a write fails, the part is completed with the messages that it holds.
 /// Messages are then dropped and counted until a new part begins, for which 256 MiB of the disk must be free. Owner:
 /// the disk thread, except where a comment says otherwise.
 class SessionFiles {
@@ -90,6 +92,7 @@ class SessionFiles {
   Plan plan_;
   Alarm alarm_;
   std::optional<wire::McapWriter> writer_;  // nullopt: the disk has failed
+  speech::SpeechSurvey speech_;             // of the present part
   std::deque<Part> parts_;                  // completed
   std::map<std::string_view, wire::Message> latched_;
   /// The first message of each latched topic, perhaps hours old, until any newer message arrives. nullopt: written.

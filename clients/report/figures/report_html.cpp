@@ -10,6 +10,7 @@
 #include "clients/report/figures/image_counts.h"
 #include "clients/report/figures/motion_figures.h"
 #include "clients/report/figures/page_words.h"
+#include "clients/report/figures/speech_figures.h"
 #include "clients/report/figures/timing_figures.h"
 #include "clients/report/summary/provenance.h"
 #include "proto/words/counted.h"
@@ -143,12 +144,23 @@ std::string motion_sections(const Session& session, const Summary& summary) {
                        "Path of the end-effector and force while the hand is at a simulated object under "
                        "the skin (states -3 to -1).",
                        in_pairs({cylinder[0], cylinder[1]}) + plot::to_svg(cylinder[2]));
+  std::vector<plot::Chart> whole = timeline(session);
+  for (plot::Chart& lane : speech_lanes(session)) whole.push_back(std::move(lane));
+  if (!session.spoken.empty())
+    for (plot::Chart& chart : whole) chart.x.include = plot::Range{0.0, seconds(session)};
+  const std::string spoken = speech_words(session);
   return out + section("The whole run",
                        "State, height and force on one time axis. Only the force of contact comes from the patient. "
                        "Outside the body, a drive moves the end-effector; of its force the hand feels only the lift in "
                        "state 1. The drive gave at most " +
-                           readable(summary.force_of_drive_max_N) + " N.",
-                       plot::to_svg(timeline(session)));
+                           readable(summary.force_of_drive_max_N) + " N." + (spoken.empty() ? "" : " " + spoken),
+                       plot::to_svg(whole));
+}
+
+/// The lanes of speech of a session in which no station was.
+std::string speech_section(const Session& session) {
+  if (session.spoken.empty() || session.ticks.size() > 0) return "";
+  return section("What was said", speech_words(session), plot::to_svg(speech_lanes(session)));
 }
 
 /// What it means that the skin above an inner object showed no slide; empty if it always did.
@@ -243,9 +255,9 @@ std::string report_html(const Session& session, const Summary& summary, const Ve
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>telepalp: " +
          escaped(session.name) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n" +
          first_screen(session, summary, verdict) + senders_section(summary) + view_section(session, view_png) +
-         notes_section(session) + motion_sections(session, summary) + states_section(summary) +
-         image_counts_section(session, summary) + timing_sections(session, summary) + events_section(session) +
-         page_words_section() + "</body></html>\n";
+         notes_section(session) + motion_sections(session, summary) + speech_section(session) +
+         states_section(summary) + image_counts_section(session, summary) + timing_sections(session, summary) +
+         events_section(session) + page_words_section() + "</body></html>\n";
 }
 
 }  // namespace telepalp::report

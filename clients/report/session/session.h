@@ -16,6 +16,7 @@
 #include "proto/wire/mcap/writer.h"
 #include "proto/wire/message.h"
 #include "proto/words/rgbd_frame.h"
+#include "support/speech/speech_survey.h"
 
 namespace telepalp::report {
 
@@ -109,6 +110,7 @@ struct Session : SenderRecord {
   std::string origin;       ///< the recorded server or file, from the metadata; empty: not stated
   msg::SessionNotes notes;  ///< notes of people who watched the session, from SESSION.mcap.notes.json, or
                             ///< the session's own marks
+  speech::Speech spoken;    ///< where people speak, if what they said was recorded
   std::map<std::uint32_t, SenderRecord> others;                               ///< of the other senders, by their number
   std::map<std::pair<std::string, std::string>, Subscription> subscriptions;  ///< by name and address
   bool heard_server_stats = false;

@@ -12,6 +12,7 @@
 #include "proto/wire/camera/color_message.h"
 #include "proto/wire/mcap/reader.h"
 #include "proto/wire/topics.h"
+#include "support/speech/session_speech.h"
 
 namespace telepalp::report {
 namespace {
@@ -71,12 +72,16 @@ Result<Session> read_session(const std::filesystem::path& file) {
   session.name = file.filename().string();
   if (Result<wire::SessionInfo> info = reader->session()) session.info = std::move(*info);
   session.origin = session.info.source;
+  const std::optional<speech::Speech> recorded = speech::recorded_speech(*reader);
+  speech::SpeechSurvey survey;  // of a file without a record of where people speak
   for (;;) {
     Result<std::optional<wire::Message>> message = reader->next();
     if (!message) return message.error();
     if (!message.value()) break;
     add(session, **message);
+    if (!recorded) survey.add(**message);
   }
+  session.spoken = recorded ? *recorded : survey.speech();
   settle(session);
   if (session.messages == 0)
     return Error{

@@ -1,6 +1,6 @@
 import type {HeadsetAnchor} from './mixed/headset_anchor';
 import {now_ms} from './link/session_clock';
-import {element} from './page/page';
+import {element, later} from './page/page';
 import {saveFile} from './page/save_file';
 import type {StationState} from './messages/generated';
 import {headsetIsThere} from './scene/headset';
@@ -27,9 +27,7 @@ export function offerAnchor(
   async function begin(): Promise<void> {
     if (anchor !== undefined && view.headset.onFrame !== undefined) return anchor.anchoring.again();
     try {
-      // The bundler cannot read an address in a variable, so it leaves this file out of the page's own.
-      const file = new URL('mixed.js', import.meta.url).href;
-      const mixed = await import(file) as typeof import('./mixed/headset_anchor');
+      const mixed = await later<typeof import('./mixed/headset_anchor')>('mixed.js');
       if (!view.headset.isOn) await view.setHeadset(true);
       const present = view.headset.present;
       if (present === undefined) throw new Error('it has no reference space');

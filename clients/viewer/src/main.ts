@@ -5,7 +5,7 @@ import {type MarkCommand, SayBar} from './said/say_bar';
 import {ViewerHandInput} from './touch/viewer_hand';
 import {offerHeadset} from './headset_button';
 import {measureHeight} from './page/layout';
-import {browserStore} from './page/page';
+import {browserStore, later} from './page/page';
 import {ServerResources} from './link/server_resources';
 import {now_ms} from './link/session_clock';
 import {SiteLink} from './site/site_link';
@@ -17,8 +17,8 @@ import {SessionsCard} from './panel/sessions_card';
 import {Readouts} from './panel/readouts';
 import {TechnicianPanel} from './panel/technician/technician_panel';
 import {EXPOSURE} from './panel/technician/exposure_card';
-import type {MarksState} from './messages/generated';
-import {type PeopleCommand, type PeopleState, readPeople} from './panel/technician/people_card';
+import type {MarksState, PeopleState, RoomVoiceState} from './messages/generated';
+import type {PeopleCommand} from './panel/technician/people_card';
 import {readSource, type SourceCommand, type SourceState} from './panel/technician/source_card';
 import {readRecording, type RecordingCommand, type RecordingState} from './panel/technician/recording_state';
 import {type ComparisonCommand, type ComparisonState, readComparison} from './playback/comparison_state';
@@ -52,7 +52,7 @@ const EXTRA: Record<View, Extra> = {
     topics: ['/station/compensation', '/station/surface', '/station/ultrasound', '/station/inside'],
     light: false,
   },
-  technician: {topics: ['/recording', '/sessions', '/source', '/exposure', '/people'], light: true},
+  technician: {topics: ['/recording', '/sessions', '/source', '/exposure', '/people', '/room_voice'], light: true},
   qa: {topics: ['/station/events', '/playback/network', '/playback/comparison', '/sessions'], light: false},
 };
 
@@ -96,9 +96,14 @@ const parts = {
 };
 const source = resources.at<'/source', SourceState, SourceCommand>('/source', {read: readSource});
 const exposure = resources.at('/exposure', EXPOSURE);
-const people = resources.at<'/people', PeopleState, PeopleCommand>('/people', {read: readPeople});
-const marks = resources.at<'/marks', MarksState, MarkCommand>('/marks', {read: (state) => state, mostWaiting: 3});
+const asItIs = {read: <State>(state: State) => state};
+const marks = resources.at<'/marks', MarksState, MarkCommand>('/marks', {...asItIs, mostWaiting: 3});
 const recording = resources.at<'/recording', RecordingState, RecordingCommand>('/recording', {read: readRecording});
+const people = resources.at<'/people', PeopleState, PeopleCommand>('/people', asItIs);
+const room = resources.at<'/room_voice', RoomVoiceState, {open: boolean}>('/room_voice', asItIs);
+const laterCards = () => later<typeof import('./panel/technician/later_cards')>('later_cards.js');
+people.onChange(() => people.state && laterCards().then(({showPeople}) => showPeople(people)));
+room.onChange(() => room.state && laterCards().then(({showRoomVoice}) => showRoomVoice(room)));
 const link = new SiteLink({
   instant: (instant) => {
     coming = instant;
@@ -169,7 +174,7 @@ const status = publishStatus(() => ({
   voice: voice.counts,
 }));
 
-const technician = new TechnicianPanel(view, canvas, {recording, source, exposure, people}, (place) => link.takePlace(place));
+const technician = new TechnicianPanel(view, canvas, {recording, source, exposure}, (place) => link.takePlace(place));
 const sessions = new SessionsCard();
 const whole = new OverviewBand(playback, parts.notes);
 resources.on('/reading', (newest) => (state.opening = newest && openingShare(newest.message)));
@@ -187,15 +192,15 @@ const views = new ViewSwitch((chosen) => {
   cards.show(chosen);
   details.show(chosen);
 });
+const pictureAge_s = () => {
+  const {pictureInstant_ms, sessionNow_ns} = read();
+  return shownAgo_s(pictureInstant_ms, sessionNow_ns);
+};
 const markButton = new MarkButton(
-    marks,
-    () => {
-      const {pictureInstant_ms, sessionNow_ns} = read();
-      return shownAgo_s(pictureInstant_ms, sessionNow_ns);
-    },
+    marks, pictureAge_s,
     (text) => readouts.showNotice({level: 'warn', title: 'The moment is not marked', text}));
 const voice = new VoiceButton(
-    () => sideOf(read().role, views.view, playback.state !== undefined), (text) => readouts.showNotice({level: 'warn', title: 'Voice', text}));
+    () => sideOf(read().role, views.view, playback.state !== undefined), (text) => readouts.showNotice({level: 'warn', title: 'Voice', text}), pictureAge_s);
 const sayBar = new SayBar(
     marks, canvas, (x, y) => view.placeUnder(x, y), (places) => view.showPointed(places),
     (text) => readouts.showNotice({level: 'warn', title: 'Nothing is said', text}));

@@ -1,4 +1,4 @@
-import {element} from './page/page';
+import {element, later} from './page/page';
 import type {View} from './views/view';
 import type {Side, Voice} from './voice/voice';
 
@@ -21,7 +21,9 @@ export class VoiceButton {
   private voice: Promise<Voice> | undefined;
   private joined: Voice | undefined;
 
-  constructor(private readonly side: () => Side, private readonly explain: (problem: string) => void) {
+  constructor(
+      private readonly side: () => Side, private readonly explain: (problem: string) => void,
+      private readonly pictureAge_s: () => number | undefined) {
     this.button.addEventListener('click', () => {
       if (this.voice === undefined) void this.join();
       else void this.joined?.setOpen(!this.joined.open);
@@ -54,9 +56,7 @@ export class VoiceButton {
   }
 
   private async load(): Promise<Voice> {
-    // The bundler cannot read an address in a variable, so it leaves this file out of the page's own.
-    const file = new URL('voice.js', import.meta.url).href;
-    const {joinVoice} = await import(file) as typeof import('./voice/voice');
-    return joinVoice(this.button, this.side(), this.explain);
+    const {joinVoice} = await later<typeof import('./voice/voice')>('voice.js');
+    return joinVoice(this.button, this.side(), this.explain, this.pictureAge_s);
   }
 }

@@ -39,6 +39,11 @@ constexpr std::string_view kSendsOutNoForeignPage =
     "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
 constexpr std::string_view kKnowsNobody =
     "this server has no keys, so it knows nobody by name. fix: start telepalp-server with --key FILE";
+constexpr std::string_view kOpensNoForeignPage =
+    "this web page is from another site, which may not open the room's microphone. fix: allow the page's scheme and "
+    "host: telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";
+constexpr std::string_view kHasNoRoomVoice =
+    "this server has no microphone in the patient's room. fix: start telepalp-server with --voice alsa";
 constexpr std::string_view kRecordsNothing =
     "recording from the web page is off on this server. fix: start telepalp-server with --record-dir DIR";
 
@@ -121,6 +126,15 @@ constexpr std::array kRows{
                 .absent = kKnowsNobody,
                 .empty_if_absent = false,
                 .audited_as = {}},  // Access notes each command in the audit log by itself
+    ResourceRow{.path = origin::kRoomVoice.topic.name,
+                .read = Operation::Listen,
+                .change = Operation::SpeakAtPatient,
+                .change_own = Operation::SpeakAtPatient,
+                .people = "only technicians may open the microphone in the patient's room",
+                .pages = kOpensNoForeignPage,
+                .absent = kHasNoRoomVoice,
+                .empty_if_absent = true,
+                .audited_as = access::AuditEvent::SetMicrophone},
 };
 
 constexpr bool has_row(const origin::StateTopic& state) {

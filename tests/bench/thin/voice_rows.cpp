@@ -10,15 +10,18 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "codec/lip_sync.h"
 #include "codec/voice_playout.h"
 #include "proto/wire/client/client_link.h"
 #include "proto/wire/voice/voice_message.h"
 #include "server/hub/peer_listener.h"
+#include "support/speech/voice_packets.h"
 #include "tests/bench/distribution.h"
 #include "tests/support/speech.h"
 #include "tools/link_proxy/link_proxy.h"
@@ -63,17 +66,6 @@ class Network {
   std::thread thread_;
 };
 
-/// The packets of a message, the oldest first.
-std::vector<codec::VoicePacket> packets_of(const msg::VoiceFrame& frame) {
-  std::vector<codec::VoicePacket> packets;
-  for (int back = frame.earlier_size(); back >= 0; --back)
-    packets.push_back({.talker = frame.talker(),
-                       .number = frame.number() - static_cast<std::uint32_t>(back),
-                       .begun = frame.begun(),
-                       .opus = back == 0 ? frame.opus() : frame.earlier(back - 1)});
-  return packets;
-}
-
 /// A server's hub with its listener, to which a microphone speaks.
 class Mouth {
  public:
@@ -109,6 +101,7 @@ class Mouth {
         hub_.publish({wire::kCameraColor, clock_.now(), std::make_shared<const std::string>(image_B, 'x'), 0, true});
     });
   }
+  [[nodiscard]] const wire::SessionClock& clock() const noexcept { return clock_; }
   [[nodiscard]] double coding_delay_ms() const { return 1e3 * encoder_.delay_samples() / kVoiceRate_hz; }
 
  private:
@@ -120,11 +113,21 @@ class Mouth {
   Network network_;
 };
 
-/// A client that listens, with a loudspeaker.
+/// A client that looks and listens: a screen, which shows the newest image as soon as it is complete, and a
+/// loudspeaker.
 class Ear {
+  /// A frame whose sound began at `at`.
+  struct Heard {
+    SessionTime at{};
+    SessionTime spoken{};
+  };
+
  public:
-  explicit Ear(std::uint16_t port)
-      : link_(network_.io,
+  /// `clock`: the server's, which a client knows to within half a round trip.
+  Ear(std::uint16_t port, const wire::SessionClock& clock, Nanoseconds coding_delay)
+      : clock_(clock),
+        coding_delay_(coding_delay),
+        link_(network_.io,
               {.port = port,
                .name = "telepalp-bench",
                .subscribes = {std::string(wire::kDoctorVoice.name), std::string(wire::kCameraColor.name)}},
@@ -142,8 +145,20 @@ class Ear {
   }
   /// The sound of the next 20 ms.
   codec::VoicePlayout::Played pull() {
+    using Kind = codec::VoicePlayout::Kind;
     const std::lock_guard lock(mutex_);
-    return playout_.next(steady_now());
+    if (const auto fastest = playout_.fastest_age()) playout_.hold(lips_.delay(*fastest));
+    const SessionTime now = clock_.now();
+    const codec::VoicePlayout::Played played = playout_.next(now);
+    heard_.reset();
+    if (played.kind != Kind::Silence && played.kind != Kind::Stretched && played.number >= kSettled)
+      heard_ = Heard{.at = now, .spoken = frame_0_ + played.number * Nanoseconds(kVoiceFrameTime) - coding_delay_};
+    return played;
+  }
+  /// Of each image when it was shown: how far its capture was from the instant of the sound that was heard then.
+  [[nodiscard]] Distribution apart_ms() {
+    const std::lock_guard lock(mutex_);
+    return apart_ms_;
   }
   [[nodiscard]] codec::VoicePlayout::Counts counts() {
     const std::lock_guard lock(mutex_);
@@ -155,17 +170,37 @@ class Ear {
   }
 
  private:
+  void on_image(SessionTime captured) {
+    const std::lock_guard lock(mutex_);
+    if (captured <= shown_) return;  // a newer one is on the screen
+    shown_ = captured;
+    const SessionTime now = clock_.now();
+    lips_.shown(now - captured);
+    if (!heard_ || now - heard_->at > Nanoseconds(kVoiceFrameTime)) return;
+    apart_ms_.add(std::abs(to_milliseconds(heard_->spoken + (now - heard_->at) - captured)));
+  }
   void on_message(const wire::Message& message) {
-    if (message.topic.name != wire::kDoctorVoice.name) return;  // the images only fill the line
+    if (message.topic.name != wire::kDoctorVoice.name) return on_image(message.published);
     const auto frame = wire::read_voice_frame(*message.payload);
     if (!frame) return;
     const std::lock_guard lock(mutex_);
     ++messages_;
-    for (codec::VoicePacket& packet : packets_of(*frame)) playout_.add(std::move(packet), steady_now());
+    const SessionTime now = clock_.now();
+    for (codec::VoicePacket& packet : speech::packets_of(*frame)) {
+      frame_0_ = packet.spoken - packet.number * Nanoseconds(kVoiceFrameTime);
+      playout_.add(std::move(packet), now);
+    }
   }
 
-  std::mutex mutex_;  // guards the two members below
+  const wire::SessionClock clock_;
+  const Nanoseconds coding_delay_;
+  std::mutex mutex_;  // guards the members below
   codec::VoicePlayout playout_;
+  codec::LipSync lips_;
+  std::optional<Heard> heard_;  // nullopt: silence
+  SessionTime frame_0_{};       // when the talker's frame 0 was spoken
+  SessionTime shown_{};         // capture of the newest image
+  Distribution apart_ms_;
   std::uint64_t messages_ = 0;
   Network network_;
   wire::ClientLink link_;
@@ -175,6 +210,7 @@ struct Talk {
   Distribution mouth_to_ear_ms;  ///< beyond the path's own delay, of the frames from kSettled on
   codec::VoicePlayout::Counts counts;
   std::uint64_t messages = 0;  ///< that arrived
+  Distribution apart_ms{};     ///< capture of the image shown from the instant of the sound heard
 };
 
 /// Speaks kFrames frames, with an image of `image_B` beside each, and listens. Two threads: a late loudspeaker must not
@@ -208,6 +244,7 @@ Talk talk(Mouth& mouth, Ear& ear, std::size_t image_B) {
   microphone.join();
   result.counts = ear.counts();
   result.messages = ear.messages();
+  result.apart_ms = ear.apart_ms();
   return result;
 }
 
@@ -233,7 +270,7 @@ Result<void> add_rows(Report& report, const std::string& name, const Line& line)
   if (!proxy) return proxy.error();
   Result<Talk> talked = Error{.what = "the ear has no datagrams within 20 s", .where = name, .fix = "try again"};
   {
-    Ear ear((*proxy)->port());
+    Ear ear((*proxy)->port(), mouth.clock(), from_seconds(1e-3 * mouth.coding_delay_ms()));
     const auto deadline = std::chrono::steady_clock::now() + 20s;
     while (!ear.is_ready() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(50ms);
     if (ear.is_ready()) talked = talk(mouth, ear, line.image_B);
@@ -255,6 +292,9 @@ Result<void> add_rows(Report& report, const std::string& name, const Line& line)
       measured(name + ": frames left out to shorten the delay", percent * static_cast<double>(counts.skipped), "%"));
   report.rows.push_back(
       measured(name + ": messages that arrived", percent * static_cast<double>(talked->messages), "%"));
+  if (line.image_B > 0)
+    report.rows.push_back(at_most(name + ": capture of the picture shown from the sound heard, p95",
+                                  talked->apart_ms.quantile(0.95), "ms", 40.0));
   const std::uint64_t told = counts.played + counts.concealed + counts.restored + counts.skipped;
   const double untold = static_cast<double>(kFrames) - static_cast<double>(told);
   report.rows.push_back(at_most(name + ": frames of which no count tells", std::abs(untold), "", 5.0));
@@ -267,12 +307,15 @@ Result<void> add_voice_rows(Report& report) {
   constexpr std::size_t kImage_B = 6'000;  // 50 a second are 2.4 Mbit/s, as depth and colour have on this line
   for (const auto& [name, line] :
        {std::pair{"no loss", Line{}}, std::pair{"10 % loss in bursts of 4", Line{.loss = 0.1, .burst_packets = 4.0}},
+        std::pair{"1 % loss, beside images", Line{.loss = 0.01, .image_B = kImage_B}},
         std::pair{"10 % loss in bursts of 4, beside images",
                   Line{.loss = 0.1, .burst_packets = 4.0, .image_B = kImage_B}}})
     if (const auto added = add_rows(report, name, line); !added) return added;
   report.notes.emplace_back(
       "voice: a hub, its sockets and a client with a jitter buffer, 4 Mbit/s, 50 ms there and back; 24 kbit/s of Opus, "
-      "six earlier packets in each message; mouth to ear holds the frame's own 20 ms and Opus's delay");
+      "six earlier packets in each message; mouth to ear holds the frame's own 20 ms and Opus's delay; speech waits "
+      "for "
+      "the picture by codec/lip_sync.h");
   return {};
 }
 

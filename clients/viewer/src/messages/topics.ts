@@ -3,7 +3,7 @@ import type {
   InnerStructures, MarksState,
   NetworkState, PeopleState, PlaybackState, ReadingState, RecordingState, ServerStats, SessionEvents, SessionList,
   SessionNotes, SourceState,
-  StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand, VoiceFrame,
+  RoomVoiceState, StationCompensation, StationEvent, StationState, StationStats, SurfaceReport, UltrasoundImage, ViewerHand, VoiceFrame,
 } from './generated';
 
 /** The fields `Name` of a message, each of them given. */
@@ -44,11 +44,12 @@ export interface StateTopics {
   '/exposure': ExposureState;
   '/people': PeopleState;
   '/marks': MarksState;
+  '/room_voice': RoomVoiceState;
 }
 export type StateTopic = keyof StateTopics;
 export const STATE_TOPICS = [
   '/playback', '/playback/events', '/playback/network', '/playback/notes', '/playback/comparison', '/reading', '/recording',
-  '/sessions', '/source', '/exposure', '/people', '/marks',
+  '/sessions', '/source', '/exposure', '/people', '/marks', '/room_voice',
 ] as const satisfies readonly StateTopic[];
 
 /** A state, and the session time at which the server published it. */

@@ -5,6 +5,12 @@ export function element<Kind extends HTMLElement = HTMLElement>(id: string): Kin
   return found as Kind;
 }
 
+/**
+ * The module of `file`, a bundle of its own that the page loads only when it is needed. The bundler cannot read an address
+ * in a variable, so it leaves the module out of the page's own.
+ */
+export const later = async <Module>(file: string): Promise<Module> => import(new URL(file, import.meta.url).href) as Promise<Module>;
+
 /** Writes only what changed: a screen reader reads out every write to a live region. */
 export function setText(target: HTMLElement, text: string): void {
   if (target.textContent !== text) target.textContent = text;

@@ -1,4 +1,4 @@
-import {element, made} from '../page/page';
+import {element, later, made} from '../page/page';
 import {toneOf} from '../words/event_tone';
 import {lookOf} from '../words/phases';
 import {type Playback, seekTo} from './playback_state';
@@ -8,13 +8,14 @@ import {clock} from './timeline_words';
 
 /**
  * The played session above the timeline's slider: phases as a band; faults, missed deadlines, heat, link and notes as
- * marks.
+ * marks. Below them, where somebody speaks: its code is loaded with the first session that has speech.
  */
 export class OverviewBand {
   overview: SessionOverview | undefined;
 
   private readonly band = element('overview');
   private drawn = '';
+  private spoken = 0;  // times in the lanes
 
   constructor(private readonly playback: Playback, private readonly notes: Notes) {
     this.band.addEventListener('click', (event) => this.seek(event));
@@ -32,9 +33,13 @@ export class OverviewBand {
   private draw(): void {
     const duration_s = this.playback.state?.duration_s ?? 0;
     const notes = duration_s > 0 ? this.notes.state ?? [] : [];
-    const drawn = `${this.playback.state?.session} ${this.overview?.events.length ?? 0} in ${duration_s}, ${keyOf(notes)}`;
+    const speech = this.overview?.speech ?? [];
+    const drawn = `${this.playback.state?.session} ${this.overview?.events.length ?? 0} ${speech.length} in ${duration_s}, ${keyOf(notes)}`;
     if (drawn === this.drawn) return;
     this.drawn = drawn;
+    if (this.spoken + speech.length > 0)
+      void later<typeof import('./voice_lanes')>('voice_lanes.js').then(({drawLanes}) => drawLanes(this.band, speech, duration_s));
+    this.spoken = speech.length;
     const spans = this.overview === undefined || duration_s <= 0 ? [] : spansOf(this.overview, duration_s);
     const marks = this.overview === undefined || duration_s <= 0 ? [] : marksOf(this.overview);
     this.band.hidden = spans.length + marks.length + notes.length === 0;

@@ -1,4 +1,4 @@
-import {EventKind, type Phase, type SessionEvents} from '../messages/generated';
+import {EventKind, type Phase, type SessionEvents, type SessionEvents_Speech} from '../messages/generated';
 import {changeInWords} from '../words/phases';
 
 /** An event of the whole session, at seconds from its beginning. */
@@ -12,6 +12,7 @@ export interface SessionEvent {
 export interface SessionOverview {
   events: readonly SessionEvent[];
   complete: boolean;  // false: the server is still reading the file
+  speech: readonly SessionEvents_Speech[];  // where somebody speaks, of both sides
 }
 
 /** A time in which the phase did not change. */
@@ -21,9 +22,10 @@ export interface OverviewSpan {
   to_s: number;
 }
 
-export function readOverview({events, complete}: SessionEvents): SessionOverview {
+export function readOverview({events, complete, speech}: SessionEvents): SessionOverview {
   return {
     complete,
+    speech,
     events: events.map(({atS, kind, text, from, to}) =>
         ({at_s: atS, kind, text: kind === EventKind.PHASE ? changeInWords(from, to) : text, to})),
   };

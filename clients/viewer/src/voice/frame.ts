@@ -10,5 +10,6 @@ export interface SpokenFrame {
   talker: bigint;
   number: number;
   begun: number;  // number of the first frame since the talker opened the microphone
+  spoken_ms: number;  // session time at which its first sample was at the microphone
   samples: Float32Array<ArrayBuffer>;
 }

@@ -23,12 +23,16 @@ export interface VoiceCounts {
 
 /**
  * The jitter buffer between network and loudspeaker, for decoded frames: the rules of codec/voice_playout.h. The delay
- * follows the path: with it, 99.5 % of the last ten seconds' frames would have come before their turn. A missing frame
- * is made up from the one before it, and fades. Times are in ms, of any steady clock.
+ * follows the path: with it, 99.5 % of the last ten seconds' frames would have come before their turn. It is at least
+ * `held_ms`, by which speech waits for its picture. A missing frame is made up from the one before it, and fades. Times
+ * are in ms, of any steady clock.
  */
 export class JitterBuffer {
   readonly counts: VoiceCounts = {played: 0, concealed: 0, skipped: 0, stretched: 0, late: 0};
   delay_ms = MARGIN_MS;
+  held_ms = 0;
+  /** How old the fastest frames of the last ten seconds were when they came; undefined: not known. */
+  fastest_ms: number | undefined;
 
   private talker = 0n;
   private readonly waiting = new Map<number, SpokenFrame>();
@@ -40,12 +44,14 @@ export class JitterBuffer {
   private least_ms = 0;
   private last = new Float32Array(FRAME_SAMPLES);  // played last
 
-  add(frame: SpokenFrame, arrived_ms: number): void {
+  /** `age_ms`: how long ago its first sample was spoken; undefined: not known. */
+  add(frame: SpokenFrame, arrived_ms: number, age_ms?: number): void {
     const transit = arrived_ms - frame.number * FRAME_MS;
     const jumped = this.transits.length > 0 &&
         (transit < this.least_ms - JUMP_BACK_MS || transit > this.least_ms + JUMP_ON_MS);
     if (frame.talker !== this.talker || jumped) this.restart(frame.talker);
     this.noteTransit(transit);
+    if (age_ms !== undefined) this.fastest_ms = age_ms - transit + this.least_ms;
     if (this.next !== undefined && frame.number < this.next) return void ++this.counts.late;
     this.waiting.set(frame.number, frame);
     if (this.waiting.size > MOST_WAITING) this.waiting.delete(this.first()!);
@@ -95,7 +101,7 @@ export class JitterBuffer {
 
   /** How many frames the turn at `now_ms` is ahead of the next frame to play. */
   private behind(now_ms: number): number {
-    return (now_ms - this.least_ms - this.delay_ms) / FRAME_MS - this.next!;
+    return (now_ms - this.least_ms - Math.max(this.delay_ms, this.held_ms)) / FRAME_MS - this.next!;
   }
 
   private first(): number | undefined {

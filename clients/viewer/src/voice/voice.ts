@@ -1,7 +1,11 @@
 import {ownQuery} from '../link/own_session';
 import type {VoiceTopic} from '../messages/topics';
 import {RATE_HZ} from './frame';
+import type {ShownPicture} from './voice_worklet';
 import type {FromVoiceWorker, ToVoiceWorker} from './worker_messages';
+
+const LOOKS_AT_PICTURE_EVERY_MS = 100;
+const STILL_S = 2;  // from this age on the picture stands still: the session is paused, or its images do not come
 
 /** Where a page speaks (undefined: nowhere), and what it hears. */
 export interface Side {
@@ -13,6 +17,7 @@ export interface Side {
 interface HeardCounts {
   side: VoiceTopic;
   delay_ms: number;
+  held_ms: number;  // at least so long the side waits for its picture
   played: number;
   concealed: number;
 }
@@ -25,13 +30,19 @@ export class Voice {
   private stream: MediaStream | undefined;
   private mayEncode: boolean | undefined;
   private asked = false;  // the user wants the microphone open
+  private speed = 1;      // of a played session
 
   constructor(
       private readonly button: HTMLButtonElement, private readonly side: Side, private readonly explain: (problem: string) => void,
-      private readonly audio: AudioContext, private readonly worker: Worker) {
+      pictureAge_s: () => number | undefined, private readonly audio: AudioContext, private readonly worker: Worker) {
     const [microphone, loudspeaker] = [this.node('microphone'), this.node('loudspeaker')];
     loudspeaker.port.onmessage = ({data}: MessageEvent<HeardCounts>) => (this.counts.heard[data.side] = data);
     loudspeaker.connect(audio.destination);
+    setInterval(() => {
+      const age_s = pictureAge_s();
+      const told = {pictureAge_ms: 1000 * ((age_s ?? 0) - audio.outputLatency)} satisfies ShownPicture;
+      if (age_s !== undefined && age_s < STILL_S) loudspeaker.port.postMessage(told);
+    }, LOOKS_AT_PICTURE_EVERY_MS);
     this.microphone = microphone;
     worker.onmessage = ({data}: MessageEvent<FromVoiceWorker>) => this.heard(data);
     const ports = [microphone, loudspeaker].map((node) => {
@@ -92,15 +103,17 @@ export class Voice {
 
   private show(): void {
     const silent = this.side.speaks === undefined || this.mayEncode === false;
-    this.button.textContent = this.open ? '● Speaking' : silent ? 'Listening' : 'Muted';
+    const silence = this.speed === 1 ? '' : `Silent at ${this.speed} ×`;
+    this.button.textContent = this.open ? '● Speaking' : silence !== '' ? silence : silent ? 'Listening' : 'Muted';
     this.button.setAttribute('aria-pressed', String(this.open));
   }
 
   private heard(data: FromVoiceWorker): void {
     if ('sent' in data) {
       this.counts.sent = data.sent;
-    } else if ('mayEncode' in data) {
-      this.mayEncode = data.mayEncode;
+    } else if ('mayEncode' in data || 'speed' in data) {
+      if ('mayEncode' in data) this.mayEncode = data.mayEncode;
+      else this.speed = data.speed;
       this.show();
     } else {
       this.explain(data.warning);
@@ -108,10 +121,14 @@ export class Voice {
   }
 }
 
-/** Joins the conversation. `button`: shows the state of the microphone. Throws if this browser plays no sound so. */
-export async function joinVoice(button: HTMLButtonElement, side: Side, explain: (problem: string) => void): Promise<Voice> {
+/**
+ * Joins the conversation. `button`: shows the state of the microphone. `pictureAge_s`: how long ago the shown picture was
+ * captured. Throws if this browser plays no sound so.
+ */
+export async function joinVoice(
+    button: HTMLButtonElement, side: Side, explain: (problem: string) => void, pictureAge_s: () => number | undefined): Promise<Voice> {
   const audio = new AudioContext({sampleRate: RATE_HZ, latencyHint: 'interactive'});
   await audio.audioWorklet.addModule('voice_worklet.js');
   await audio.resume();
-  return new Voice(button, side, explain, audio, new Worker('voice_worker.js', {type: 'module'}));
+  return new Voice(button, side, explain, pictureAge_s, audio, new Worker('voice_worker.js', {type: 'module'}));
 }

@@ -10,12 +10,13 @@ const JUDGED_FRAMES = 10;        // from which a speed is computed
 interface Packet {
   number: number;
   begun: number;
+  spoken_ms: number;
   opus: Uint8Array;
 }
 
 /** The packets of a message that are newer than frame `after`, in order. */
-export function newPackets({number, begun, opus, earlier}: VoiceFrame, after: number): Packet[] {
-  const packets = [opus, ...earlier].map((one, back) => ({number: number - back, begun, opus: one}));
+export function newPackets({number, begun, opus, earlier, capturedNs}: VoiceFrame, after: number): Packet[] {
+  const packets = [opus, ...earlier].map((one, back) => ({number: number - back, begun, spoken_ms: Number(capturedNs) / 1e6 - back * FRAME_MS, opus: one}));
   return packets.filter((one) => one.number > after && one.number >= begun).reverse();
 }
 
@@ -77,6 +78,6 @@ export class VoiceDecoding {
     if (data.numberOfFrames <= FRAME_SAMPLES)
       data.copyTo(samples.subarray(FRAME_SAMPLES - data.numberOfFrames), {planeIndex: 0, format: 'f32-planar'});
     data.close();
-    if (packet !== undefined) this.decoded({talker: this.talker, number: packet.number, begun: packet.begun, samples});
+    if (packet !== undefined) this.decoded({talker: this.talker, number: packet.number, begun: packet.begun, spoken_ms: packet.spoken_ms, samples});
   }
 }

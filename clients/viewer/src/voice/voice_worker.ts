@@ -2,7 +2,7 @@
 // It has a connection of its own, so that no picture is in line before a word.
 import {SessionClock, now_ms} from '../link/session_clock';
 import {Stream} from '../link/stream';
-import type {VoiceFrame} from '../messages/generated';
+import type {PlaybackState, VoiceFrame} from '../messages/generated';
 import type {VoiceTopic} from '../messages/topics';
 import {FRAME_MS, MOST_EARLIER, RATE_HZ} from './frame';
 import {VoiceDecoding} from './voice_decoding';
@@ -83,17 +83,23 @@ let talker: Talker | undefined;
 async function join({speaks, hears, query, microphone, loudspeaker}: Extract<ToVoiceWorker, {join: unknown}>['join']): Promise<void> {
   const clock = new SessionClock();
   const sides = new Map(hears.map((side) => [side, new VoiceDecoding(
-      (frame) => loudspeaker.postMessage({side, frame}, [frame.samples.buffer]))]));
+      (frame) => loudspeaker.postMessage({side, frame, age_ms: ageOf(frame.spoken_ms)}, [frame.samples.buffer]))]));
+  const ageOf = (spoken_ms: number) => clock.offset_ms === undefined ? undefined : now_ms() + clock.offset_ms - spoken_ms;
   const hear = (side: VoiceTopic) => (frame: VoiceFrame) => {
     if (frame.talker !== stream.viewer) sides.get(side)?.came(frame);
   };
   const stream = new Stream(
       `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/stream${query}`,
-      Object.fromEntries(hears.map((side) => [side, hear(side)])),
+      {
+        ...Object.fromEntries(hears.map((side) => [side, hear(side)])),
+        '/playback': ({speed}: PlaybackState) => tell({speed}),
+      },
       {publishes: speaks === undefined ? [] : [speaks], onRequest: []}, {
         connected: () => clock.restart(),
         warned: (warning) => tell({warning}),
-        withdrawn: () => {},
+        withdrawn: (topic) => {
+          if (topic === '/playback') tell({speed: 1});
+        },
         heard: () => {},
       });
   clock.start();

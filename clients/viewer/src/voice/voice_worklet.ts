@@ -1,7 +1,9 @@
 // Runs on the browser's audio thread: hands the microphone's sound to the voice worker 20 ms at a time, and plays what the
 // worker has decoded.
-import {FRAME_SAMPLES, type SpokenFrame} from './frame';
+import {FRAME_SAMPLES} from './frame';
 import {JitterBuffer} from './jitter_buffer';
+import {LipSync} from './lip_sync';
+import type {HeardFrame} from './worker_messages';
 
 // The browser's types of this global scope are in no library of TypeScript.
 declare class AudioWorkletProcessor {
@@ -13,6 +15,10 @@ declare const currentTime: number;  // [s]
 /** Messages to a processor: the port to the voice worker. */
 export interface Wire {
   worker: MessagePort;
+}
+/** Messages to the loudspeaker: how long ago the picture was captured that is shown when a sound of now is heard. */
+export interface ShownPicture {
+  pictureAge_ms: number;
 }
 
 const COUNTS_EVERY_S = 0.5;
@@ -48,18 +54,25 @@ interface Heard {
 
 class Loudspeaker extends AudioWorkletProcessor {
   private readonly sides = new Map<string, Heard>();
+  private readonly lips = new LipSync();
   private at = FRAME_SAMPLES;  // in the blocks
   private told_s = 0;
 
   constructor() {
     super();
-    this.port.onmessage = ({data}: MessageEvent<Wire>) => {
-      data.worker.onmessage = ({data: {side, frame}}: MessageEvent<{side: string; frame: SpokenFrame}>) => {
-        const heard = this.sides.get(side) ?? {buffer: new JitterBuffer(), block: undefined};
-        this.sides.set(side, heard);
-        heard.buffer.add(frame, 1e3 * currentTime);
-      };
+    this.port.onmessage = ({data}: MessageEvent<Wire | ShownPicture>) => {
+      if ('worker' in data) data.worker.onmessage = ({data: heard}: MessageEvent<HeardFrame>) => this.came(heard);
+      else this.lips.shown(data.pictureAge_ms);
     };
+  }
+
+  private came({side, frame, age_ms}: HeardFrame): void {
+    const heard = this.sides.get(side) ?? {buffer: new JitterBuffer(), block: undefined};
+    this.sides.set(side, heard);
+    heard.buffer.add(frame, 1e3 * currentTime, age_ms);
+    // The doctor is not in the picture, so the doctor's words do not wait for it.
+    const {fastest_ms} = heard.buffer;
+    if (side === '/patient/voice' && fastest_ms !== undefined) heard.buffer.held_ms = this.lips.delay_ms(fastest_ms);
   }
 
   process(_inputs: Float32Array[][], [output]: Float32Array[][]): boolean {
@@ -80,7 +93,7 @@ class Loudspeaker extends AudioWorkletProcessor {
     for (const heard of this.sides.values()) heard.block = heard.buffer.pull(1e3 * now_s);
     if (now_s - this.told_s < COUNTS_EVERY_S) return;
     this.told_s = now_s;
-    for (const [side, {buffer}] of this.sides) this.port.postMessage({side, delay_ms: buffer.delay_ms, ...buffer.counts});
+    for (const [side, {buffer}] of this.sides) this.port.postMessage({side, delay_ms: buffer.delay_ms, held_ms: buffer.held_ms, ...buffer.counts});
   }
 }
 

@@ -19,7 +19,7 @@ export interface PeopleState {
   anchor: string;  // a signed position of the audit log, to be kept elsewhere
   alarm: string;  // empty: none
 }
-export type People = Resource<PeopleMessage, PeopleState, PeopleCommand>;
+export type People = Resource<PeopleMessage, PeopleMessage, PeopleCommand>;
 
 export function readPeople({people, holdsTouch, sentOut, anchor, alarm}: PeopleMessage): PeopleState {
   const present = new Map<string, {who: string; streams: string[]}>();
@@ -48,13 +48,15 @@ export class PeopleCard {
 
   constructor(private readonly people: People) {
     people.onChange(() => this.write());
+    this.write();
     this.takeTouch.addEventListener('click', () => void people.command({take_touch: true}));
   }
 
   private write(): void {
-    const {state, problem} = this.people;
-    element('people-card').hidden = state === undefined;
-    if (state === undefined) return;
+    const {state: message, problem} = this.people;
+    element('people-card').hidden = message === undefined;
+    if (message === undefined) return;
+    const state = readPeople(message);
     const shown = JSON.stringify([state.present, state.sentOut]);
     if (shown !== this.shown) {
       this.list.replaceChildren(

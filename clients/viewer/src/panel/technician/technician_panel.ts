@@ -8,14 +8,13 @@ import {DepthRange} from './depth_range';
 import {type CameraExposure, ExposureCard} from './exposure_card';
 import {NetworkRates, subscriberRows} from './network_rows';
 import {pictureRows} from './picture_problems';
-import {type People, PeopleCard} from './people_card';
 import {PointReadout} from './point_readout';
 import {RecordingCard} from './recording_card';
 import type {Recording} from './recording_state';
 import {type Source, SourceCard} from './source_card';
 
 /**
- * The technician's cards: who sees the patient, the source and its exposure, picture quality, depth under the pointer,
+ * The technician's cards but those of later_cards.ts: the source and its exposure, picture quality, depth under the pointer,
  * depth range and histogram, calibration, recording, network.
  */
 export class TechnicianPanel {
@@ -30,12 +29,11 @@ export class TechnicianPanel {
   private readonly calibration: CalibrationCard;
 
   constructor(
-      view: SceneView, canvas: HTMLCanvasElement, parts: {recording: Recording; source: Source; exposure: CameraExposure; people: People},
+      view: SceneView, canvas: HTMLCanvasElement, parts: {recording: Recording; source: Source; exposure: CameraExposure},
       takePlace: (place: number | undefined) => void) {
     this.recording = new RecordingCard(parts.recording);
     new SourceCard(parts.source);
     new ExposureCard(parts.exposure);
-    new PeopleCard(parts.people);
     this.calibration = new CalibrationCard(takePlace);
     this.range = new DepthRange(view);
     this.point = new PointReadout(view, canvas);

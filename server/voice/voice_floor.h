@@ -4,7 +4,7 @@
 
 #include "proto/words/time.h"
 
-namespace telepalp::gateway {
+namespace telepalp::voice {
 
 /// Decides which of several viewers is heard where they speak on one topic: the first one, until it has sent nothing
 /// for kSilent or has left. Two talkers mixed into one stream would be understood by nobody. Pure; owner: the server's
@@ -22,4 +22,4 @@ class VoiceFloor {
   SessionTime heard_{};       // when the holder spoke last
 };
 
-}  // namespace telepalp::gateway
+}  // namespace telepalp::voice

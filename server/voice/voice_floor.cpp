@@ -1,6 +1,6 @@
-#include "server/gateway/voice/voice_floor.h"
+#include "server/voice/voice_floor.h"
 
-namespace telepalp::gateway {
+namespace telepalp::voice {
 
 bool VoiceFloor::speaks(std::uint64_t viewer, SessionTime now) noexcept {
   if (holder_ != 0 && holder_ != viewer && now - heard_ < kSilent) return false;
@@ -13,4 +13,4 @@ void VoiceFloor::leave(std::uint64_t viewer) noexcept {
   if (holder_ == viewer) holder_ = 0;
 }
 
-}  // namespace telepalp::gateway
+}  // namespace telepalp::voice

@@ -1,0 +1,66 @@
+#include "support/speech/loud_spans.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace telepalp::speech {
+namespace {
+
+constexpr double kQuietest_dB = -100.0;
+constexpr double kLeast_dB = -50.0;        // of speech
+constexpr double kAboveNoise_dB = 10.0;    // of speech
+constexpr double kNoiseRise_dB = 0.02;     // in a frame: 1 dB in a second
+constexpr double kLowestNoise_dB = -70.0;  // of a microphone that is switched off, or a noise gate
+constexpr Nanoseconds kShortest = std::chrono::milliseconds(60);
+
+bool is_long(const Spoken& span) noexcept { return span.until - span.from >= kShortest; }
+
+}  // namespace
+
+double level_dB(const codec::VoiceSamples& samples) noexcept {
+  double energy = 0.0;
+  for (const float sample : samples) energy += double{sample} * sample;
+  const double of_full_sine = 2.0 * energy / static_cast<double>(samples.size());
+  return std::clamp(10.0 * std::log10(std::max(of_full_sine, 1e-12)), kQuietest_dB, 0.0);
+}
+
+void LoudSpans::add(SessionTime at, double frame_dB) {
+  const SessionTime until = at + kVoiceFrameTime;
+  if (until <= end_) return;
+  const SessionTime from = std::max(at, end_);
+  end_ = until;
+  noise_dB_ = std::max(std::min(frame_dB, noise_dB_ + kNoiseRise_dB), kLowestNoise_dB);
+  if (frame_dB < std::max(kLeast_dB, noise_dB_ + kAboveNoise_dB)) return;
+  const int loud_dB = static_cast<int>(std::lround(frame_dB));
+  if (!spans_.empty() && from - spans_.back().until <= pause_) {
+    spans_.back().until = until;
+    spans_.back().loudest_dB = std::max(spans_.back().loudest_dB, loud_dB);
+    return;
+  }
+  if (!spans_.empty() && !is_long(spans_.back())) spans_.pop_back();
+  spans_.push_back({.from = from, .until = until, .loudest_dB = loud_dB});
+  while (spans_.size() > kMost) join_closest();
+}
+
+/// Doubles the pause within a span.
+void LoudSpans::join_closest() {
+  pause_ *= 2;
+  std::vector<Spoken> joined;
+  for (const Spoken& span : spans_) {
+    if (joined.empty() || span.from - joined.back().until > pause_) {
+      joined.push_back(span);
+      continue;
+    }
+    joined.back().until = span.until;
+    joined.back().loudest_dB = std::max(joined.back().loudest_dB, span.loudest_dB);
+  }
+  spans_ = std::move(joined);
+}
+
+std::vector<Spoken> LoudSpans::spans() const {
+  std::vector<Spoken> all = spans_;
+  std::erase_if(all, [](const Spoken& span) { return !is_long(span); });
+  return all;
+}
+
+}  // namespace telepalp::speech
