@@ -16,28 +16,10 @@ constexpr auto kLookEvery = 250ms;
 constexpr std::chrono::milliseconds kFirstPause = 1s, kLongestPause = 30s;
 constexpr auto kOldPathStays = 3s;      // datagrams that are on their way still arrive
 constexpr auto kBetterPathWithin = 5s;  // an attempt to do without the relay may last so long
+constexpr auto kRelayAnswersWithin = 5s;
 constexpr std::size_t kMostAttempts = 3;
 constexpr std::size_t kMostRelays = 4;
 constexpr std::size_t kLeastUser = 4, kLeastPassword = 22;  // RFC 8839 §5.4
-constexpr std::size_t kMostRelayText = 256;
-
-std::vector<Relay> relays_of(const std::vector<msg::IceRelay>& messages, Reach reach) {
-  std::vector<Relay> relays;
-  for (const msg::IceRelay& message : messages) {
-    boost::system::error_code no_address;
-    const auto address = boost::asio::ip::make_address(message.address(), no_address);
-    if (no_address || !may_check(address, reach) || message.port() > 65535 || message.tcp_port() > 65535 ||
-        relays.size() == kMostRelays || message.user().size() > kMostRelayText ||
-        message.password().size() > kMostRelayText)
-      continue;
-    relays.push_back({.address = message.address(),
-                      .port = static_cast<std::uint16_t>(message.port()),
-                      .tcp_port = static_cast<std::uint16_t>(message.tcp_port()),
-                      .user = message.user(),
-                      .password = message.password()});
-  }
-  return relays;
-}
 
 }  // namespace
 
@@ -98,34 +80,70 @@ void IcePaths::begin_now() {
   handlers_.signal(message);
 }
 
+std::vector<Relay> IcePaths::usable(const std::vector<msg::IceRelay>& relays) {
+  std::vector<Relay> usable_ones;
+  for (const msg::IceRelay& message : relays) {
+    Result<Relay> relay = read_relay(message, settings_.reach);
+    if (relay && usable_ones.size() < kMostRelays) {
+      usable_ones.push_back(std::move(relay).value());
+      continue;
+    }
+    ++counts_.refused;
+    if (!relay) handlers_.on_unused_relay(relay.error());
+  }
+  return usable_ones;
+}
+
 /// False: the system gives no socket; TCP then carries the images.
 bool IcePaths::start(Number number, const std::vector<msg::IceRelay>& relays) {
   last_ = number;
   begun_ = Clock::now();
   ++counts_.attempts;
-  auto agent = IceAgent::start(executor_,
-                               {.controlling = settings_.end == End::Server,
-                                .relays = relays_of(relays, settings_.reach),
-                                .reach = settings_.reach,
-                                .type_of_service = settings_.type_of_service},
-                               {.on_candidate =
-                                    [this, number](const Candidate& candidate) {
-                                      if (closed_) return;
-                                      msg::IcePath message;
-                                      message.set_attempt(number);
-                                      message.add_candidates(to_text(candidate));
-                                      handlers_.signal(message);
-                                    },
-                                .on_path = [this, number](PathKind kind) { on_path(number, kind); },
-                                .on_failed = [this, number] { on_failed(number); },
-                                .on_datagram =
-                                    [this](std::span<const std::byte> datagram) {
-                                      if (!closed_) handlers_.on_datagram(datagram);
-                                    }});
+  const std::vector<Relay> usable_relays = usable(relays);
+  auto agent = IceAgent::start(
+      executor_,
+      {.controlling = settings_.end == End::Server,
+       .relays = usable_relays,
+       .reach = settings_.reach,
+       .type_of_service = settings_.type_of_service},
+      {.on_candidate = [this, number](const Candidate& candidate) { tell_candidate(number, candidate); },
+       .on_all_candidates = [this, number] { candidates_end(number); },
+       .on_path = [this, number](PathKind kind) { on_path(number, kind); },
+       .on_failed = [this, number] { on_failed(number); },
+       .on_datagram =
+           [this](std::span<const std::byte> datagram) {
+             if (!closed_) handlers_.on_datagram(datagram);
+           }});
   if (!agent) return false;
-  attempts_.emplace(number, Attempt{.agent = std::move(agent).value(), .since = begun_});
+  Attempt& attempt =
+      attempts_.emplace(number, Attempt{.agent = std::move(agent).value(), .since = begun_}).first->second;
+  if (!usable_relays.empty()) attempt.waits_for_relay = usable_relays.front();
   look_soon();
   return true;
+}
+
+void IcePaths::tell_candidate(Number number, const Candidate& candidate) {
+  if (closed_) return;
+  const auto attempt = attempts_.find(number);
+  if (candidate.kind == Candidate::Kind::Relayed && attempt != attempts_.end()) attempt->second.waits_for_relay.reset();
+  msg::IcePath message;
+  message.set_attempt(number);
+  message.add_candidates(to_text(candidate));
+  handlers_.signal(message);
+}
+
+/// Says what is wrong with a relay that has given no address. libnice itself waits for 40 s for a silent one.
+void IcePaths::candidates_end(Number number) {
+  const auto attempt = attempts_.find(number);
+  if (closed_ || attempt == attempts_.end()) return;
+  const std::optional<Relay> relay = std::exchange(attempt->second.waits_for_relay, std::nullopt);
+  if (!relay) return;
+  handlers_.on_unused_relay(
+      {.what = "the relay at " + relay->address + " gives no address: it does not answer, or refuses the credentials",
+       .where = "relay",
+       .fix = "on the meeting point's computer, look whether coturn runs and has the same secret as the meeting point "
+              "(--relay-secret), and open UDP port " +
+              std::to_string(relay->port)});
 }
 
 void IcePaths::on_path(Number number, PathKind kind) {
@@ -246,8 +264,9 @@ void IcePaths::look_soon() {
 /// Ends attempts whose time is over, and begins one when it is due.
 void IcePaths::look() {
   const Clock::time_point now = Clock::now();
-  std::vector<Number> over, fruitless;
+  std::vector<Number> over, fruitless, without_relay;
   for (const auto& [number, attempt] : attempts_) {
+    if (attempt.waits_for_relay && now - attempt.since >= kRelayAnswersWithin) without_relay.push_back(number);
     if (attempt.ends_at && now >= *attempt.ends_at) over.push_back(number);
     const bool tries = number != taken_ && !attempt.ends_at;
     const bool waits_for_verdict = settings_.end == End::Client;
@@ -255,6 +274,7 @@ void IcePaths::look() {
         attempt.path && !waits_for_verdict ? std::chrono::milliseconds(kBetterPathWithin) : settings_.attempt_lasts;
     if (tries && now - attempt.since >= lasts) fruitless.push_back(number);
   }
+  for (const Number number : without_relay) candidates_end(number);
   for (const Number number : over) end(number);
   for (const Number number : fruitless) drop(number);
   if (settings_.end == End::Client) return tell_path();

@@ -16,6 +16,7 @@
 #include "messages/control.pb.h"
 #include "proto/ice/words/candidate.h"
 #include "proto/ice/words/path_kind.h"
+#include "proto/ice/words/relay.h"
 
 namespace telepalp::ice {
 
@@ -34,6 +35,8 @@ class IcePaths {
     std::function<void(std::optional<PathKind>)> on_path;
     /// Of a server: the relays to try, with credentials that hold.
     std::function<std::vector<msg::IceRelay>()> relays = [] { return std::vector<msg::IceRelay>{}; };
+    /// A relay is not used, or gives no address, for this reason. Called in each attempt.
+    std::function<void(const Error&)> on_unused_relay = [](const Error&) {};
   };
   struct Settings {
     End end = End::Client;
@@ -75,10 +78,14 @@ class IcePaths {
     Clock::time_point since{};
     std::optional<Clock::time_point> ends_at{};  ///< a newer attempt has replaced it
     std::size_t candidates = 0;                  ///< of the peer
+    std::optional<Relay> waits_for_relay{};      ///< that has given no address yet
     bool knows_peer = false;
   };
 
+  void tell_candidate(Number number, const Candidate& candidate);
+  void candidates_end(Number number);
   [[nodiscard]] bool start(Number number, const std::vector<msg::IceRelay>& relays);
+  [[nodiscard]] std::vector<Relay> usable(const std::vector<msg::IceRelay>& relays);
   void begin_now();
   void on_path(Number number, PathKind kind);
   void on_failed(Number number);

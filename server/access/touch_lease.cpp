@@ -13,7 +13,8 @@ constexpr std::size_t kMostWaiting = 32;
 
 bool TouchLease::take(const Station& station, TimePoint now) {
   const bool is_free = !held_ || now > held_->until;
-  const bool comes_back = held_ && held_->peer == 0 && held_->serial == station.serial;
+  const bool comes_back =
+      (held_ && held_->peer == 0 && held_->serial == station.serial) || older_connection(station).has_value();
   const bool is_left_to = held_ && held_->peer == 0 && held_->serial.empty() && offered_to(now) == station.name;
   const bool has_it = held_ && held_->peer == station.peer && !is_free;
   if (!is_free && !comes_back && !is_left_to && !has_it) {
@@ -24,6 +25,12 @@ bool TouchLease::take(const Station& station, TimePoint now) {
   const bool same_holder = !is_free && !is_left_to;
   hold(station, same_holder ? held_->offer : std::nullopt, now);
   return true;
+}
+
+std::optional<std::uint64_t> TouchLease::older_connection(const Station& station) const {
+  const bool same_run = held_ && station.run != 0 && held_->run == station.run && held_->serial == station.serial;
+  if (!same_run || held_->peer == 0 || held_->peer == station.peer) return std::nullopt;
+  return held_->peer;
 }
 
 void TouchLease::hold(const Station& station, std::optional<Offer> offer, TimePoint now) {

@@ -10,8 +10,9 @@ namespace telepalp::access {
 
 /// Decides which doctor's station may publish on the station's topics (it "holds the touch"): one at a time. The holder
 /// keeps the touch while it publishes, and frees it with a Goodbye message or after kLease without a message; then any
-/// station may take it. When the holder's connection breaks, the same doctor may take the touch again within kLease.
-/// The holder may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer, with the
+/// station may take it. When the holder's connection breaks, the same doctor may take the touch again within kLease;
+/// the same run of the holder's program also while the server does not know yet that the older connection is dead. The
+/// holder may offer the touch to another doctor, who gets it by accepting. An offer ends after kOffer, with the
 /// holder's lease, or when the touch changes hands. An offer survives a broken connection of the holder: within kLease,
 /// the touch goes to the holder or to the doctor of the offer, whoever asks first. A holder that leaves with a Goodbye
 /// after an offer leaves the touch to the other doctor for kLease. A run of a station that had to wait for the touch,
@@ -33,6 +34,9 @@ class TouchLease {
   };
   /// Returns true if `station` now holds the touch.
   [[nodiscard]] bool take(const Station& station, TimePoint now);
+  /// The peer by which the same run of `station`'s program holds the touch: its older connection, which is dead,
+  /// because a program has one connection at a time. nullopt: none.
+  [[nodiscard]] std::optional<std::uint64_t> older_connection(const Station& station) const;
   /// True if the touch is free, but `run` had to wait for it, and so gets it only when its doctor accepts.
   [[nodiscard]] bool must_accept(std::uint64_t run, TimePoint now) const;
 

@@ -175,7 +175,8 @@ void Peer::offer_datagrams(const msg::Hello& peer) {
                                      .on_message = messages_by_datagram(),
                                      .on_phase = [this](wire::DatagramPhase phase) { note_images(phase); },
                                      .signal = std::move(signal),
-                                     .relays = site_.relays});
+                                     .relays = site_.relays,
+                                     .on_unused_relay = site_.note_relay});
   if (!datagrams_) return;
   connection_->offer_datagrams(datagrams_->message());
   datagrams_->start();

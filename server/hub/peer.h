@@ -46,6 +46,7 @@ struct PeerSite {
   /// The connection of a peer that never joined has ended, for `reason`. Many such peers share one line of the log.
   std::function<void(const std::string& happened, const std::string& reason)> note_stranger_gone;
   std::function<std::vector<msg::IceRelay>()> relays;        ///< for peers behind the meeting point
+  std::function<void(const Error&)> note_relay;              ///< logs once why the relay is of no use
   std::function<void(const msg::WindowRequest&)> on_window;  ///< a station asks for a window of exact depth
   std::function<void()> on_invalid;                          ///< a message was dropped because it is invalid
   std::function<void()> on_over_rate;                        ///< a message was dropped because of its topic's rate

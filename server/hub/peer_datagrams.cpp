@@ -75,7 +75,8 @@ void PeerDatagrams::find_paths(boost::asio::io_context& io) {
                                     end_->pump();
                                   },
                               .on_path = [this](std::optional<ice::PathKind> path) { on_path(path); },
-                              .relays = peer_.relays});
+                              .relays = peer_.relays,
+                              .on_unused_relay = peer_.on_unused_relay});
 }
 
 void PeerDatagrams::start() {

@@ -29,6 +29,7 @@ class PeerDatagrams : private DatagramPort::Session {
     /// server's UDP port.
     std::function<void(const msg::IcePath&)> signal{};
     std::function<std::vector<msg::IceRelay>()> relays = [] { return std::vector<msg::IceRelay>{}; };
+    std::function<void(const Error&)> on_unused_relay = [](const Error&) {};  ///< as ice::IcePaths::Handlers
   };
 
   /// Offers datagrams to the peer. nullptr: the peer wants no datagrams, or names an unknown cipher.

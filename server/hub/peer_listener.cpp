@@ -93,6 +93,10 @@ PeerSite PeerListener::site_for_peers() {
           .note_stranger_gone = [this](const std::string& happened,
                                        const std::string& reason) { note_stranger_gone(happened, reason); },
           .relays = options_.relays,
+          .note_relay =
+              [this](const Error& why) {
+                if (std::exchange(noted_of_relay_, to_string(why)) != to_string(why)) note(noted_of_relay_);
+              },
           .on_window =
               [this](const msg::WindowRequest& request) {
                 if (options_.on_window) options_.on_window(request);

@@ -127,6 +127,7 @@ class PeerListener {
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;
+  std::string noted_of_relay_;  // why the relay is of no use
   RepeatedErrors strangers_gone_;
   bool cannot_accept_ = false;  // the last attempt to accept failed
   std::chrono::steady_clock::time_point refusal_noted_{};

@@ -25,16 +25,18 @@ PeerTouch::Taken PeerTouch::take(const keys::Identity& who, bool accepts) {
   if (!access_.has_keys()) return {.may_touch = true, .from = std::nullopt};
   access::TouchLease& lease = access_.touch();
   const std::optional<std::string> before = lease.holder(Clock::now());
-  std::optional<std::uint64_t> from;
   const access::TouchLease::Station station{
       .peer = peer_, .run = run_, .serial = who.serial, .name = who.name, .accepts = accepts};
+  std::optional<std::uint64_t> from = lease.older_connection(station);
+  std::string how = from ? "by=new-connection" : "";
   holds_ = lease.take(station, Clock::now());
   if (!holds_ && accepts) {
     from = lease.accept(station, Clock::now());
     holds_ = from.has_value();
+    if (holds_) how = "by=hand-over from=" + keys::audit_text(*before);
   }
   access_.keep_touch();
-  if (holds_) audit_(access::AuditEvent::TookTouch, from ? "by=hand-over from=" + keys::audit_text(*before) : "");
+  if (holds_) audit_(access::AuditEvent::TookTouch, how);
   return {.may_touch = holds_, .from = from};
 }
 

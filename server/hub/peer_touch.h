@@ -29,14 +29,15 @@ class PeerTouch {
 
   struct Taken {
     bool may_touch = false;
-    std::optional<std::uint64_t> from;  ///< number of the peer that lost the touch by handing it over
+    /// Number of the peer that lost the touch: by handing it over, or because its station has connected again.
+    std::optional<std::uint64_t> from;
   };
   /// Takes the touch for `who` if it is free. `accepts`: the doctor accepts, so that the touch is also taken from a
   /// holder that offers it to `who`, or after this station had to wait for it (TouchLease).
   [[nodiscard]] Taken take(const keys::Identity& who, bool accepts);
   /// Call it at each message of the peer; it extends the lease. False: the peer held the touch and has lost it.
   [[nodiscard]] bool renew();
-  /// Another peer, of doctor `who`, has accepted the touch, so this peer loses it. Returns the reason for this peer's
+  /// Another peer, of doctor `who`, has the touch now, so this peer loses it. Returns the reason for this peer's
   /// Goodbye.
   std::string lose_to(const keys::Identity& who);
   void leave(bool on_purpose);  ///< `on_purpose`: the peer sent a Goodbye, which frees the touch at once

@@ -1,20 +1,19 @@
 #include "server/meet/meet.h"
 
 #include <malloc.h>
-#include <openssl/rand.h>
 #include <openssl/x509.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/asio/write.hpp>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "proto/wire/sockets/tcp_socket.h"
-#include "proto/words/demand.h"
+#include "proto/words/counted.h"
 #include "server/meet/site/site_session.h"
 #include "server/meet/splice.h"
-#include "server/meet/words/meet_frames.h"
 
 namespace telepalp::meet {
 namespace {
@@ -24,14 +23,7 @@ using asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::chrono::seconds kTimeToShow{5};                         // until a connection must have shown what it is
-constexpr std::chrono::seconds kTimeToAnswer{5};                       // until a site must have answered a call
 constexpr unsigned char kInternalError = 80, kUnrecognizedName = 112;  // alerts of RFC 8446 §6
-
-std::string new_token() {
-  std::array<unsigned char, kTokenBytes> bytes{};
-  demand(RAND_bytes(bytes.data(), bytes.size()) == 1, "the system gives random bytes");
-  return {bytes.begin(), bytes.end()};
-}
 
 /// The settings of a TLS server, but each peer must show a server's certificate, because a site is a server.
 Result<wire::TlsSettings> tls_for_sites(const keys::KeyFile& key, keys::IsRevoked is_revoked) {
@@ -71,7 +63,12 @@ Result<std::unique_ptr<Meet>> Meet::listen(asio::io_context& io, Options options
 }
 
 Meet::Meet(asio::io_context& io, Options options, wire::TlsSettings tls)
-    : options_(std::move(options)), tls_(std::move(tls)), acceptor_(io), again_(io), second_(io) {}
+    : options_(std::move(options)),
+      tls_(std::move(tls)),
+      acceptor_(io),
+      again_(io),
+      second_(io),
+      calls_(options_.limits.calls, [this](tcp::socket caller) { refuse(std::move(caller), kInternalError); }) {}
 
 Meet::~Meet() { close(); }
 
@@ -81,9 +78,9 @@ void Meet::close() {
   again_.cancel();
   second_.cancel();
   for (const std::shared_ptr<Arrival>& arrival : std::exchange(arrivals_, {})) arrival->close();
-  waiting_.clear();
-  for (const std::weak_ptr<SiteSession>& session : std::exchange(sessions_, {}))
-    if (const std::shared_ptr<SiteSession> site = session.lock()) site->close("the meeting point ends");
+  calls_.clear();
+  for (const std::shared_ptr<SiteSession>& site : std::exchange(joining_, {})) site->close("the meeting point ends");
+  for (const auto& [serial, site] : std::exchange(sites_, {})) site->close("the meeting point ends");
 }
 
 void Meet::accept() {
@@ -110,23 +107,28 @@ void Meet::admit(tcp::socket socket) {
     arrivals_.remove(weak.lock());
     arrived(what, std::move(known), std::move(bytes));
   });
-  make_room();
+  make_room(arrivals_, options_.limits.arrivals);
 }
 
 /// Closes a connection of the network that holds the most, so that one address cannot keep the others out.
-void Meet::make_room() {
-  if (arrivals_.size() <= options_.limits.arrivals) return;
+template <class List>
+void Meet::make_room(List& waiting, std::size_t most) {
+  if (waiting.size() <= most) return;
   std::vector<access::Unproven> all;
-  for (const std::shared_ptr<Arrival>& arrival : arrivals_) all.push_back(arrival->who());
+  for (const auto& one : waiting) all.push_back(one->who());
   const std::optional<std::size_t> chosen = access::one_to_close(all, std::chrono::steady_clock::now());
-  const auto closed = std::next(arrivals_.begin(), static_cast<std::ptrdiff_t>(chosen.value_or(0)));
-  (*closed)->close();
-  arrivals_.erase(closed);
+  const auto at = std::next(waiting.begin(), static_cast<std::ptrdiff_t>(chosen.value_or(0)));
+  const auto closed = *at;
+  waiting.erase(at);
   ++counts_.refused;
+  closed->close();
 }
 
 void Meet::arrived(const Arrived& what, tcp::socket socket, std::string bytes) {
-  if (const auto* answer = std::get_if<AnswerToCall>(&what)) return answered(answer->token, std::move(socket));
+  if (const auto* answer = std::get_if<AnswerToCall>(&what)) {
+    if (calls_.answered(answer->token, std::move(socket))) ++counts_.calls;
+    return;  // else the caller has gone, or the token is a stranger's guess
+  }
   if (std::holds_alternative<WantsRelay>(what)) return pass_to_relay(std::move(socket), std::move(bytes));
   const auto& hello = std::get<ClientHello>(what);
   if (is_own_name(options_.key.hosts, hello.server_name)) return site_comes(std::move(socket), std::move(bytes));
@@ -138,16 +140,11 @@ void Meet::site_comes(tcp::socket socket, std::string hello) {
       std::move(socket), std::move(hello), tls_,
       SiteSession::Handlers{.on_join = [this](const std::shared_ptr<SiteSession>& joined) { return join(joined); },
                             .on_joined = [this](SiteSession& joined) { tell_relay(joined); },
-                            .on_decline =
-                                [this](const std::string& token) {
-                                  const auto found = waiting_.find(token);
-                                  if (found == waiting_.end()) return;
-                                  refuse(std::move(found->second.caller), kInternalError);
-                                  waiting_.erase(found);
-                                },
+                            .on_decline = [this](const std::string& token) { calls_.declined(token); },
                             .on_end = [this](SiteSession& ended, const std::string& why) { leave(ended, why); }});
-  sessions_.push_back(site);
-  site->start();
+  joining_.push_back(site);
+  make_room(joining_, options_.limits.joining);
+  site->start();  // does nothing if its own place was the one to go: no handshake is computed
 }
 
 /// Lets `site` in. Returns why it is refused; empty: it is in. A site that comes again with the certificate that it
@@ -159,20 +156,27 @@ std::string Meet::join(const std::shared_ptr<SiteSession>& site) {
       return "another key holds the name " + name + " here (serial " + taken->second +
              "). fix: stop the server that uses it, or make a key with another --host";
   }
-  if (const auto before = sites_.find(site->serial()); before != sites_.end())
-    before->second.session->close("it came again");
+  if (const auto before = sites_.find(site->serial()); before != sites_.end()) before->second->close("it came again");
   if (sites_.size() >= options_.limits.sites) return "the meeting point is full: it takes no further site";
-  sites_[site->serial()].session = site;
+  joining_.remove(site);
+  sites_[site->serial()] = site;
   for (const std::string& name : site->names()) serials_[name] = site->serial();
   options_.log("the site " + site->names().front() + " joined from " + site->peer());
+  if (site->has_moved()) end_streams(*site);
   return {};
 }
 
+/// Ends the streams that went by an address which the site has lost: their callers would notice the silence only after
+/// seconds, and now call again at once.
+void Meet::end_streams(const SiteSession& site) {
+  options_.log("the address of the site " + site.names().front() +
+               " has changed: " + counted(calls_.end_streams(site.serial()), "stream ends", "streams end"));
+}
+
 void Meet::leave(SiteSession& site, const std::string& why) {
-  std::erase_if(sessions_,
-                [&](const std::weak_ptr<SiteSession>& one) { return one.expired() || one.lock().get() == &site; });
+  joining_.remove_if([&](const std::shared_ptr<SiteSession>& one) { return one.get() == &site; });
   const auto found = sites_.find(site.serial());
-  if (found == sites_.end() || found->second.session.get() != &site) return;
+  if (found == sites_.end() || found->second.get() != &site) return;
   options_.log("the site " + site.names().front() + " left: " + why);
   std::erase_if(serials_, [&](const auto& name) { return name.second == site.serial(); });
   sites_.erase(found);
@@ -181,38 +185,14 @@ void Meet::leave(SiteSession& site, const std::string& why) {
 void Meet::caller_comes(const ClientHello& hello, tcp::socket socket, std::string bytes) {
   const auto serial = serials_.find(hello.server_name);
   if (serial == serials_.end()) return refuse(std::move(socket), kUnrecognizedName);
-  const Site& site = sites_.at(serial->second);
-  const auto waiting = static_cast<std::size_t>(
-      std::ranges::count_if(waiting_, [&](const auto& one) { return one.second.site == serial->second; }));
-  if (waiting >= options_.limits.waiting_per_site || *site.streams >= options_.limits.streams_per_site)
-    return refuse(std::move(socket), kInternalError);
   msg::MeetCall call;
-  call.set_token(new_token());
   call.set_browser(hello.speaks_http);
   call.set_from(wire::peer_address(socket));
-  waiting_.emplace(call.token(), Waiting{.caller = std::move(socket),
-                                         .first = std::move(bytes),
-                                         .site = serial->second,
-                                         .since = std::chrono::steady_clock::now()});
-  const std::shared_ptr<SiteSession> session = site.session;  // call() may close it, which removes `site`
+  const std::optional<std::string> token = calls_.add(serial->second, std::move(socket), std::move(bytes));
+  if (!token) return;
+  call.set_token(*token);
+  const std::shared_ptr<SiteSession> session = sites_.at(serial->second);  // call() may close it, which removes it
   session->call(call);
-}
-
-void Meet::answered(const std::string& token, tcp::socket socket) {
-  const auto found = waiting_.find(token);
-  if (found == waiting_.end()) return;  // the caller has gone, or the token is a stranger's guess
-  Waiting call = std::move(found->second);
-  waiting_.erase(found);
-  ++counts_.calls;
-  const auto site = sites_.find(call.site);
-  const std::shared_ptr<std::size_t> of_site =
-      site == sites_.end() ? std::make_shared<std::size_t>(0) : site->second.streams;
-  ++*of_site;
-  ++*streams_;
-  splice(std::move(call.caller), std::move(call.first), std::move(socket), [of_site, all = streams_] {
-    --*of_site;
-    --*all;
-  });
 }
 
 /// Answers a ClientHello by a fatal alert, so that the caller's program can say what happened.
@@ -253,7 +233,7 @@ void Meet::renew_credentials() {
   if (now - renewed_ < kCredentialsRenewed) return;
   renewed_ = now;
   std::vector<std::shared_ptr<SiteSession>> told;  // tell() may close a session, which removes its site
-  for (const auto& [serial, site] : sites_) told.push_back(site.session);
+  for (const auto& [serial, site] : sites_) told.push_back(site);
   for (const std::shared_ptr<SiteSession>& site : told) tell_relay(*site);
 }
 
@@ -270,14 +250,7 @@ void Meet::look_after_all() {
     arrivals_.front()->close();
     arrivals_.pop_front();
   }
-  for (auto one = waiting_.begin(); one != waiting_.end();) {
-    const auto next = std::next(one);
-    if (now - one->second.since > kTimeToAnswer) {
-      refuse(std::move(one->second.caller), kInternalError);
-      waiting_.erase(one);
-    }
-    one = next;
-  }
+  calls_.refuse_late(now);
   second_.expires_after(std::chrono::seconds(1));
   second_.async_wait([this](const error_code& cancelled) {
     if (!cancelled) look_after_all();

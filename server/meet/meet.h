@@ -16,6 +16,7 @@
 #include "proto/wire/tls_stream.h"
 #include "proto/words/result.h"
 #include "server/meet/caller/arrival.h"
+#include "server/meet/caller/calls.h"
 #include "server/meet/relay/relay_credentials.h"
 
 namespace telepalp::meet {
@@ -30,9 +31,9 @@ class Meet {
  public:
   struct Limits {
     std::size_t arrivals = 256;  ///< connections that have not shown what they are
+    std::size_t joining = 512;   ///< connections of sites, or of strangers who name the meeting point, before they join
     std::size_t sites = 2000;
-    std::size_t waiting_per_site = 32;  ///< calls that the site has not answered
-    std::size_t streams_per_site = 64;
+    Calls::Limits calls{};
     std::size_t relayed = 256;  ///< connections that are passed on to the relay
   };
   struct Options {
@@ -61,33 +62,22 @@ class Meet {
 
   [[nodiscard]] std::uint16_t port() const noexcept { return port_; }
   [[nodiscard]] std::size_t sites() const noexcept { return sites_.size(); }
-  [[nodiscard]] std::size_t streams() const noexcept { return *streams_; }
+  [[nodiscard]] std::size_t streams() const noexcept { return calls_.streams(); }
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
 
  private:
-  /// A caller whose site has not answered yet.
-  struct Waiting {
-    boost::asio::ip::tcp::socket caller;
-    std::string first;  ///< what was read from the caller
-    std::string site;   ///< serial number of the site's certificate
-    std::chrono::steady_clock::time_point since;
-  };
-  struct Site {
-    std::shared_ptr<SiteSession> session;
-    std::shared_ptr<std::size_t> streams = std::make_shared<std::size_t>(0);
-  };
-
   Meet(boost::asio::io_context& io, Options options, wire::TlsSettings tls);
   void accept();
   void admit(boost::asio::ip::tcp::socket socket);
-  void make_room();
   void arrived(const Arrived& what, boost::asio::ip::tcp::socket socket, std::string bytes);
   void site_comes(boost::asio::ip::tcp::socket socket, std::string hello);
   [[nodiscard]] std::string join(const std::shared_ptr<SiteSession>& site);
   void leave(SiteSession& site, const std::string& why);
+  void end_streams(const SiteSession& site);
   void caller_comes(const ClientHello& hello, boost::asio::ip::tcp::socket socket, std::string bytes);
-  void answered(const std::string& token, boost::asio::ip::tcp::socket socket);
   void refuse(boost::asio::ip::tcp::socket socket, unsigned char alert);
+  template <class List>
+  void make_room(List& waiting, std::size_t most);
   void pass_to_relay(boost::asio::ip::tcp::socket socket, std::string bytes);
   void tell_relay(SiteSession& site) const;
   void renew_credentials();
@@ -100,13 +90,12 @@ class Meet {
   boost::asio::steady_timer again_;
   boost::asio::steady_timer second_;
   std::uint16_t port_ = 0;
-  std::list<std::shared_ptr<Arrival>> arrivals_;    // oldest first
-  std::list<std::weak_ptr<SiteSession>> sessions_;  // of sites that have joined, or are about to
-  std::map<std::string, Site> sites_;               // by the serial of the site's certificate
-  std::map<std::string, std::string> serials_;      // by the name of a site
-  std::map<std::string, Waiting> waiting_;          // by token
-  std::shared_ptr<std::size_t> relayed_ = std::make_shared<std::size_t>(0);  // shared: as streams_
-  std::shared_ptr<std::size_t> streams_ = std::make_shared<std::size_t>(0);  // shared: a stream may outlive this object
+  std::list<std::shared_ptr<Arrival>> arrivals_;               // oldest first
+  std::list<std::shared_ptr<SiteSession>> joining_;            // of sites, or of strangers, before they join
+  std::map<std::string, std::shared_ptr<SiteSession>> sites_;  // by the serial of the site's certificate
+  std::map<std::string, std::string> serials_;                 // by the name of a site
+  Calls calls_;
+  std::shared_ptr<std::size_t> relayed_ = std::make_shared<std::size_t>(0);  // shared: a stream may outlive this object
   Counts counts_;
   std::chrono::steady_clock::time_point renewed_{};  // the credentials of all sites
   std::size_t trimmed_at_ = 0;                       // the number of sites when memory was last given back

@@ -36,6 +36,12 @@ class Splice : public std::enable_shared_from_this<Splice> {
     read(down_, up_);
   }
 
+  void close() {
+    error_code ignored;
+    up_.socket.close(ignored);
+    down_.socket.close(ignored);
+  }
+
  private:
   struct End {
     tcp::socket socket;
@@ -63,12 +69,6 @@ class Splice : public std::enable_shared_from_this<Splice> {
                              });
   }
 
-  void close() {
-    error_code ignored;
-    up_.socket.close(ignored);
-    down_.socket.close(ignored);
-  }
-
   std::string first_;
   End up_;
   End down_;
@@ -77,8 +77,12 @@ class Splice : public std::enable_shared_from_this<Splice> {
 
 }  // namespace
 
-void splice(tcp::socket caller, std::string first, tcp::socket site, std::function<void()> on_end) {
-  std::make_shared<Splice>(std::move(caller), std::move(first), std::move(site), std::move(on_end))->start();
+std::function<void()> splice(tcp::socket caller, std::string first, tcp::socket site, std::function<void()> on_end) {
+  const auto pair = std::make_shared<Splice>(std::move(caller), std::move(first), std::move(site), std::move(on_end));
+  pair->start();
+  return [weak = std::weak_ptr(pair)] {
+    if (const std::shared_ptr<Splice> alive = weak.lock()) alive->close();
+  };
 }
 
 }  // namespace telepalp::meet

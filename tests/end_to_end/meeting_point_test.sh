@@ -42,12 +42,19 @@ while IFS=$'\t' read -r -u 3 kind line; do
       # shellcheck disable=SC2086
       start patient $line
       wait_for "the server" "$work/patient.log" "joined the meeting point meet.example" ;;
+    "doctor background")
+      # shellcheck disable=SC2086
+      start doctor $line
+      recorder=${background[-1]}
+      wait_for "the recording" "$work/doctor.log" "recording" ;;
     patient | doctor)
+      case $line in telepalp-report*) wait "$recorder" || fail "the recording" "$work/doctor.log" ;; esac
       # shellcheck disable=SC2086
       (cd "$work/$kind" && timeout 60 ip netns exec "$(space_of "$kind")" $line) >"$work/step.log" 2>&1 </dev/null || fail "$line" "$work/step.log"
       case $line in
         curl*) grep -qx ok "$work/step.log" || fail "$line does not print ok" "$work/step.log" ;;
         *"record info"*) grep -q '/camera/depth' "$work/step.log" || fail "the session holds no depth" "$work/step.log" ;;
+        telepalp-report*) grep -q 'Images and touch went over TCP' "$work/doctor/touch/report.html" || fail "the report does not name the way" "$work/step.log" ;;
         *snapshot*) [ -s "$work/doctor/view.png" ] || fail "no picture" "$work/step.log" ;;
       esac ;;
     *) fail "the page has a block of the kind '$kind'" ;;

@@ -40,6 +40,7 @@ router() { # patient|doctor KIND
     port) ;;
     symmetric) out='masquerade fully-random' ;;
     no-udp) let='meta l4proto udp drop' ;;
+    half-open) let='iifname lan meta l4proto udp drop' ;;  # UDP comes in and does not go out
     tcp-443) let='ct state established accept; iifname lan tcp dport 443 accept; drop' ;;
     *) fail "no router of the kind $2"; return ;;
   esac
@@ -55,6 +56,20 @@ table ip site {
 RULES
 }
 
+move() { # patient|doctor NUMBER: the site's computer gets another address, 10.1.0.NUMBER or 10.2.0.NUMBER
+  local space=$doctor network=10.2.0 card=pdoa
+  [ "$1" = doctor ] || space=$patient network=10.1.0 card=ppaa
+  ip -n "$space" addr flush dev "$card" && ip -n "$space" addr add "$network.$2/24" dev "$card" &&
+    ip -n "$space" route add default via "$network.1"
+}
+
+renumber() { # patient|doctor NUMBER: the provider gives the site's router another address, and the router forgets all mappings
+  local space=$doctor_router network=198.51.100
+  [ "$1" = doctor ] || space=$patient_router network=203.0.113
+  ip -n "$space" addr flush dev wan && ip -n "$space" addr add "$network.$2/24" dev wan &&
+    ip -n "$space" route add default via "$network.1"
+}
+
 begin_relay() {
   openssl rand -hex 32 >"$work/relay.secret"
   cp "$source_dir/deploy/service/telepalp-relay.conf" "$work/relay.conf"
@@ -65,6 +80,13 @@ begin_relay() {
 begin_meet() {
   start_in "$work" "$net" "$work/meet.log" "$bin/telepalp-meet" --key keys/meet.key --relay 192.0.2.1 --relay-secret relay.secret
   wait_for "the meeting point" "$work/meet.log" "listening on"
+  meet_pid=${background[-1]}
+}
+meet_again() { # with the relay's secret as it is now
+  kill -INT "$meet_pid" && wait "$meet_pid" 2>/dev/null
+  : >"$work/server.log"
+  begin_meet
+  wait_for "the server comes back" "$work/server.log" "joined the meeting point"
 }
 begin_server() {
   start_in "$work" "$patient" "$work/server.log" "$bin/telepalp-server" --source synthetic \

@@ -1,7 +1,8 @@
-// telepalp-path-probe SITE@HOST KEY SECONDS [WAY]: a doctor's program at a site behind a meeting point. Prints one
-// line: seconds until it is joined, until the first depth image, and until the datagrams' way contains WAY; the longest
-// gap between depth images; the number of connections; and the last way. A time that did not come is "-". Ends when WAY
-// is there and a depth image has come; without WAY, after SECONDS.
+// telepalp-path-probe SITE@HOST KEY SECONDS [WAY]: a doctor's program at a site behind a meeting point, which holds the
+// touch and publishes a hand 100 times a second, as a station does. Prints one line: seconds until it is joined, until
+// the first depth image, and until the datagrams' way contains WAY; the longest gap between depth images; the number of
+// connections; and the last way. A time that did not come is "-". Ends when WAY is there and a depth image has come;
+// without WAY, after SECONDS.
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "messages/station.pb.h"
 #include "proto/wire/client/client_link.h"
 #include "proto/wire/topics.h"
 #include "support/program/address.h"
@@ -29,9 +31,11 @@ class Probe {
                .port = at.port,
                .site = at.site,
                .name = "telepalp-path-probe",
+               .role = "doctor",
                .key = std::move(key),
                .consent = "test",
-               .subscribes = {"/camera/depth"}},
+               .subscribes = {"/camera/depth"},
+               .publishes = {wire::kStationState}},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state =
                    [this](wire::LinkState state, const std::string& detail) {
@@ -77,10 +81,18 @@ class Probe {
     const bool up = link_.datagrams() == wire::DatagramPhase::Up;
     if (!best_ && !wanted_.empty() && up && link_.way().find(wanted_) != std::string::npos) best_ = since_begin();
     if (best_ && first_) return io_.stop();
+    publish();
     look_.expires_after(std::chrono::milliseconds(5));
     look_.async_wait([this](const boost::system::error_code& cancelled) {
       if (!cancelled) look();
     });
+  }
+
+  void publish() {
+    if (link_.state() != wire::LinkState::Connected || ++looks_ % 2 != 0) return;
+    msg::StationState state;
+    state.set_stamp_ns(static_cast<std::uint64_t>(to_nanoseconds(link_.clock().now())));
+    (void)link_.publish(wire::make_message(wire::kStationState, link_.clock().now(), state));
   }
 
   boost::asio::io_context io_{1};
@@ -88,6 +100,7 @@ class Probe {
   std::string wanted_;
   std::optional<double> joined_, first_, best_, last_;
   double longest_gap_ = 0.0;
+  std::uint64_t looks_ = 0;
   boost::asio::steady_timer look_;
   wire::ClientLink link_;
 };

@@ -32,6 +32,22 @@ no-udp port over a relay (TCP)
 tcp-443 tcp-443 over a relay (TCP)
 PAIRS
 
+# A relay that refuses is said once at each end, and the images come over TCP.
+server_behind symmetric
+router doctor symmetric
+cp "$work/relay.secret" "$work/its.secret" && openssl rand -hex 32 >"$work/relay.secret"
+meet_again
+for round in 1 2; do
+  found=$(way)
+  grep -q 'finds no path' <<<"$found" || fail "a relay that refuses: found '$found'" "$work/check.log"
+  grep -qE '^images +[1-9][0-9]*' "$work/check.log" || fail "a relay that refuses: no images" "$work/check.log"
+  grep -q '^but *relay: the relay at 192.0.2.1 gives no address.*fix: ' "$work/check.log" || fail "the doctor is not told that the relay refuses (round $round)" "$work/check.log"
+done
+said=$(grep -ac 'relay: the relay at 192.0.2.1 gives no address.*fix: ' "$work/server.log")
+[ "$said" = 1 ] || fail "the site says $said times instead of once that the relay refuses" "$work/server.log"
+cp "$work/its.secret" "$work/relay.secret"
+meet_again
+
 # The network changes while images come: the longest gap between two images, and how often the program connected.
 probe() { # SECONDS [WAY]: ends early when the datagrams go by this way
   (cd "$work" && exec timeout 60 ip netns exec "$doctor" "$bin/telepalp-path-probe" ward3.meet.example@meet.example keys/anna.key "$@") >"$work/probe.out" 2>"$work/probe.log" &
@@ -52,6 +68,11 @@ probe 14
 sleep 3
 router doctor no-udp
 expect "UDP is cut" 2 1 "over a relay (TCP)"
+router doctor port
+probe 14
+sleep 3
+router doctor half-open
+expect "datagrams come in and do not go out" 2 1 "over a relay (TCP)"
 router doctor no-udp
 probe 50 directly
 router doctor port
@@ -59,7 +80,29 @@ expect "UDP passes again: the relay is left" 0.5 1 "through the routers"
 router doctor port
 probe 10
 sleep 3
-ip -n "$doctor" addr flush dev pdoa
-ip -n "$doctor" addr add 10.2.0.3/24 dev pdoa && ip -n "$doctor" route add default via 10.2.0.1
+move doctor 3
 expect "the doctor's address changes" 2 2 "through the routers"
+probe 10
+sleep 3
+router patient symmetric
+expect "the patient's router draws other ports" 2 1 "through the routers"
+router patient port
+probe 14
+sleep 3
+router patient no-udp
+expect "UDP is cut at the patient's site" 2 1 "over a relay (TCP)"
+router patient port
+probe 10
+sleep 3
+move patient 3
+expect "the patient's address changes" 2 2 "through the routers"
+grep -q "this computer's address has changed" "$work/server.log" || fail "the server does not say that its address has changed" "$work/server.log"
+grep -q 'has changed: 1 stream ends' "$work/meet.log" || fail "the meeting point ends no stream of the lost address" "$work/meet.log"
+server_behind symmetric
+probe 10
+sleep 3
+renumber patient 3
+expect "the router of the patient's site gets another address" 2 2 "over a relay (UDP)"
+took=$(grep -c 'event=took-touch who=doctor anna .*by=new-connection' "$work/keys/audit.log")
+[ "$took" -ge 2 ] || fail "the touch passed $took times to a new connection instead of 2" "$work/keys/audit.log"
 exit $((failures > 0))

@@ -56,6 +56,14 @@ TEST(LinkCheck, NamesTheFirstObstacleAndWhatHelps) {
   EXPECT_NE(verdict(found).find("the name is unknown"), std::string::npos) << verdict(found);
 }
 
+TEST(LinkCheck, SaysWhatIsWrongWithTheRelay) {
+  Findings found = good();
+  found.notice = "relay: the relay's address is 127.0.1.1";
+  const std::string lines = link_check::in_lines(found);
+  EXPECT_NE(lines.find("but         relay: the relay's address is 127.0.1.1"), std::string::npos) << lines;
+  EXPECT_LE(std::ranges::count(lines, '\n'), 10);
+}
+
 TEST(LinkCheck, SaysWhyItAskedForNoImages) {
   Findings found = good();
   found.images.reset();

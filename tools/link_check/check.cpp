@@ -70,7 +70,11 @@ class Session {
                .consent = options.consent,
                .subscribes = listens ? std::vector<std::string>{"/camera/*"} : std::vector<std::string>{}},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
-               .on_state = [this](wire::LinkState state, const std::string&) { on_state(state); }}) {}
+               .on_state = [this](wire::LinkState state, const std::string&) { on_state(state); },
+               .on_notice =
+                   [this](const std::string& text) {
+                     if (notice_.empty()) notice_ = text;
+                   }}) {}
 
   void run(std::chrono::duration<double> listens_s, Findings& found) {
     link_.start();
@@ -80,6 +84,7 @@ class Session {
     } else {
       listen(std::chrono::duration_cast<Clock::duration>(listens_s), found);
     }
+    found.notice = notice_;
     link_.stop("the check is over");
     run_for(io_, std::chrono::seconds(1));
   }
@@ -134,6 +139,7 @@ class Session {
   asio::io_context io_{1};
   bool listens_;
   std::vector<double> ages_ms_;
+  std::string notice_;
   std::uint64_t bytes_ = 0;
   wire::ClientLink link_;
 };

@@ -111,6 +111,7 @@ std::string in_lines(const Findings& found) {
   line("session", found.no_session ? "does not begin: " + found.no_session->what
                                    : with("begins; round trip %.1f ms", found.round_trip_ms));
   line("UDP", udp_line(found));
+  if (!found.notice.empty()) line("but", found.notice);
   line("images", images_line(found));
   line("so", verdict(found));
   return text;

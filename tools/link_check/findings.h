@@ -39,6 +39,7 @@ struct Findings {
   enum class Udp { Unknown, Arrives, Blocked, NotOffered } udp = Udp::Unknown;
   std::string way{};               ///< the datagrams' way and its price, to a site behind a meeting point; empty: none
   bool relayed = false;            ///< this way leads over a relay
+  std::string notice{};            ///< what is wrong, without which the session goes on; empty: nothing
   std::optional<Images> images{};  ///< nullopt: the check did not listen
   std::string why_no_images{};     ///< why it did not listen
 };

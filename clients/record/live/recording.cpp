@@ -104,7 +104,8 @@ class Recording {
                .datagrams = options.key != nullptr},
               {.on_message = [this](const wire::Message& message) { on_message(message); },
                .on_state = [this](wire::LinkState state, const std::string& detail) { on_state(state, detail); },
-               .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { say(detail); }}) {}
+               .on_datagrams = [this](wire::DatagramPhase, const std::string& detail) { say(detail); },
+               .on_notice = [this](const std::string& text) { say(text); }}) {}
 
   void on_alarm(const std::string& text) {
     boost::asio::post(io_, [this, text] { say(text); });

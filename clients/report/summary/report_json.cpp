@@ -96,6 +96,17 @@ void add_idle_timer(Json& json, const Summary& summary) {
   json.end_object();
 }
 
+void add_ways(Json& json, const Summary& summary) {
+  json.begin_list("ways");
+  for (const Way& way : summary.ways) {
+    json.begin_object();
+    json.add("from_s", way.from_s);
+    json.add("way", way.words);
+    json.end_object();
+  }
+  json.end_list();
+}
+
 void add_notes(Json& json, const Session& session) {
   json.begin_list("notes");
   for (const msg::SessionNotes::Note& note : session.notes.notes()) {
@@ -225,6 +236,7 @@ std::string report_json(const Session& session, const Summary& summary, const Ve
   json.add("damaged_messages", summary.damaged_messages);
   add_idle_timer(json, summary);
   add_senders(json, summary);
+  add_ways(json, summary);
   add_bill(json, summary);
   add_notes(json, session);
   add_verdict(json, verdict);

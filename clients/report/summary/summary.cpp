@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clients/ar/messages/phases.h"
+#include "proto/wire/datagrams/images_way.h"
 #include "proto/wire/station/contact_force.h"
 #include "proto/wire/topics.h"
 
@@ -252,6 +253,16 @@ void add_senders(Summary& summary, const Session& session) {
   summary.shared_line = judged.shared_line;
 }
 
+void add_ways(Summary& summary, const Session& session) {
+  for (const msg::StationEvent& event : session.events) {
+    if (event.kind() != msg::EVENT_KIND_LINK) continue;
+    const std::optional<std::string> way = wire::way_of_images(event.text());
+    if (!way || (!summary.ways.empty() && summary.ways.back().words == *way)) continue;
+    const auto since_ns = static_cast<std::int64_t>(event.stamp_ns()) - session.first_ns.value_or(0);
+    summary.ways.push_back({.from_s = to_seconds(Nanoseconds(since_ns)), .words = *way});
+  }
+}
+
 }  // namespace
 
 std::vector<double> force_norm_N(const Ticks& ticks) {
@@ -279,6 +290,7 @@ Summary summarise(const Session& session) {
   add_energy(summary, session);
   add_stats(summary, session);
   add_senders(summary, session);
+  add_ways(summary, session);
   if (!session.depth_captured_ns.empty()) summary.depth_images = session.depth_captured_ns.size();
   if (!session.surfaces.empty()) summary.surfaces = session.surfaces.size();
   summary.depth = depth_of(session);

@@ -37,6 +37,12 @@ struct IdleTimer {
   }
 };
 
+/// The way that images and touch took between server and station, as the station told it.
+struct Way {
+  double from_s = 0.0;  ///< since the session's beginning
+  std::string words;    ///< "by datagrams over a relay (UDP), round trip 43 ms"
+};
+
 /// The results of a run. A value is NaN (kUnknown) when the session lacks the messages for it.
 struct Summary {
   double seconds = 0.0;
@@ -57,6 +63,7 @@ struct Summary {
   std::uint64_t frames_on_the_way = 0;
   std::vector<Carrier> carriers;  ///< of the station's images
   SharedLine shared_line;         ///< of its connections
+  std::vector<Way> ways;          ///< in the order of time; empty: the session does not tell
 
   std::optional<std::uint64_t> depth_images;  ///< in the file
   std::optional<std::uint64_t> surfaces;      ///< depth images that became a surface

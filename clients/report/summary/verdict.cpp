@@ -29,6 +29,17 @@ std::string images_sentence(const Summary& s) {
          std::to_string(*s.frames_received) + " were received.";
 }
 
+/// Empty if the session does not tell.
+std::string ways_sentence(const Summary& s) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(s.ways.size(), kMost); ++i)
+    text += (i == 0 ? " Images and touch went " : "; from " + number(s.ways[i].from_s, 1) + " s on ") + s.ways[i].words;
+  if (s.ways.size() > kMost)
+    text += "; " + counted(s.ways.size() - kMost, "more change", "more changes") + " of the way under Events";
+  return text.empty() ? text : text + ".";
+}
+
 std::string account_of(const Summary& s) {
   std::string text;
   if (s.ticks == 0)
@@ -50,7 +61,7 @@ std::string account_of(const Summary& s) {
   if (s.deadlines_missed)
     text += " Of " + counted(s.ticks, "tick", "ticks") + " " + counted(*s.deadlines_missed, "was late", "were late") +
             (s.idle_timer && *s.deadlines_missed > 0 ? ", " + timers_part(s) : "") + ".";
-  text += images_sentence(s);
+  text += images_sentence(s) + ways_sentence(s);
   if (s.realtime && !*s.realtime) text += " The station ran without real-time priority or without locked memory.";
   return text;
 }

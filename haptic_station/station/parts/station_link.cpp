@@ -13,7 +13,8 @@ StationLink::StationLink(boost::asio::io_context& io, wire::ClientLink::Options 
             {.on_message = std::move(handlers.on_message),
              .on_state = std::move(handlers.on_state),
              .on_datagrams = std::move(handlers.on_datagrams),
-             .on_hand_over = [this](bool done, const std::string& outcome) { hand_over_.on_answer(done, outcome); }}),
+             .on_hand_over = [this](bool done, const std::string& outcome) { hand_over_.on_answer(done, outcome); },
+             .on_notice = std::move(handlers.on_notice)}),
       hand_over_(link_) {}
 
 std::optional<std::string> StationLink::line_of(wire::LinkState state, const std::string& detail) {

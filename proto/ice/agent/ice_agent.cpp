@@ -159,6 +159,9 @@ void IceAgent::State::set_up(const Options& options) {
             if (candidate && may_check(candidate->address, self->reach))
               self->tell([one = std::move(*candidate)](State& told) { told.handlers.on_candidate(one); });
           }));
+  connect("candidate-gathering-done", G_CALLBACK(+[](NiceAgent*, guint, State* self) {
+            self->tell([](State& told) { told.handlers.on_all_candidates(); });
+          }));
   connect("new-selected-pair-full",
           G_CALLBACK(+[](NiceAgent*, guint, guint, NiceCandidate* local, NiceCandidate* remote, State* self) {
             self->tell([kind = kind_of(*local, *remote)](State& told) { told.handlers.on_path(kind); });

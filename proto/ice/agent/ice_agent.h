@@ -11,18 +11,10 @@
 
 #include "proto/ice/words/candidate.h"
 #include "proto/ice/words/path_kind.h"
+#include "proto/ice/words/relay.h"
 #include "proto/words/result.h"
 
 namespace telepalp::ice {
-
-/// A relay (TURN, RFC 8656), which also tells an end its address outside (STUN).
-struct Relay {
-  std::string address;         ///< IP address
-  std::uint16_t port = 0;      ///< UDP; 0: none
-  std::uint16_t tcp_port = 0;  ///< 0: none
-  std::string user;
-  std::string password;
-};
 
 /// One end of one attempt to find a path (RFC 8445), by libnice. Its consent checks (RFC 7675) keep the path open, and
 /// notice within 30 s that the peer no longer wants datagrams. Owner: the thread of its executor.
@@ -41,8 +33,9 @@ class IceAgent {
   /// Called on the executor, and not after the agent is destroyed. A handler must not destroy the agent.
   struct Handlers {
     std::function<void(const Candidate&)> on_candidate;
-    std::function<void(PathKind)> on_path;  ///< datagrams can be sent, or now take another way
-    std::function<void()> on_failed;        ///< no path, or the path's end
+    std::function<void()> on_all_candidates;  ///< on_candidate() comes no more
+    std::function<void(PathKind)> on_path;    ///< datagrams can be sent, or now take another way
+    std::function<void()> on_failed;          ///< no path, or the path's end
     std::function<void(std::span<const std::byte>)> on_datagram;
   };
 

@@ -7,6 +7,7 @@
 #include "proto/wire/datagram_message.h"
 #include "proto/wire/datagrams/client_datagrams.h"
 #include "proto/wire/datagrams/datagram_offer.h"
+#include "proto/wire/datagrams/images_way.h"
 #include "proto/wire/sockets/udp_socket.h"
 #include "proto/words/demand.h"
 #include "proto/words/error_line.h"
@@ -276,11 +277,22 @@ void ClientLink::find_paths() {
                                   [this](std::span<const std::byte> datagram) {
                                     if (datagrams_.carrier) datagrams_.carrier->received(datagram);
                                   },
-                              .on_path = [this](std::optional<ice::PathKind> path) { on_path(path); }});
+                              .on_path = [this](std::optional<ice::PathKind> path) { on_path(path); },
+                              .on_unused_relay = [this](const Error& why) { notice(to_string(why)); }});
+}
+
+/// The texts may hold words of the server, so that their number is bounded.
+void ClientLink::notice(const std::string& text) {
+  constexpr std::size_t kMost = 16;
+  if (noticed_.size() < kMost && noticed_.insert(text).second && handlers_.on_notice) handlers_.on_notice(text);
 }
 
 void ClientLink::on_ice_path(const msg::IcePath& message) {
-  if (datagrams_.paths) datagrams_.paths->heard(message);
+  if (!datagrams_.paths) return;
+  datagrams_.paths->heard(message);
+  const bool found_none = message.verdict() == msg::IcePath::VERDICT_DROPPED && !datagrams_.has_begun && !path();
+  if (found_none && !std::exchange(datagrams_.said_no_path, true) && handlers_.on_datagrams)
+    handlers_.on_datagrams(DatagramPhase::Blocked, images_come_by(DatagramPhase::Blocked));
 }
 
 /// Until the first path is found, the images come over TCP. When a path is lost, the silence on it is noticed.
@@ -293,9 +305,7 @@ void ClientLink::on_path(std::optional<ice::PathKind> path) {
 }
 
 std::string ClientLink::images_come_by(DatagramPhase phase) const {
-  if (phase != DatagramPhase::Up) return "no UDP datagram arrives: the images come over TCP";
-  if (!path()) return "the images come by sealed datagrams (UDP)";
-  return "the images come by sealed datagrams, " + way();
+  return phase == DatagramPhase::Up ? images_come_by_datagram(way()) : images_come_over_tcp();
 }
 
 std::string ClientLink::way() const {
@@ -309,7 +319,7 @@ std::optional<ice::PathKind> ClientLink::path() const noexcept {
 
 void ClientLink::end_datagrams() {
   datagrams_.offer.reset();
-  datagrams_.has_begun = false;
+  datagrams_.has_begun = datagrams_.said_no_path = false;
   if (datagrams_.carrier) datagrams_.carrier->close();
   if (datagrams_.paths) datagrams_.paths->close();
   // They may be on the call stack, so they are destroyed later.

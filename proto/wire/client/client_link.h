@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,11 +66,13 @@ class ClientLink : private ConnectionOwner {
     std::function<void(const Message&)> on_message{};
     /// `detail`: text for a log line with the peer's address, or the reason why there is no connection.
     std::function<void(LinkState, const std::string& detail)> on_state{};
-    /// Called when the phase becomes Up (the images come by datagram) or Blocked (the images come over TCP). `detail`:
-    /// text for a log line.
+    /// Called when the phase becomes Up (the images come by datagram) or Blocked (the images come over TCP), and with
+    /// Blocked when the first search for a path has found none. `detail`: text for a log line.
     std::function<void(DatagramPhase, const std::string& detail)> on_datagrams{};
     /// The server's answer to hand_over(). `done` is false if the server refuses or the connection ends first.
     std::function<void(bool done, const std::string& outcome)> on_hand_over{};
+    /// Something is wrong, without which the session goes on: text for a log line. Called once for each text.
+    std::function<void(const std::string& text)> on_notice{};
   };
   struct Counts {
     std::uint64_t connections = 0;  ///< number of times that the state became Connected
@@ -164,6 +167,7 @@ class ClientLink : private ConnectionOwner {
   void retry_later();
   void start_datagrams();
   void find_paths();
+  void notice(const std::string& text);
   void on_path(std::optional<ice::PathKind> path);
   void end_datagrams();
   [[nodiscard]] std::string images_come_by(DatagramPhase phase) const;
@@ -174,6 +178,7 @@ class ClientLink : private ConnectionOwner {
     std::optional<msg::DatagramOffer> offer;   ///< nullopt: the server offers none
     std::unique_ptr<ice::IcePaths> paths;      ///< null: the server's own UDP port is used
     bool has_begun = false;                    ///< the carrier has
+    bool said_no_path = false;                 ///< on_datagrams has got that no path was found
     std::unique_ptr<ClientDatagrams> carrier;  ///< null before the clock is synchronised, and without an offer
     Nanoseconds stepped_before{0};             ///< clock_stepped() when `carrier` began
   };
@@ -209,6 +214,7 @@ class ClientLink : private ConnectionOwner {
   Datagrams datagrams_;
   Touch touch_;
   RevokedKeys revoked_;
+  std::set<std::string> noticed_;  // texts that on_notice has got
   ClientOutbox outbox_;
   std::map<std::string_view, ReceivedCount> received_before_;
   std::uint64_t connections_ = 0;

@@ -8,6 +8,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <fstream>
 
+#include "proto/ice/words/candidate.h"
 #include "proto/words/demand.h"
 
 namespace telepalp::meet {
@@ -45,7 +46,7 @@ Result<RelayDoor> relay_door(const std::string& host, std::uint16_t port, const 
                  .where = "--relay " + host,
                  .fix = "give the relay's public address: --relay 203.0.113.1:3478"};
   const boost::asio::ip::address address = found.begin()->endpoint().address();
-  if (address.is_loopback() || address.is_unspecified())
+  if (!ice::may_check(address, ice::Reach::Network))
     return Error{.what = "the relay's address is " + address.to_string() + ", at which no site reaches it",
                  .where = "--relay " + host,
                  .fix = "give the relay's public address: --relay 203.0.113.1:3478"};

@@ -1,5 +1,7 @@
 #include "server/meet/site/meet_dialer.h"
 
+#include <netinet/tcp.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/asio/connect.hpp>
@@ -11,7 +13,9 @@
 
 #include "messages/meet.pb.h"
 #include "proto/wire/sockets/tcp_socket.h"
+#include "proto/wire/sockets/udp_socket.h"
 #include "proto/wire/tls_stream.h"
+#include "server/meet/site/told_relay.h"
 #include "server/meet/words/meet_frames.h"
 
 namespace telepalp::meet {
@@ -25,16 +29,22 @@ namespace {
 
 constexpr std::chrono::milliseconds kFirstWait{500}, kLongestWait{5000};
 constexpr auto kTimeToConnect = 5s;
-constexpr std::size_t kMostAnswers = 64;  // connections to the meeting point that are being opened
+constexpr std::chrono::milliseconds kLookAtAddress{100};  // between two looks, and before the first try at a new one
+constexpr std::size_t kMostAnswers = 64;                  // connections to the meeting point that are being opened
 
-msg::IceRelay relay_of(const msg::MeetRelay& told) {
-  msg::IceRelay relay;
-  relay.set_address(told.address());
-  relay.set_port(told.port());
-  relay.set_tcp_port(told.tcp_port());
-  relay.set_user(told.user());
-  relay.set_password(told.password());
-  return relay;
+/// Lets the system ask each second whether the connection still leads to the meeting point. A router that has forgotten
+/// it then answers with a reset; silence ends it after 6 s, by when the callers have noticed it themselves.
+void watch_way(tcp::socket& socket) {
+  using Seconds = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPIDLE>;
+  using Between = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPINTVL>;
+  using Times = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPCNT>;
+  using Unanswered_ms = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>;
+  error_code ignored;  // without the options, kSilence ends the connection
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  socket.set_option(Seconds(1), ignored);
+  socket.set_option(Between(1), ignored);
+  socket.set_option(Times(6), ignored);
+  socket.set_option(Unanswered_ms(6000), ignored);
 }
 
 }  // namespace
@@ -43,10 +53,20 @@ msg::IceRelay relay_of(const msg::MeetRelay& told) {
 class MeetDialer::Line : public std::enable_shared_from_this<Line> {
  public:
   Line(asio::io_context& io, Options options, wire::TlsSettings tls)
-      : io_(io), options_(std::move(options)), tls_(std::move(tls)), resolver_(io), timer_(io), beat_(io) {}
+      : io_(io),
+        options_(std::move(options)),
+        tls_(std::move(tls)),
+        resolver_(io),
+        timer_(io),
+        beat_(io),
+        look_(io),
+        relay_(options_.log) {
+    if (!options_.has_address)
+      options_.has_address = [this](const asio::ip::address& own) { return wire::is_own_address(io_, own); };
+  }
 
   [[nodiscard]] bool has_joined() const noexcept { return joined_; }
-  [[nodiscard]] const std::vector<msg::IceRelay>& relays() const noexcept { return relays_; }
+  [[nodiscard]] const std::vector<msg::IceRelay>& relays() const noexcept { return relay_.relays(); }
 
   void dial() {
     resolver_.async_resolve(
@@ -84,6 +104,10 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
     const auto connected = of(stream_, [this](const error_code& failed, const tcp::endpoint& endpoint) {
       if (failed) return lost(failed.message());
       meet_ = endpoint;
+      moved_ = moved_ || !options_.has_address(own_);  // it was lost while no connection was there
+      error_code gone;
+      own_ = stream_->next_layer().local_endpoint(gone).address();
+      watch_way(stream_->next_layer());
       shake_hands();
     });
     asio::async_connect(
@@ -105,14 +129,28 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
     heard_ = std::chrono::steady_clock::now();
     msg::SiteToMeet message;
     message.set_join(kVersion);
+    message.set_moved(moved_);
     send(message);
     read();
     beat();
+    look_at_address();
+  }
+
+  /// A lost address is noticed here, because silence would show it only after kSilence.
+  void look_at_address() {
+    look_.expires_after(kLookAtAddress);
+    look_.async_wait(of(stream_, [this](const error_code& cancelled) {
+      if (cancelled) return;
+      if (options_.has_address(own_)) return look_at_address();
+      moved_ = true;
+      wait_ = kLookAtAddress;
+      lost("this computer's address has changed");
+    }));
   }
 
   void read() {
     stream_->async_read_some(asio::buffer(bytes_), of(stream_, [this](const error_code& failed, std::size_t count) {
-                               if (failed) return lost(failed.message());
+                               if (failed) return broken(failed);
                                heard_ = std::chrono::steady_clock::now();
                                frames_.append({bytes_.data(), count});
                                const std::shared_ptr<Stream> present = stream_;
@@ -129,7 +167,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
     msg::MeetToSite message;
     if (!message.ParseFromString(frame)) return lost("it sent what is no message of this protocol");
     if (message.has_welcome()) welcome(message.welcome());
-    if (message.has_relay()) relays_ = {relay_of(message.relay())};
+    if (message.has_relay()) relay_.heard(message.relay());
     if (message.has_call()) answer(message.call());
     if (message.what_case() == msg::MeetToSite::kRefused) lost("it refuses this site: " + message.refused());
   }
@@ -137,6 +175,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
   void welcome(const msg::MeetWelcome& welcome) {
     timer_.cancel();
     joined_ = true;
+    moved_ = false;
     wait_ = kFirstWait;
     told_.clear();
     std::string names;
@@ -194,7 +233,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
   void write_next() {
     asio::async_write(*stream_, asio::buffer(*to_send_.front()),
                       of(stream_, [this, kept = to_send_.front()](const error_code& failed, std::size_t) {
-                        if (failed) return lost(failed.message());
+                        if (failed) return broken(failed);
                         to_send_.pop_front();
                         if (!to_send_.empty()) write_next();
                       }));
@@ -218,6 +257,14 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
     }));
   }
 
+  /// A reset or silence on the way to the meeting point: the callers' connections went the same way.
+  void broken(const error_code& failed) {
+    const bool way_is_lost = failed == asio::error::connection_reset || failed == asio::error::timed_out;
+    if (way_is_lost) wait_ = kLookAtAddress;
+    moved_ = moved_ || way_is_lost;
+    lost(failed.message());
+  }
+
   /// Says why once, and not again at each attempt that fails in the same way.
   void lost(const std::string& why) {
     hang_up();
@@ -225,7 +272,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
       options_.log("no connection with the meeting point " + options_.host + ": " + why + "; this server tries again");
     told_ = why;
     timer_.expires_after(wait_);
-    wait_ = std::min(2 * wait_, kLongestWait);
+    wait_ = std::min(2 * wait_, options_.has_address(own_) ? kLongestWait : kFirstWait);  // a new one may come soon
     timer_.async_wait([self = shared_from_this()](const error_code& cancelled) {
       if (!cancelled && !self->ended_) self->dial();
     });
@@ -234,6 +281,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
   void hang_up() {
     timer_.cancel();
     beat_.cancel();
+    look_.cancel();
     to_send_.clear();
     frames_ = {};
     if (!stream_) return;
@@ -248,8 +296,10 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
   tcp::resolver resolver_;
   asio::steady_timer timer_;  // ends an attempt that takes too long, or begins the next attempt
   asio::steady_timer beat_;
+  asio::steady_timer look_;  // at the address
   std::shared_ptr<Stream> stream_;
   tcp::endpoint meet_;
+  asio::ip::address own_;  // from which it dialled
   FrameReader frames_;
   std::array<char, 1024> bytes_{};
   std::deque<std::shared_ptr<const std::string>> to_send_;
@@ -257,8 +307,9 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
   std::chrono::milliseconds wait_ = kFirstWait;
   std::string told_;  // why the last attempt failed
   std::size_t answers_ = 0;
-  std::vector<msg::IceRelay> relays_;  // kept while the meeting point does not answer: the credentials may still hold
+  ToldRelay relay_;  // kept while the meeting point does not answer: the credentials may still hold
   bool joined_ = false;
+  bool moved_ = false;  // own_ or the way was lost, and the meeting point does not know it yet
   bool ended_ = false;
 };
 

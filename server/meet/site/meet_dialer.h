@@ -16,8 +16,9 @@ namespace telepalp::meet {
 
 /// The site's end of the meeting point: dials it, joins under the names of the site's key, and hands over the
 /// connections of callers. When the connection is lost, it dials again, after 0.5 s, then each time after twice as
-/// long, up to 5 s.
-/// Owner: `io`'s one thread.
+/// long, up to 5 s. When this computer has lost the address from which it dialled, or a router has lost
+/// the connection, it dials at once and says so, so that the meeting point ends the callers' connections, through which
+/// nothing more passes, and they call again. Owner: `io`'s one thread.
 class MeetDialer {
  public:
   struct Caller {
@@ -33,6 +34,8 @@ class MeetDialer {
     /// False: the site does not take this caller.
     std::function<bool(const Caller&)> takes = [](const Caller&) { return true; };
     std::function<void(const std::string&)> log = [](const std::string&) {};
+    /// Whether this computer still has an address. Empty function: the system is asked.
+    std::function<bool(const boost::asio::ip::address&)> has_address{};
   };
 
   /// Error: the key cannot be used.
@@ -43,7 +46,7 @@ class MeetDialer {
 
   /// The meeting point has taken this site in.
   [[nodiscard]] bool has_joined() const noexcept;
-  /// The relay beside the meeting point, with the newest credentials; empty: it named none.
+  /// The relay beside the meeting point, with the newest credentials; empty: it named none that may be used.
   [[nodiscard]] std::vector<msg::IceRelay> relays() const;
 
  private:

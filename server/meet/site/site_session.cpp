@@ -26,16 +26,23 @@ bool can_be_called(const std::string& name) {
   return is_name && name != "localhost";
 }
 
+asio::ip::address address_of(const tcp::socket& socket) {
+  error_code gone;
+  return socket.remote_endpoint(gone).address();
+}
+
 }  // namespace
 
 SiteSession::SiteSession(tcp::socket socket, std::string hello, wire::TlsSettings tls, Handlers handlers)
     : stream_(std::move(socket), std::move(hello), std::move(tls)),
       beat_(stream_.socket().get_executor()),
       peer_(wire::peer_address(stream_.socket())),
+      who_{.from = address_of(stream_.socket()), .since = std::chrono::steady_clock::now()},
       handlers_(std::move(handlers)),
       heard_(std::chrono::steady_clock::now()) {}
 
 void SiteSession::start() {
+  if (closed_) return;
   beat();
   stream_.async_handshake([self = shared_from_this()](const error_code& failed, std::size_t) {
     if (failed) return self->end_after_alert(failed);
@@ -77,6 +84,7 @@ bool SiteSession::take(const std::string& frame) {
   if (!message.ParseFromString(frame)) return false;
   switch (message.what_case()) {
     case msg::SiteToMeet::kJoin:
+      moved_ = message.moved();
       if (!joined_) join(message.join());
       return true;
     case msg::SiteToMeet::kDecline:

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "messages/meet.pb.h"
+#include "server/access/unproven.h"
 #include "server/meet/site/site_tls.h"
 #include "server/meet/words/meet_frames.h"
 
@@ -31,14 +32,17 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
 
   /// `hello`: what was already read from the socket.
   SiteSession(boost::asio::ip::tcp::socket socket, std::string hello, wire::TlsSettings tls, Handlers handlers);
-  void start();
+  void start();  ///< does nothing after close()
   void call(const msg::MeetCall& call);
   void tell(const msg::MeetRelay& relay);
-  void close(const std::string& why);
+  void close(const std::string& why = "too many connections wait to join");
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   [[nodiscard]] const std::string& serial() const noexcept { return serial_; }
   [[nodiscard]] const std::string& peer() const noexcept { return peer_; }
+  [[nodiscard]] const access::Unproven& who() const noexcept { return who_; }
+  /// The site joins from another address, because it has lost the one that it had.
+  [[nodiscard]] bool has_moved() const noexcept { return moved_; }
 
  private:
   void end_after_alert(const boost::system::error_code& failed);
@@ -54,6 +58,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   SiteTls stream_;
   boost::asio::steady_timer beat_;
   std::string peer_;
+  access::Unproven who_;
   Handlers handlers_;
   FrameReader frames_;
   std::array<char, 1024> bytes_{};
@@ -62,6 +67,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   std::vector<std::string> names_;
   std::string serial_;
   bool joined_ = false;
+  bool moved_ = false;
   bool closed_ = false;
 };
 

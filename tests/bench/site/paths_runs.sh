@@ -42,15 +42,20 @@ change() { # WHAT COMMAND…: COMMAND changes the network after 3 s
   read -r _ _ _ gap connections way <"$work/probe.out"
   printf 'change\t%s\t%s\t%s\t%s\n' "$what" "$gap" "$connections" "$way"
 }
-move() { # to another address of the doctor's network
-  ip -n "$doctor" addr flush dev pdoa && ip -n "$doctor" addr add "10.2.0.$1/24" dev pdoa && ip -n "$doctor" route add default via 10.2.0.1
-}
 server_behind port
 for round in 1 2 3 4; do
-  router doctor port
-  change 'UDP cut' router doctor no-udp
-  router doctor port
-  change address move $((10 + round))
-  change 'other router' router doctor symmetric
+  for site_of in doctor patient; do
+    router patient port
+    router doctor port
+    change "UDP cut at the $site_of" router "$site_of" no-udp
+    router "$site_of" port
+    change "other address of the $site_of" move "$site_of" $((10 + round))
+    change "other router of the $site_of" router "$site_of" symmetric
+  done
 done
+server_behind symmetric
+router doctor port
+for round in 1 2 3 4; do change "other address of the patient's router" renumber patient $((20 + round)); done
+router doctor symmetric
+for round in 1 2 3 4; do change "other address of the doctor's router" renumber doctor $((20 + round)); done
 exit $((failures > 0))

@@ -6,6 +6,7 @@
 
 #include "clients/report/figures/energy_figures.h"
 #include "clients/report/summary/report_json.h"
+#include "proto/wire/datagrams/images_way.h"
 #include "tests/clients/report/made_report.h"
 
 namespace telepalp::report {
@@ -268,6 +269,33 @@ TEST(Summary, TellsBothLedgersAndTheWarningsOfHeat) {
   EXPECT_NEAR(s.hand_excess_most_mJ, 7.0, 1e-9);
   EXPECT_EQ(s.heat_warnings, 1U);
   EXPECT_NE(json_of(session).find("\"hand_excess_most\": 7"), std::string::npos);
+}
+
+void tell(Session& session, std::int64_t at_ns, const std::string& text) {
+  msg::StationEvent& event = session.events.emplace_back();
+  event.set_kind(msg::EVENT_KIND_LINK);
+  event.set_stamp_ns(static_cast<std::uint64_t>(session.first_ns.value_or(0) + at_ns));
+  event.set_text(text);
+}
+
+TEST(Summary, NamesTheWayOfImagesAndTouch) {
+  Session session = session_of({.seconds = 4.0});
+  EXPECT_EQ(judge(summarise(session)).account.find("Images and touch went"), std::string::npos);
+  tell(session, 500'000'000, wire::images_come_by_datagram("over a relay (UDP), round trip 43 ms"));
+  EXPECT_NE(judge(summarise(session))
+                .account.find(" Images and touch went by datagrams over a relay (UDP), round trip 43 ms."),
+            std::string::npos)
+      << judge(summarise(session)).account;
+  tell(session, 2'000'000'000, wire::images_come_over_tcp());
+  tell(session, 2'100'000'000, "the server's clock stepped by +2.0 s");
+  tell(session, 2'500'000'000, wire::images_come_by_datagram(""));
+  const Summary s = summarise(session);
+  ASSERT_EQ(s.ways.size(), 3U);
+  EXPECT_NEAR(s.ways[1].from_s, 2.0, 1e-6);
+  EXPECT_NE(judge(s).account.find("; from 2 s on over TCP; from 2.5 s on by datagrams to the server's UDP port."),
+            std::string::npos)
+      << judge(s).account;
+  EXPECT_NE(json_of(session).find("\"way\": \"over TCP\""), std::string::npos) << json_of(session);
 }
 
 TEST(EnergyFigures, DrawBothLedgersAndHeatOnlyWhereItWasNear) {

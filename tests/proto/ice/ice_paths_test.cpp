@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
 #include <string>
 
@@ -18,10 +19,12 @@ struct TwoEnds {
     std::vector<std::optional<PathKind>> told;
     std::size_t datagrams = 0;
     std::vector<msg::IcePath> said;
+    std::vector<std::string> unused_relays;
   };
 
   boost::asio::io_context io{1};
   End server, client;
+  std::vector<msg::IceRelay> relays;
   std::function<bool(const msg::IcePath&)> passes = [](const msg::IcePath&) { return true; };
 
   TwoEnds() {
@@ -40,16 +43,19 @@ struct TwoEnds {
   void make(End& end, End& other, IcePaths::End which) {
     end.paths = std::make_unique<IcePaths>(
         io.get_executor(), IcePaths::Settings{.end = which, .reach = Reach::Loopback, .attempt_lasts = 3s},
-        IcePaths::Handlers{.signal =
-                               [this, &end, &other](const msg::IcePath& message) {
-                                 end.said.push_back(message);
-                                 if (!passes(message)) return;
-                                 boost::asio::post(io, [&other, message] {
-                                   if (other.paths) other.paths->heard(message);
-                                 });
-                               },
-                           .on_datagram = [&end](std::span<const std::byte>) { ++end.datagrams; },
-                           .on_path = [&end](std::optional<PathKind> path) { end.told.push_back(path); }});
+        IcePaths::Handlers{
+            .signal =
+                [this, &end, &other](const msg::IcePath& message) {
+                  end.said.push_back(message);
+                  if (!passes(message)) return;
+                  boost::asio::post(io, [&other, message] {
+                    if (other.paths) other.paths->heard(message);
+                  });
+                },
+            .on_datagram = [&end](std::span<const std::byte>) { ++end.datagrams; },
+            .on_path = [&end](std::optional<PathKind> path) { end.told.push_back(path); },
+            .relays = [this] { return relays; },
+            .on_unused_relay = [&end](const Error& why) { end.unused_relays.push_back(to_string(why)); }});
   }
   template <class Condition>
   bool run_until(Condition condition, std::chrono::milliseconds most = 10s) {
@@ -125,6 +131,33 @@ TEST(IcePaths, IgnoreWhatAPeerMustNotSay) {
   EXPECT_EQ(ends.client.paths->counts().attempts, 1U) << "attempts that follow each other at once are not joined";
   ends.server.paths->heard(message);
   EXPECT_EQ(ends.server.paths->counts().attempts, 0U) << "a client begins no attempt";
+}
+
+TEST(IcePaths, SayAtBothEndsThatARelayDoesNotAnswer) {
+  TwoEnds ends;
+  boost::asio::ip::udp::socket silent(ends.io, {boost::asio::ip::address_v4::loopback(), 0});
+  msg::IceRelay& relay = ends.relays.emplace_back();
+  relay.set_address("127.0.0.1");
+  relay.set_port(silent.local_endpoint().port());
+  relay.set_user("1700000000:ward3");
+  relay.set_password("password");
+  ends.server.paths->begin();
+  ASSERT_TRUE(ends.both_have_paths()) << "a direct path needs no relay";
+  ASSERT_TRUE(
+      ends.run_until([&] { return !ends.server.unused_relays.empty() && !ends.client.unused_relays.empty(); }, 8s));
+  EXPECT_TRUE(ends.server.unused_relays.front().starts_with("relay: the relay at 127.0.0.1 gives no address"))
+      << ends.server.unused_relays.front();
+  EXPECT_EQ(ends.client.unused_relays.size(), 1U);
+}
+
+TEST(IcePaths, SayThatNothingIsSentToARelay) {
+  TwoEnds ends;
+  ends.relays.emplace_back().set_address("224.0.0.1");
+  ends.server.paths->begin();
+  ASSERT_TRUE(ends.both_have_paths());
+  EXPECT_EQ(ends.server.unused_relays.size(), 1U);
+  ASSERT_EQ(ends.client.unused_relays.size(), 1U);
+  EXPECT_NE(ends.client.unused_relays.front().find("224.0.0.1"), std::string::npos);
 }
 
 TEST(IcePaths, ThatAreClosedSayNothingMore) {

@@ -309,5 +309,40 @@ TEST(TouchLease, IsLostBySilenceAndKeptForTheSameDoctorOverALostConnection) {
   EXPECT_TRUE(lease.take({.peer = 5, .serial = "a", .name = "anna"}, start + 24s));
 }
 
+/// A station whose address has changed connects again seconds before the server notices that the older connection is
+/// dead.
+TEST(TouchLease, PassesAtOnceToTheNewConnectionOfTheSameRun) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease lease;
+  EXPECT_TRUE(lease.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_EQ(lease.older_connection({.peer = 2, .run = 10, .serial = "a", .name = "anna"}), 1U);
+  EXPECT_TRUE(lease.take({.peer = 2, .run = 10, .serial = "a", .name = "anna"}, start + 1s));
+  EXPECT_FALSE(lease.renew(1, start + 1s)) << "the older connection has lost the touch";
+  lease.leave(1, false, start + 5s);
+  EXPECT_TRUE(lease.renew(2, start + 6s)) << "the end of the older connection takes nothing away";
+}
+
+TEST(TouchLease, PassesToNoOtherRunAndToNoOtherKeyWhileItsHolderIsThere) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease lease;
+  EXPECT_TRUE(lease.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_FALSE(lease.take({.peer = 2, .run = 11, .serial = "a", .name = "anna"}, start)) << "it moves another device";
+  EXPECT_FALSE(lease.take({.peer = 3, .run = 10, .serial = "b", .name = "bert"}, start))
+      << "a run's number is no proof";
+  EXPECT_TRUE(lease.renew(1, start));
+  access::TouchLease old_programs;
+  EXPECT_TRUE(old_programs.take({.peer = 1, .serial = "a", .name = "anna"}, start));
+  EXPECT_FALSE(old_programs.take({.peer = 2, .serial = "a", .name = "anna"}, start)) << "they state no run";
+}
+
+TEST(TouchLease, PassesToNoNewConnectionOfARunFromWhichItWasTakenAway) {
+  const auto start = std::chrono::steady_clock::now();
+  access::TouchLease lease;
+  EXPECT_TRUE(lease.take({.peer = 1, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_EQ(lease.take_away(start), "anna");
+  EXPECT_FALSE(lease.take({.peer = 2, .run = 10, .serial = "a", .name = "anna"}, start));
+  EXPECT_TRUE(lease.must_accept(10, start));
+}
+
 }  // namespace
 }  // namespace telepalp::server

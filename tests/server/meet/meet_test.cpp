@@ -1,6 +1,4 @@
 // The meeting point with real sites and real callers, on one io_context and loopback.
-#include "server/meet/meet.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/asio/read.hpp>
@@ -8,104 +6,12 @@
 #include <boost/asio/write.hpp>
 
 #include "server/meet/relay/relay_credentials.h"
-#include "server/meet/site/meet_dialer.h"
 #include "server/meet/words/meet_frames.h"
-#include "tests/server/keyed_site.h"
+#include "tests/server/meet/greeting.h"
+#include "tests/server/meet/met_site.h"
 
 namespace telepalp::server {
 namespace {
-
-namespace asio = boost::asio;
-using asio::ip::tcp;
-
-/// A meeting point, and a site that is reached through it alone.
-struct MetSite : KeyedSite {
-  std::vector<std::string> log;  // of the meeting point
-  std::vector<std::string> site_log;
-  meet::RelayDoor relay;
-  std::unique_ptr<meet::Meet> meeting = meet_at(0);
-  std::unique_ptr<meet::MeetDialer> dialer;
-  bool takes = true;
-  std::size_t browsers = 0;
-
-  std::unique_ptr<meet::Meet> meet_at(
-      std::uint16_t port, meet::Meet::Limits limits = {},
-      keys::IsRevoked is_revoked = [](const keys::Identity&) { return false; }) {
-    auto made = meet::Meet::listen(io, {.address = "127.0.0.1",
-                                        .port = port,
-                                        .key = *host_key("meet", {"127.0.0.1", "meet.example"}),
-                                        .is_revoked = std::move(is_revoked),
-                                        .relay = relay,
-                                        .log = [this](const std::string& text) { log.push_back(text); },
-                                        .limits = limits});
-    EXPECT_TRUE(made.ok()) << (made ? "" : to_string(made.error()));
-    return std::move(made).value();
-  }
-  std::shared_ptr<const keys::KeyFile> host_key(const std::string& name, const std::vector<std::string>& hosts) const {
-    return KeyRing::read(
-        ring.authority.server_key({.name = name, .now = ring.now, .valid = std::chrono::days(1)}, hosts));
-  }
-  std::unique_ptr<meet::MeetDialer> dial(const std::vector<std::string>& names) {
-    auto started = meet::MeetDialer::start(io, {.host = "127.0.0.1",
-                                                .port = meeting->port(),
-                                                .key = host_key(names.front(), names),
-                                                .on_caller =
-                                                    [this](tcp::socket socket, const meet::MeetDialer::Caller& caller) {
-                                                      browsers += caller.is_browser ? 1 : 0;
-                                                      listener->admit(std::move(socket));
-                                                    },
-                                                .takes = [this](const meet::MeetDialer::Caller&) { return takes; },
-                                                .log = [this](const std::string& text) { site_log.push_back(text); }});
-    EXPECT_TRUE(started.ok());
-    return std::move(started).value();
-  }
-  bool site_says(const std::string& words) const {
-    return std::ranges::any_of(site_log,
-                               [&](const std::string& line) { return line.find(words) != std::string::npos; });
-  }
-};
-
-/// A doctor's program that knows the site's name, and the meeting point's address.
-struct Caller {
-  std::vector<wire::Message> messages;
-  std::vector<std::string> details;
-  wire::ClientLink link;
-
-  Caller(MetSite& met, std::string site, std::shared_ptr<const keys::KeyFile> key)
-      : link(met.io,
-             {.host = "127.0.0.1",
-              .port = met.meeting->port(),
-              .site = std::move(site),
-              .name = "test",
-              .role = "doctor",
-              .key = std::move(key),
-              .subscribes = {"*"}},
-             {.on_message = [this](const wire::Message& message) { messages.push_back(message); },
-              .on_state = [this](wire::LinkState, const std::string& detail) { details.push_back(detail); }}) {
-    link.start();
-  }
-  [[nodiscard]] bool connected() const { return link.state() == wire::LinkState::Connected; }
-};
-
-/// The site's server has the key of the name `ward3`.
-struct Meeting : testing::Test {
-  MetSite met;
-  void SetUp() override {
-    met.listener.reset();  // the audit log is locked while the one before it lives
-    met.access.reset();
-    auto opened = access::Access::with_key(
-        {.key = met.ring.server_key(met.ring.now, {"ward3", "ward3.example"}), .revoked = {}, .audit = {}, .say = {}});
-    ASSERT_TRUE(opened.ok());
-    met.access = std::move(opened).value();
-    auto made = hub::PeerListener::listen(met.io, met.hub, met.clock, {.port = 0, .access = met.access});
-    ASSERT_TRUE(made.ok());
-    met.listener = std::move(made).value();
-  }
-  void join(const std::vector<std::string>& names = {"ward3", "ward3.example"}) {
-    met.dialer = met.dial(names);
-    ASSERT_TRUE(met.run_until([this] { return met.dialer->has_joined(); }));
-  }
-};
 
 TEST_F(Meeting, JoinsADoctorWithTheSiteThatHeNames) {
   join();
@@ -134,17 +40,45 @@ TEST(Relay, CredentialsAreThoseThatTheRelayComputes) {
 TEST_F(Meeting, GivesAJoinedSiteCredentialsForItsRelay) {
   join();
   EXPECT_TRUE(met.dialer->relays().empty()) << "this meeting point has no relay";
-  met.relay = {.address = "127.0.0.1", .port = 3478, .secret = "0123456789abcdef"};
+  met.relay = {.address = "192.0.2.1", .port = 3478, .secret = "0123456789abcdef"};
   met.dialer.reset();
   met.meeting.reset();
   met.meeting = met.meet_at(0);
   join();
   ASSERT_TRUE(met.run_until([this] { return !met.dialer->relays().empty(); }));
   const msg::IceRelay told = met.dialer->relays().front();
-  EXPECT_EQ(told.address(), "127.0.0.1");
+  EXPECT_EQ(told.address(), "192.0.2.1");
   EXPECT_EQ(told.port(), 3478U);
   EXPECT_EQ(told.tcp_port(), met.meeting->port());
   EXPECT_EQ(told.password().size(), 28U) << "20 bytes in Base64";
+}
+
+TEST_F(Meeting, ASiteSaysOnceThatItsRelayIsAtAnAddressToWhichNothingIsSent) {
+  met.relay = {.address = "127.0.1.1", .port = 3478, .secret = "0123456789abcdef"};
+  met.meeting = met.meet_at(0);
+  join();
+  ASSERT_TRUE(met.run_until([this] { return met.site_says("relay: the relay's address is 127.0.1.1, a loopback"); }));
+  EXPECT_TRUE(met.site_says("fix: on the meeting point's computer, name the relay by its public address"));
+  EXPECT_TRUE(met.dialer->relays().empty());
+  const std::uint16_t port = met.meeting->port();
+  met.meeting.reset();
+  ASSERT_TRUE(met.run_until([&] { return !met.dialer->has_joined(); }));
+  met.meeting = met.meet_at(port);
+  ASSERT_TRUE(met.run_until([&] { return met.dialer->has_joined(); }, 10s));
+  EXPECT_FALSE(met.run_until([&] { return met.times_said("127.0.1.1") > 1; }, 300ms));
+}
+
+TEST(Relay, IsRefusedAtAnAddressWhereNoSiteReachesIt) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path secret = folder.path() / "relay.secret";
+  std::ofstream(secret) << "0123456789abcdef\n";
+  for (const char* const host : {"127.0.1.1", "localhost", "0.0.0.0", "169.254.1.1", "224.0.0.1", "::1"}) {
+    const auto door = meet::relay_door(host, 3478, secret);
+    ASSERT_FALSE(door.ok()) << host;
+    EXPECT_NE(to_string(door.error()).find("at which no site reaches it"), std::string::npos)
+        << to_string(door.error());
+  }
+  EXPECT_TRUE(meet::relay_door("192.0.2.1", 3478, secret).ok());
 }
 
 /// The first bytes of a TURN client, and all that follow, reach the relay as they are; its answer comes back.
@@ -236,6 +170,35 @@ TEST_F(Meeting, TakesASiteBackAfterItsOwnRestart) {
   EXPECT_TRUE(met.run_until([&] { return met.meeting->sites() == 1; }));
 }
 
+TEST_F(Meeting, JoinsACallerAgainAtOnceWithASiteWhoseAddressHasChanged) {
+  join();
+  Caller anna(met, "ward3", met.ring.key("anna", keys::Role::Doctor));
+  ASSERT_TRUE(met.run_until([&] { return anna.connected(); }));
+  met.has_address = false;
+  ASSERT_TRUE(met.run_until([&] { return !met.dialer->has_joined(); }, 1s)) << "without waiting for silence";
+  met.has_address = true;
+  ASSERT_TRUE(met.run_until([&] { return anna.link.counts().connections == 2; }, 2s));
+  EXPECT_TRUE(met.site_says("this computer's address has changed"));
+  EXPECT_TRUE(std::ranges::any_of(
+      met.log, [](const std::string& line) { return line.find("has changed: 1 stream ends") != std::string::npos; }));
+  EXPECT_TRUE(met.run_until([&] { return met.meeting->streams() == 1; })) << "the old one has ended";
+  met.hub.publish(message(wire::kClock, "after the change"));
+  EXPECT_TRUE(
+      met.run_until([&] { return !anna.messages.empty() && anna.messages.back().topic.name == wire::kClock.name; }));
+}
+
+TEST_F(Meeting, KeepsTheStreamsOfASiteThatComesAgainFromTheSameAddress) {
+  const auto key = met.host_key("ward3", {"ward3"});
+  met.dialer = met.dial_with(key);
+  ASSERT_TRUE(met.run_until([this] { return met.dialer->has_joined(); }));
+  Caller anna(met, "ward3", met.ring.key("anna", keys::Role::Doctor));
+  ASSERT_TRUE(met.run_until([&] { return anna.connected(); }));
+  met.dialer = met.dial_with(key);
+  ASSERT_TRUE(met.run_until([this] { return met.dialer->has_joined(); }));
+  EXPECT_FALSE(met.run_until([&] { return anna.link.counts().connections > 1 || !anna.connected(); }, 500ms));
+  EXPECT_EQ(met.meeting->streams(), 1U);
+}
+
 TEST_F(Meeting, TakesNoSiteWithARevokedKeyOrOfAnotherAuthority) {
   met.meeting = met.meet_at(0, {}, [](const keys::Identity&) { return true; });
   met.dialer = met.dial({"ward3"});
@@ -273,6 +236,45 @@ TEST_F(Meeting, LetsASiteAndADoctorInWhileStrangersHoldEachPlace) {
   join();
   Caller anna(met, "ward3", met.ring.key("anna", keys::Role::Doctor));
   EXPECT_TRUE(met.run_until([&] { return anna.connected(); }));
+}
+
+/// Strangers whom the site has not thrown out yet.
+TEST_F(Meeting, LetsADoctorInWhileStrangersHoldEachStreamOfTheSite) {
+  met.meeting = met.meet_at(0, {.calls = {.waiting_per_site = 8, .streams_per_site = 16}});
+  join();
+  const std::string hello = meet::greeting("ward3");
+  std::vector<tcp::socket> silent;
+  for (int i = 0; i < 16; ++i) {
+    tcp::socket& one = silent.emplace_back(met.io);
+    one.open(tcp::v4());
+    one.bind({asio::ip::make_address("127.0.0.2"), 0});
+    one.connect({asio::ip::make_address("127.0.0.1"), met.meeting->port()});
+    asio::write(one, asio::buffer(hello));
+    ASSERT_TRUE(met.run_until([&] { return met.meeting->streams() == silent.size(); }));
+  }
+  Caller anna(met, "ward3", met.ring.key("anna", keys::Role::Doctor));
+  EXPECT_TRUE(met.run_until([&] { return anna.connected(); }, 2s)) << "a stranger has lost its place";
+  EXPECT_LE(met.meeting->streams(), 17U);
+}
+
+TEST_F(Meeting, RefusesACallerRatherThanADoctorWhoHasBeenLetIn) {
+  met.meeting = met.meet_at(0, {.calls = {.streams_per_site = 1}});
+  join();
+  Caller anna(met, "ward3", met.ring.key("anna", keys::Role::Doctor));
+  ASSERT_TRUE(met.run_until([&] { return anna.connected(); }));
+  EXPECT_FALSE(met.run_until([&] { return !anna.connected(); }, 7500ms)) << "until she is no stranger any more";
+  Caller bert(met, "ward3", met.ring.key("bert", keys::Role::Doctor), "viewer");
+  ASSERT_TRUE(met.run_until([&] { return met.meeting->counts().refused > 0; }));
+  EXPECT_TRUE(anna.connected());
+  EXPECT_EQ(anna.link.counts().connections, 1U);
+}
+
+TEST_F(Meeting, SaysOnceThatTheMeetingPointCannotBeReached) {
+  join();
+  met.meeting.reset();
+  EXPECT_FALSE(met.run_until([&] { return met.times_said("no connection with the meeting point") > 2; }, 4s))
+      << "the end of the connection, and why it cannot be made again; not each of four attempts";
+  EXPECT_TRUE(met.site_says("; this server tries again"));
 }
 
 TEST_F(Meeting, JoinsNobodyWithAGuessedToken) {
