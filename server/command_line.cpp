@@ -5,7 +5,6 @@
 #include "server/capture/capture_source.h"
 #include "server/hub/peer_listener.h"
 #include "server/pipeline/depth_options.h"
-#include "server/voice/room_voice.h"
 #include "support/program/address.h"
 #include "support/program/default_ports.h"
 #include "support/program/files/shipped.h"
@@ -45,13 +44,12 @@ program::Usage usage() {
                        .repeatable = true},
                       {"viewer", "DIR", "the web viewer's files; default: beside this program"},
                       {"record-dir", "DIR", "folder for the web page's recordings; default: none"},
-                      {"voice", "alsa[:DEVICE]", "hear and speak in the patient's room; begins muted"},
-                      {"voice-open", "", "open the microphone of --voice at the start"},
+                      {"voice", "DEVICE", "the room's sound: alsa[:NAME], muted; open:alsa[:NAME]"},
                       {"compare-dir", "DIR", "folder of sessions to compare; default: none"},
                       {"record-key", "FILE", "recorder's key file for --record-dir; needed with --key"},
                       {"ready-file", "FILE", "write the ports to FILE once it listens; default: none"},
                       {"depth-mode", "MODE", "fast, intra, temporal; to view alone: bounded", "fast"},
-                      {"depth-bound", "LEAST,PER_M2", "error at z m: max(LEAST, PER_M2 z²) mm; default: 1,2.85"},
+                      {"depth-bound", "A,B", "error at z m: max(A, B z²) mm; default: 1,2.85"},
                       {"key-every", "N", "temporal, bounded: every Nth frame is a key frame", "12"},
                       {"jpeg-quality", "1..100", "quality of colour images", "85"},
                       {"video-rate", "KBIT/S", "rate of colour as video", "800"},
@@ -171,12 +169,9 @@ Result<std::filesystem::path> compare_option(const program::Arguments& arguments
   return std::filesystem::path(arguments.text("compare-dir"));
 }
 
-Result<std::optional<std::string>> voice_option(const program::Arguments& arguments) {
-  if (!arguments.has("voice")) {
-    if (arguments.has("voice-open")) return no_effect_without("voice", "voice-open");
-    return std::optional<std::string>{};
-  }
-  const Result<std::string> device = voice::alsa_device(arguments.text("voice"));
+Result<std::optional<voice::RoomDevice>> voice_option(const program::Arguments& arguments) {
+  if (!arguments.has("voice")) return std::optional<voice::RoomDevice>{};
+  const Result<voice::RoomDevice> device = voice::room_device(arguments.text("voice"));
   if (!device) return device.error();
   return std::optional(*device);
 }
@@ -215,8 +210,8 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
   if (!recorder) return recorder.error();
   const Result<std::filesystem::path> compare_folder = compare_option(arguments);
   if (!compare_folder) return compare_folder.error();
-  const Result<std::optional<std::string>> voice = voice_option(arguments);
-  if (!voice) return voice.error();
+  const Result<std::optional<voice::RoomDevice>> room_voice = voice_option(arguments);
+  if (!room_voice) return room_voice.error();
   return Asked{.source = arguments.text("source"),
                .loop = *loop,
                .seconds = std::chrono::duration<double>(*seconds),
@@ -235,8 +230,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                .health = *health,
                .meet = *meet,
                .recorder = *recorder,
-               .voice_device = *voice,
-               .voice_open = arguments.has("voice-open"),
+               .room_voice = *room_voice,
                .compare_folder = *compare_folder};
 }
 

@@ -12,6 +12,7 @@
 #include "server/recording/session_recorder.h"
 #include "server/relay/relay_options.h"
 #include "server/server.h"
+#include "server/voice/room_voice.h"
 #include "support/program/options.h"
 
 namespace telepalp::server {
@@ -33,8 +34,7 @@ struct Asked {
   std::optional<gateway::HealthPort::Options> health;           // nullopt: no port for monitoring
   std::optional<meet::MeetDialer::Options> meet;                // nullopt: no meeting point
   std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing
-  std::optional<std::string> voice_device;                      // of ALSA; nullopt: the server does not hear the room
-  bool voice_open = false;                                      // the room's microphone, from the start
+  std::optional<voice::RoomDevice> room_voice;                  // nullopt: the server does not hear the room
   std::filesystem::path compare_folder;                         // empty: the played session is compared with no other
 };
 

@@ -190,12 +190,13 @@ Result<void> open_recorder(Parts& parts, Asked& asked) {
 
 /// Before the gateway, whose visitors open the microphone and speak at the same side.
 Result<void> open_voice(Parts& parts, Asked& asked) {
-  if (!asked.voice_device) return {};
+  if (!asked.room_voice) return {};
   auto floor = asked.gateway ? asked.gateway->patient_floor : std::make_shared<voice::VoiceFloor>();
-  parts.voice = std::make_unique<voice::RoomVoice>(
-      parts.io, parts.server->hub(), parts.server->clock(),
-      voice::RoomVoice::Options{
-          .device = *asked.voice_device, .is_open = asked.voice_open, .floor = std::move(floor), .log = log_line});
+  parts.voice = std::make_unique<voice::RoomVoice>(parts.io, parts.server->hub(), parts.server->clock(),
+                                                   voice::RoomVoice::Options{.device = asked.room_voice->name,
+                                                                             .is_open = asked.room_voice->is_open,
+                                                                             .floor = std::move(floor),
+                                                                             .log = log_line});
   parts.voice->session_is_played(bool(parts.origin->offer().playback));
   if (asked.gateway) asked.gateway->more_metrics = [&parts] { return parts.voice ? parts.voice->metrics() : ""; };
   return {};

@@ -11,7 +11,6 @@
 namespace telepalp::voice {
 namespace {
 
-constexpr std::string_view kAlsa = "alsa";
 constexpr int kMostWaiting = 25;  // frames; half a second, after which the network thread is too busy to speak
 
 std::string metric(const char* name, const char* type, const char* help, std::uint64_t value) {
@@ -30,13 +29,17 @@ Result<bool> read_open(const std::string& json) {
 
 }  // namespace
 
-Result<std::string> alsa_device(const std::string& text) {
-  if (text == kAlsa) return std::string("default");
-  const std::string_view begin = "alsa:";
-  if (text.starts_with(begin) && text.size() > begin.size()) return text.substr(begin.size());
+Result<RoomDevice> room_device(const std::string& text) {
+  constexpr std::string_view kOpen = "open:";
+  constexpr std::string_view kNamed = "alsa:";
+  const bool is_open = text.starts_with(kOpen);
+  const std::string device = is_open ? text.substr(kOpen.size()) : text;
+  if (device == "alsa") return RoomDevice{.name = "default", .is_open = is_open};
+  if (device.starts_with(kNamed) && device.size() > kNamed.size())
+    return RoomDevice{.name = device.substr(kNamed.size()), .is_open = is_open};
   return Error{.what = "'" + text + "' is not a way to hear the room",
                .where = "--voice",
-               .fix = "give alsa, or alsa:DEVICE with a name that arecord -L lists"};
+               .fix = "give alsa, alsa:NAME with a name that arecord -L lists, or open:alsa:NAME to begin unmuted"};
 }
 
 RoomVoice::RoomVoice(boost::asio::io_context& network, hub::Hub& hub, const wire::SessionClock& clock, Options options)

@@ -21,8 +21,13 @@
 
 namespace telepalp::voice {
 
-/// The device of `--voice alsa[:DEVICE]`. Error: the text begins with another word.
-[[nodiscard]] Result<std::string> alsa_device(const std::string& text);
+/// How `--voice` names the sound of the room.
+struct RoomDevice {
+  std::string name;      ///< of ALSA
+  bool is_open = false;  ///< the microphone, from the start
+};
+/// Reads alsa[:NAME] or open:alsa[:NAME]. Error: the text has another form.
+[[nodiscard]] Result<RoomDevice> room_device(const std::string& text);
 
 /// Microphone and loudspeaker of the patient's room, at the server itself: it publishes /patient/voice while the
 /// microphone is open, and plays /doctor/voice. The microphone begins closed. A device that is not there, or is taken

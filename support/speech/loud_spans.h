@@ -38,8 +38,7 @@ class LoudSpans {
 
   std::vector<Spoken> spans_;
   double noise_dB_ = -60.0;
-  Nanoseconds pause_ = std::chrono::milliseconds(500);  // longest pause within a span
-  SessionTime end_{};                                   // of the newest frame
+  SessionTime end_{};  // of the newest frame
 };
 
 }  // namespace telepalp::speech

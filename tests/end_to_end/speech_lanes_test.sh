@@ -25,7 +25,7 @@ pcm.room_in { type file slave.pcm nothing file /dev/null infile "$PWD/said.raw" 
 pcm.room { type asym capture.pcm room_in playback.pcm nothing }
 EOF
 ALSA_CONFIG_PATH=$PWD/asoundrc start site telepalp-server --source synthetic:torso,width=160 --port 0 --ready-file site.ready \
-  --voice alsa:room --voice-open
+  --voice open:alsa:room
 site=$(value_of site port)
 wait_for "the open microphone" site.log "the microphone of the room is open"
 telepalp-record --connect "127.0.0.1:$site" --out "$cluster/ward3/a.mcap" --consent "form 1, until 2199-01-01" \

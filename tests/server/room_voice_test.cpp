@@ -264,9 +264,13 @@ TEST_F(Room, NobodySpeaksIntoARecordedSession) {
 }
 
 TEST(AlsaDevice, IsReadFromTheCommandLine) {
-  EXPECT_EQ(alsa_device("alsa").value(), "default");
-  EXPECT_EQ(alsa_device("alsa:hw:1,0").value(), "hw:1,0");
-  for (const char* wrong : {"", "pulse", "alsa:", "alsax"}) EXPECT_FALSE(alsa_device(wrong)) << wrong;
+  EXPECT_EQ(room_device("alsa")->name, "default");
+  EXPECT_FALSE(room_device("alsa")->is_open);
+  EXPECT_EQ(room_device("alsa:hw:1,0")->name, "hw:1,0");
+  EXPECT_EQ(room_device("open:alsa:hw:1,0")->name, "hw:1,0");
+  EXPECT_TRUE(room_device("open:alsa")->is_open);
+  for (const char* wrong : {"", "pulse", "alsa:", "alsax", "open:", "open:pulse"})
+    EXPECT_FALSE(room_device(wrong)) << wrong;
 }
 
 }  // namespace
