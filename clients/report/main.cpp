@@ -11,6 +11,7 @@
 #include "clients/report/session/session_file.h"
 #include "clients/report/summary/report_json.h"
 #include "proto/wire/mcap/notes_file.h"
+#include "proto/wire/mcap/sealed/sealed_text.h"
 #include "support/images/image_file.h"
 #include "support/program/ending.h"
 #include "support/program/files/whole_file.h"
@@ -69,6 +70,11 @@ Result<std::filesystem::path> session_of(const std::filesystem::path& asked) {
                .fix = "name a session file, or a folder that telepalp-replay --out wrote"};
 }
 
+bool is_encrypted(const std::filesystem::path& session) {
+  const auto header = wire::mcap::header_of(session);
+  return header && header.value().has_value();
+}
+
 Result<void> write_report(const std::filesystem::path& asked, const std::filesystem::path& folder,
                           const report::PathLimits& path) {
   const Result<std::filesystem::path> session_file = session_of(asked);
@@ -102,6 +108,9 @@ Result<void> write_report(const std::filesystem::path& asked, const std::filesys
     std::cerr << "view.png is not drawn: the session holds no depth image that can be decoded, or no calibration of "
                  "its camera\n";
   }
+  if (is_encrypted(file))
+    std::cerr << "the session is encrypted, this report of it is not: keep " << folder.string()
+              << " on an encrypted disk\n";
   std::cout << verdict.headline << "\n";
   for (std::size_t i = 0; i < verdict.causes.size(); ++i) {
     const report::Cause& cause = verdict.causes[i];

@@ -1,7 +1,7 @@
 #include "server/origin/session_inbox.h"
 
 #include <algorithm>
-#include <fstream>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kSpare_B = std::uintmax_t{1} << 30;  // left free on the disk, for recordings
 constexpr std::size_t kLongestName = 100;
 constexpr std::string_view kPart = ".part";
+constexpr std::string_view kPartial = ".partial";  // of wire::mcap::OutputFile, until it is published
 constexpr const char* kPartExample =
     "send JSON such as {\"name\": \"a.mcap\", \"from\": 0, \"data\": BASE64, \"complete\": true}";
 
@@ -24,8 +25,8 @@ Error refused(std::string what, const std::string& name, std::string fix) {
   return {.what = std::move(what), .where = name.substr(0, kLongestName), .fix = std::move(fix)};
 }
 
-/// Whether `part` may be written behind what `growing` has.
-Result<void> check_part(const msg::SessionPart& part, const fs::path& whole, const fs::path& growing) {
+/// Whether `part` may be written behind the `present` bytes of the same file.
+Result<void> check_part(const msg::SessionPart& part, const fs::path& whole, std::uint64_t present) {
   const std::string& name = part.name();
   if (!name.ends_with(".mcap") || !is_plain_name(name) || name.starts_with('.') || name.size() > kLongestName)
     return refused("this is no name of a session", name,
@@ -33,20 +34,11 @@ Result<void> check_part(const msg::SessionPart& part, const fs::path& whole, con
   std::error_code unknown;
   if (fs::exists(whole, unknown))
     return refused("the server has a session of this name already", name, "open it in the list, or rename your file");
-  const std::uintmax_t present = part.from() == 0 ? 0 : fs::file_size(growing, unknown);
-  if (unknown || present != part.from())
+  if (part.from() != 0 && part.from() != present)
     return refused("this part does not follow the part that came last", name, "send the file again from its beginning");
   if (fs::space(whole.parent_path(), unknown).available < kSpare_B + part.data().size())
     return refused("the disk of the server's recordings has less than 1 GiB left", name, "free space on the disk");
   return {};
-}
-
-Result<void> append(const msg::SessionPart& part, const fs::path& growing) {
-  std::ofstream stream(growing, std::ios::binary | (part.from() == 0 ? std::ios::trunc : std::ios::app));
-  stream.write(part.data().data(), static_cast<std::streamsize>(part.data().size()));
-  stream.flush();
-  if (stream) return {};
-  return refused("the part cannot be written", growing.string(), "check the folder of --record-dir on the server");
 }
 
 /// The names of the files in `folder` that were not brought to their end.
@@ -56,6 +48,7 @@ std::vector<std::string> unfinished(const fs::path& folder) {
   for (auto entry = fs::directory_iterator(folder, problem); !problem && entry != fs::directory_iterator();
        entry.increment(problem)) {
     std::string name = entry->path().filename().string();
+    if (name.ends_with(kPartial)) name.resize(name.size() - kPartial.size());
     if (!name.ends_with(".mcap" + std::string(kPart))) continue;
     name.resize(name.size() - kPart.size());
     names.push_back(std::move(name));
@@ -86,25 +79,54 @@ void SessionInbox::take(const std::string& json, const std::string& who, Resourc
   const auto present = growing_.find(part.name());
   if (present != growing_.end() && present->second.is_checked)
     return done(refused("this file is whole, and is being checked", part.name(), "wait until the list has it"));
-  const Result<void> checked = check_part(part, options_.folder / part.name(), part_of(part.name()));
-  if (!checked) return done(checked);
-  if (const Result<void> written = append(part, part_of(part.name())); !written) return done(written);
-  growing_[part.name()].last_part = std::chrono::steady_clock::now();
+  const std::uint64_t bytes = present == growing_.end() ? 0 : present->second.bytes;
+  if (const Result<void> checked = check_part(part, options_.folder / part.name(), bytes); !checked)
+    return done(checked);
+  if (const Result<void> written = append(part); !written) {
+    growing_.erase(part.name());
+    remove(part.name(), "a part could not be written");
+    return done(written);
+  }
   if (part.complete()) return check(part, who, done);
   look_for_abandoned();
   done({});
 }
 
-/// Reads the index of the whole file on a thread of the pool.
+/// A file that is encrypted already stays as it is.
+Result<void> SessionInbox::append(const msg::SessionPart& part) {
+  Growing& growing = growing_[part.name()];
+  if (part.from() == 0) {
+    if (growing.file) growing.file->discard();
+    growing = {};
+    const bool is_encrypted = part.data().starts_with(wire::mcap::kSealedMagic);
+    auto file = wire::mcap::OutputFile::create(
+        part_of(part.name()), is_encrypted ? wire::mcap::Protection::None : wire::mcap::Protection::OfSite);
+    if (!file) return file.error();
+    growing.file.emplace(*std::move(file));
+  }
+  if (Result<void> written = growing.file->append(part.data()); !written) return written;
+  growing.bytes += part.data().size();
+  growing.last_part = std::chrono::steady_clock::now();
+  return {};
+}
+
+/// Completes the file and reads its index on a thread of the pool, because the network thread does not wait for the
+/// disk.
 void SessionInbox::check(const msg::SessionPart& last, const std::string& who, const Resource::Done& done) {
-  growing_[last.name()].is_checked = true;
+  Growing& growing = growing_[last.name()];
+  growing.is_checked = true;
+  // Shared, because the pool's functions can be copied.
+  const auto file = std::make_shared<wire::mcap::OutputFile>(*std::exchange(growing.file, std::nullopt));
   playback::PlaybackSpec spec;
   spec.file = part_of(last.name()).string();
   pool_.run<bool>(
-      [spec, clock = clock_](const Progress& progress) -> Result<bool> {
+      [spec, file, clock = clock_](const Progress& progress) -> Result<bool> {
+        if (const Result<void> completed = file->publish(); !completed) return completed.error();
         const auto opened = playback::SessionPlayer::open(spec, true, clock, progress);
-        if (!opened) return opened.error();
-        return true;
+        if (opened) return true;
+        return Error{.what = "this is no session file that this server can read: " + opened.error().what,
+                     .where = spec.file,
+                     .fix = opened.error().fix};
       },
       [](double) {},
       [this, name = last.name(), who, done](const Result<bool>& readable) {
@@ -119,9 +141,8 @@ Result<void> SessionInbox::accept(const std::string& name, const Result<bool>& r
   std::error_code failed;
   if (readable) fs::rename(part_of(name), options_.folder / name, failed);
   if (readable && !failed) return {};
-  std::error_code ignored;
-  fs::remove(part_of(name), ignored);
-  if (!readable) return refused("this is no session file: " + readable.error().what, name, readable.error().fix);
+  (void)remove_part(name);
+  if (!readable) return refused(readable.error().what, name, readable.error().fix);
   return refused("the file cannot be renamed: " + failed.message(), name,
                  "check the folder of --record-dir on the server");
 }
@@ -151,9 +172,15 @@ void SessionInbox::look_for_abandoned() {
   });
 }
 
-void SessionInbox::remove(const std::string& name, const char* why) {
+bool SessionInbox::remove_part(const std::string& name) const {
   std::error_code failed;
-  if (!fs::remove(part_of(name), failed) || failed || !options_.say) return;
+  const bool was_whole = fs::remove(part_of(name), failed);
+  const bool was_growing = fs::remove(part_of(name).string() + std::string(kPartial), failed);
+  return was_whole || was_growing;
+}
+
+void SessionInbox::remove(const std::string& name, const char* why) {
+  if (!remove_part(name) || !options_.say) return;
   options_.say("the unfinished session file " + name + std::string(kPart) + " is removed: " + why +
                ". fix: bring the file again");
 }

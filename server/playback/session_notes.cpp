@@ -4,7 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "proto/wire/mcap/format/place.h"
 #include "proto/wire/mcap/notes_file.h"
+#include "proto/wire/mcap/sealed/sealed_text.h"
 #include "proto/words/numbers/utc_text.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/message_json.h"
@@ -36,11 +38,11 @@ Result<SessionNotes> SessionNotes::open(const std::filesystem::path& session, do
                                         msg::SessionNotes live) {
   Result<msg::SessionNotes> notes = wire::read_notes(session, std::move(live));
   if (!notes) return notes.error();
-  return SessionNotes(wire::notes_file(session), duration_s, std::move(*notes));
+  return SessionNotes(session, duration_s, std::move(*notes));
 }
 
-SessionNotes::SessionNotes(std::filesystem::path file, double duration_s, msg::SessionNotes notes)
-    : file_(std::move(file)), duration_s_(duration_s), notes_(std::move(notes)) {}
+SessionNotes::SessionNotes(std::filesystem::path session, double duration_s, msg::SessionNotes notes)
+    : session_(std::move(session)), duration_s_(duration_s), notes_(std::move(notes)) {}
 
 Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
   if (command.has_remove() && !place_of(notes_, command.remove()))
@@ -78,14 +80,22 @@ Result<void> SessionNotes::apply(const std::string& json, const std::string& who
     changed.set_last_number(note.number());
     insert(changed, std::move(note));
   }
+  if (const Result<void> stored = store(changed); !stored) return stored;
+  notes_ = std::move(changed);
+  return {};
+}
+
+Result<void> SessionNotes::store(const msg::SessionNotes& changed) const {
   const std::string text = program::to_json(changed);
   if (text == "{}")
     return wrong("the name of the note's writer is not UTF-8 text",
                  "sign in with a key whose name is UTF-8 text");  // such a file would have lost all notes
-  const Result<void> written = program::write_whole_file(file_, text, program::Readers::Group);
-  if (!written) return written.error();
-  notes_ = std::move(changed);
-  return {};
+  if (wire::mcap::place_of(session_) != nullptr)
+    return wrong("a session in a cluster has no file for notes",
+                 "copy the session to a folder (telepalp-record copy), and play the copy");
+  const Result<std::string> bytes = wire::mcap::text_beside(session_, text);
+  if (!bytes) return bytes.error();
+  return program::write_whole_file(wire::notes_file(session_), *bytes, program::Readers::Group);
 }
 
 }  // namespace telepalp::playback

@@ -114,9 +114,13 @@ TEST_F(Expire, ADryRunSaysWhatItWouldDeleteAndChangesNothing) {
 }
 
 TEST_F(Expire, DeletesWhatTheDryRunNamedWithItsNotesAndLogsIt) {
+  constexpr const char* kHalfWritten = ".form1.mcap.notes.json.0123abcd.unfinished";  // by a server that was killed
+  constexpr const char* kOfAnother = ".young.mcap.notes.json.0123abcd.unfinished";
+  for (const char* name : {kHalfWritten, kOfAnother}) std::ofstream(in("folder") / name) << R"({"notes":[]})";
   EXPECT_EQ(expire({"--delete"}), 0) << log();
-  for (const char* name : {"form1.mcap", "form1.mcap.notes.json", "form2.mcap"}) EXPECT_FALSE(has(name)) << name;
-  for (const char* name : {"young.mcap", "other.txt"}) EXPECT_TRUE(has(name)) << name;
+  for (const char* name : {"form1.mcap", "form1.mcap.notes.json", kHalfWritten, "form2.mcap"})
+    EXPECT_FALSE(has(name)) << name;
+  for (const char* name : {"young.mcap", kOfAnother, "other.txt"}) EXPECT_TRUE(has(name)) << name;
   EXPECT_NE(deletions().find("event=delete by=\"account "), std::string::npos) << deletions();
   EXPECT_NE(deletions().find("event=deleted file=\"form1.mcap\""), std::string::npos) << deletions();
   EXPECT_NE(deletions().find("consent=\"signed form 1\" reason=\"its consent was withdrawn: form 1\""),

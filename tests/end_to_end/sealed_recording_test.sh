@@ -37,12 +37,33 @@ cmp plain.mcap back.mcap || fail "the copies differ"
 telepalp-export a.mcap --csv /camera/status --out status.csv >export.log 2>&1 || fail "export" export.log
 telepalp-report a.mcap --out report >report.log 2>&1 || fail "report" report.log
 telepalp-replay a.mcap --seconds 2 --out replay >replay.log 2>&1 || fail "replay" replay.log
-telepalp-server --source session:a.mcap,from_s=1 --port 0 --ready-file player.ready >player.log 2>&1 &
+telepalp-server --source session:a.mcap,from_s=1 --port 0 --http-port 0 --ready-file player.ready >player.log 2>&1 &
 background+=($!)
 telepalp-view --connect "127.0.0.1:$(port_of player)" --snapshot played.png --patience 20 >view.log 2>&1 || fail "no picture of the encrypted session" view.log
 
-# A copy that names nobody is given away, so it is not encrypted.
+# A note on it is encrypted, too, and is read by whoever reads the session.
+page=http://127.0.0.1:$(sed -n 's/^http_port=//p' player.ready)
+note='a mass under the ninth rib'
+curl -sf -m 10 -d "{\"at_s\": 1.5, \"text\": \"$note\"}" "$page/playback/notes" >noted.json || fail "a note" player.log
+grep -q "$note" noted.json || fail "the note is not listed" noted.json
+[ "$(head -c 8 a.mcap.notes.json)" = TPSEAL01 ] || fail "the notes are not encrypted"
+grep -qa "ninth" a.mcap.notes.json && fail "the notes can be read without a key"
+telepalp-report a.mcap --out noted >report.log 2>&1 || fail "report with notes" report.log
+grep -q "$note" noted/report.html || fail "the report does not list the note"
+grep -q "keep noted on an encrypted disk" report.log || fail "a report that is not encrypted is not said" report.log
+telepalp-record copy a.mcap --plain --out plain_noted.mcap >copy.log 2>&1 || fail "a plain copy with notes" copy.log
+grep -q "and the notes on it" copy.log || fail "the copy says nothing of the notes" copy.log
+grep -q "$note" plain_noted.mcap.notes.json || fail "the plain copy's notes are not plain" plain_noted.mcap.notes.json
+telepalp-record copy plain_noted.mcap --out noted_again.mcap >copy.log 2>&1 || fail "an encrypted copy with notes" copy.log
+[ "$(head -c 8 noted_again.mcap.notes.json)" = TPSEAL01 ] || fail "the encrypted copy's notes are plain"
+echo '{}' >taken.mcap.notes.json
+telepalp-record copy a.mcap --out taken.mcap >taken.log 2>&1 && fail "notes of another session become the copy's" taken.log
+[ ! -e taken.mcap ] || fail "a refused copy is there"
+
+# A copy that names nobody is given away, so it is not encrypted, and has no notes.
 telepalp-export a.mcap --deidentify given.mcap --out given.txt >given.log 2>&1 || fail "deidentify" given.log
+grep -q "1 note on the session" given.txt || fail "the notes are not told" given.txt
+[ ! -e given.mcap.notes.json ] || fail "the copy to give away has notes"
 env -u TELEPALP_SITE_KEYS telepalp-record info given.mcap >given_info.log 2>&1 || fail "the copy to give away is encrypted" given_info.log
 
 # Damage is said, and the rest is read.
@@ -70,6 +91,14 @@ telepalp-keys site-key --name next --dir keys >keys.log 2>&1 || fail "the next k
 tail -c +513 a.mcap | sha256sum >before
 TELEPALP_SITE_KEYS=keys/next-site.pub:keys/ward3-site.key telepalp-record reseal a.mcap >reseal.log 2>&1 || fail "reseal" reseal.log
 tail -c +513 a.mcap | sha256sum | cmp - before || fail "reseal changed more than the header"
+TELEPALP_SITE_KEYS=keys/next-site.key telepalp-report a.mcap --out resealed >report.log 2>&1 || fail "report with the new key" report.log
+grep -q "$note" resealed/report.html || fail "the new key does not decrypt the notes"
+cp plain_noted.mcap.notes.json a.mcap.notes.json  # as an older version left them
+TELEPALP_SITE_KEYS=keys/next-site.pub telepalp-record reseal a.mcap >reseal.log 2>&1 || fail "reseal of plain notes" reseal.log
+[ "$(head -c 8 a.mcap.notes.json)" = TPSEAL01 ] || fail "reseal leaves the notes plain"
+printf x | dd of=a.mcap.notes.json bs=1 seek=600 conv=notrunc 2>/dev/null
+TELEPALP_SITE_KEYS=keys/next-site.key telepalp-report a.mcap --out torn >torn.log 2>&1 && fail "damaged notes are not noticed" torn.log
+grep -q "a.mcap.notes.json: was altered" torn.log || fail "damaged notes are not named" torn.log
 telepalp-record info a.mcap >old.log 2>&1 && fail "the old key still decrypts" old.log
 TELEPALP_SITE_KEYS=keys/next-site.key telepalp-record verify a.mcap >new.log 2>&1 || fail "the new key does not decrypt" new.log
 TELEPALP_SITE_KEYS=keys/next-site.key telepalp-record reseal plain.mcap >plain.log 2>&1 && fail "a plain session is given a key" plain.log

@@ -12,6 +12,8 @@
 #include "proto/wire/mcap/format/byte_source.h"
 #include "proto/wire/mcap/sealed/sealed_header.h"
 #include "proto/wire/mcap/sealed/sealed_source.h"
+#include "proto/wire/mcap/sealed/sealed_stream.h"
+#include "proto/wire/mcap/sealed/sealed_text.h"
 #include "proto/wire/mcap/sealed/sealer.h"
 #include "proto/wire/mcap/writing/output_file.h"
 #include "tests/support/child_process.h"
@@ -211,6 +213,84 @@ TEST_F(SealedSession, WithoutAKeyOrWhenItIsGivenAwayItIsNotEncrypted) {
   EXPECT_EQ(bytes_of(write("content", 100, Protection::None)), "content");
   ::unsetenv("TELEPALP_SITE_KEYS");
   EXPECT_EQ(bytes_of(write("content", 100, Protection::OfSite)), "content");
+}
+
+TEST_F(SealedSession, ATextBesideItIsEncryptedForTheSameKeyByWhoeverHasThePublicPart) {
+  const fs::path session = write("content", 100, Protection::OfSite);
+  use(make_key("next").string() + ":" + in("ward3.pub").string());
+  const Result<std::string> beside = text_beside(session, "a note");
+  ASSERT_TRUE(beside) << to_string(beside.error());
+  EXPECT_EQ(beside->find("a note"), std::string::npos);
+  EXPECT_NE(text_of(*beside, "n").error().what.find("decrypts nothing"), std::string::npos);
+  use(in("ward3.key"));
+  EXPECT_EQ(*text_of(*beside, "n"), "a note") << "whoever reads the session reads the note";
+  EXPECT_EQ(*text_of("a note", "n"), "a note") << "an older version wrote it";
+  use(in("next.key"));
+  EXPECT_NE(text_beside(session, "a note").error().what.find("which is not given"), std::string::npos);
+}
+
+TEST_F(SealedSession, ATextBesideAPlainSessionIsPlainAndBesideANewOneIsEncrypted) {
+  EXPECT_EQ(*text_beside(write("content", 100, Protection::None), "a note"), "a note");
+  EXPECT_EQ(text_beside(in("new.mcap"), "a note")->find("a note"), std::string::npos);
+  ::unsetenv("TELEPALP_SITE_KEYS");
+  EXPECT_EQ(*text_beside(in("new.mcap"), "a note"), "a note");
+}
+
+TEST_F(SealedSession, EachAlteredOrMissingByteOfATextIsNoticed) {
+  const std::string note = "tender here, second rib";
+  const std::string sealed = *sealed_text(*keys::SiteKey::load(in("ward3.key")), note);
+  ASSERT_EQ(sealed.size(), note.size() + kSealedTextExtra_B);
+  for (std::size_t at = kSealedMagic.size(); at < sealed.size(); ++at) {
+    std::string altered = sealed;
+    altered[at] = static_cast<char>(altered[at] ^ 1);
+    EXPECT_FALSE(text_of(altered, "n")) << at;
+    EXPECT_FALSE(text_of(sealed.substr(0, at), "n")) << at;
+  }
+  EXPECT_FALSE(text_of(sealed + "x", "n"));
+}
+
+TEST_F(SealedSession, ABlockOfTheSessionIsNoTextBesideIt) {
+  const std::string session = bytes_of(write("content", 100, Protection::OfSite));
+  EXPECT_FALSE(text_of(session, "n"));
+  const auto source = decrypted(in_memory(*sealed_text(*keys::SiteKey::load(in("ward3.key")), "a note"), "n"));
+  ASSERT_TRUE(source);
+  EXPECT_EQ((*source)->size(), 0U) << "nor is a text a session";
+}
+
+TEST_F(SealedSession, AStreamIsEncryptedAndReadsUpToItsLastFlush) {
+  const std::string content = noise(3 * kSealedBlockBytes + 500, 11);
+  const fs::path file = in("run.journal");
+  {
+    const auto out = create_stream(file);
+    ASSERT_TRUE(out) << to_string(out.error());
+    **out << content << std::flush;
+    EXPECT_EQ(bytes_of(file).find(content.substr(0, 32)), std::string::npos);
+    **out << "lost";
+    ASSERT_TRUE((*out)->good());
+    EXPECT_EQ(read(file) == content, true) << "what was flushed is there after a crash";
+  }
+  const auto back = open_stream(file);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(**back), {}).substr(0, content.size()) == content, true);
+  EXPECT_EQ(fs::status(file).permissions() & fs::perms::others_all, fs::perms::none);
+  use(make_key("ward4"));
+  EXPECT_FALSE(open_stream(file));
+}
+
+TEST_F(SealedSession, AStreamWithoutAKeyIsPlainAndADamagedOneEndsBeforeTheDamage) {
+  const std::string content = noise(3 * kSealedBlockBytes, 12);
+  const auto write_stream = [&](const fs::path& file) { (**create_stream(file) << content).flush(); };
+  write_stream(in("sealed.journal"));
+  std::string damaged = bytes_of(in("sealed.journal"));
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+  put(in("damaged.journal"), damaged);
+  const auto part = open_stream(in("damaged.journal"));
+  ASSERT_TRUE(part);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(**part), {}) == content.substr(0, kSealedBlockBytes), true);
+  ::unsetenv("TELEPALP_SITE_KEYS");
+  write_stream(in("plain.journal"));
+  EXPECT_EQ(bytes_of(in("plain.journal")) == content, true);
+  EXPECT_FALSE(create_stream(in("none/plain.journal")));
 }
 
 /// A sink that is full after some bytes.

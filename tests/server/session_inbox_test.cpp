@@ -5,9 +5,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "messages/station.pb.h"
+#include "proto/keys/seal/site_key.h"
+#include "proto/keys/secret/private_key.h"
+#include "proto/wire/mcap/format/byte_source.h"
+#include "proto/wire/mcap/sealed/sealed_header.h"
 #include "support/program/message_json.h"
 #include "tests/proto/mcap_samples.h"
 
@@ -97,7 +103,7 @@ TEST_F(Inbox, WhatIsNoSessionIsRemovedAndAudited) {
 TEST_F(Inbox, AFileThatIsBrokenOffIsRemovedAndSaid) {
   const auto inbox = this->inbox(50ms);
   EXPECT_TRUE(outcome(*inbox, part("a.mcap", 0, "the first part", false)));
-  EXPECT_EQ(files(), std::vector<std::string>{"a.mcap.part"});
+  EXPECT_EQ(files(), std::vector<std::string>{"a.mcap.part.partial"});
   for (int rounds = 0; !files().empty() && rounds < 100; ++rounds) io_.run_one_for(50ms);
   EXPECT_TRUE(files().empty());
   ASSERT_EQ(said_.size(), 1U);
@@ -106,11 +112,75 @@ TEST_F(Inbox, AFileThatIsBrokenOffIsRemovedAndSaid) {
 }
 
 TEST_F(Inbox, WhatAnEarlierServerLeftUnfinishedIsRemoved) {
-  std::ofstream(folder_ / "old.mcap.part") << "half";
-  std::ofstream(folder_ / "other.part") << "not ours";
+  for (const char* name : {"old.mcap.part", "young.mcap.part.partial", "other.part", "running.mcap.partial"})
+    std::ofstream(folder_ / name) << "half";
   const auto inbox = this->inbox();
-  EXPECT_EQ(files(), std::vector<std::string>{"other.part"});
-  EXPECT_EQ(said_.size(), 1U);
+  std::vector<std::string> left = files();
+  std::ranges::sort(left);
+  EXPECT_EQ(left, (std::vector<std::string>{"other.part", "running.mcap.partial"})) << "a recording is not ours";
+  EXPECT_EQ(said_.size(), 2U);
+}
+
+/// A site's key in use, as telepalp-keys site-key makes it.
+class SealedInbox : public Inbox {
+ protected:
+  void SetUp() override {
+    Inbox::SetUp();
+    fs::create_directories(keys_);
+    const Result<keys::OwnKey> own = keys::make_private_key("");
+    const std::string shown = *keys::public_text(*own->key);
+    std::ofstream(keys_ / "ward.key") << shown + own->text;
+    std::ofstream(keys_ / "ward.pub") << shown;
+    fs::permissions(keys_ / "ward.key", fs::perms::owner_read | fs::perms::owner_write);
+    use("ward.key");
+  }
+  void TearDown() override {
+    ::unsetenv("TELEPALP_SITE_KEYS");
+    fs::remove_all(keys_);
+    Inbox::TearDown();
+  }
+  void use(const char* key) const { ::setenv("TELEPALP_SITE_KEYS", (keys_ / key).c_str(), 1); }
+  /// Bytes of a file in the folder.
+  [[nodiscard]] std::string stored(const std::string& name) const {
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  [[nodiscard]] static bool shows(const std::string& bytes, const std::string& content) {
+    return bytes.find(content.substr(0, 24)) != std::string::npos;
+  }
+
+  fs::path keys_ = fs::path(testing::TempDir()) / ("session_inbox_keys_" + std::to_string(::getpid()));
+};
+
+TEST_F(SealedInbox, ASessionIsEncryptedWhileItComes) {
+  const auto inbox = this->inbox();
+  const std::size_t half = session_.size() / 2;
+  ASSERT_TRUE(outcome(*inbox, part("a.mcap", 0, session_.substr(0, half), false)));
+  EXPECT_TRUE(stored("a.mcap.part.partial").starts_with(wire::mcap::kSealedMagic));
+  EXPECT_FALSE(shows(stored("a.mcap.part.partial"), session_));
+  ASSERT_TRUE(outcome(*inbox, part("a.mcap", half, session_.substr(half), true)));
+  EXPECT_EQ(files(), std::vector<std::string>{"a.mcap"});
+  EXPECT_FALSE(shows(stored("a.mcap"), session_));
+  std::string all;
+  const auto source = wire::mcap::open_session(folder_ / "a.mcap");
+  ASSERT_TRUE(source) << to_string(source.error());
+  ASSERT_TRUE((*source)->read(0, static_cast<std::size_t>((*source)->size()), all));
+  EXPECT_EQ(all == session_, true);
+}
+
+TEST_F(SealedInbox, AnEncryptedSessionStaysAsItIs) {
+  ASSERT_TRUE(outcome(*inbox(), part("a.mcap", 0, session_, true)));
+  const std::string sealed = stored("a.mcap");
+  ASSERT_TRUE(outcome(*inbox(), part("b.mcap", 0, sealed, true)));
+  EXPECT_EQ(stored("b.mcap") == sealed, true);
+}
+
+TEST_F(SealedInbox, AServerThatOnlyEncryptsRefusesASessionAndKeepsNothingOfIt) {
+  use("ward.pub");
+  const Result<void> refused = outcome(*inbox(), part("a.mcap", 0, session_, true));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("decrypts nothing"), std::string::npos) << refused.error().what;
+  EXPECT_TRUE(files().empty());
 }
 
 }  // namespace

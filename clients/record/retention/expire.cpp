@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSession = ".mcap";
 constexpr std::string_view kUnfinished = ".mcap.partial";
+constexpr std::string_view kUnfinishedCopy = ".unfinished";  // as program::write_whole_file() names one
 constexpr const char* kCannotBeDeleted = "cannot be deleted";
 
 WallTime wall_time(std::uint64_t ns) {
@@ -71,18 +72,35 @@ FoundSession look_at(const fs::path& file, const RetentionRules& rules, WallTime
   return found;
 }
 
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
 /// Deletes `file` if it exists, and writes the folder to the disk, so that the file does not come back after a crash.
 Result<void> unlink_file(const fs::path& file) {
   if (::unlink(file.c_str()) != 0 && errno != ENOENT)
     return Error{.what = std::string(kCannotBeDeleted) + ": " + std::strerror(errno),
                  .where = file.string(),
                  .fix = "check the folder and your permissions, then run the command again"};
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int descriptor = ::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0) {
     (void)::fsync(descriptor);
     ::close(descriptor);
   }
+  return {};
+}
+
+/// Deletes the notes on `session`, and copies of them that a server left unfinished when it was killed.
+Result<void> unlink_notes(const fs::path& session) {
+  const fs::path notes = wire::notes_file(session);
+  const std::string beginning = "." + notes.filename().string() + ".";
+  std::vector<fs::path> files{notes};
+  std::error_code problem;
+  for (fs::directory_iterator entry(folder_of(session), problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(beginning) && name.ends_with(kUnfinishedCopy)) files.push_back(entry->path());
+  }
+  for (const fs::path& file : files)
+    if (Result<void> gone = unlink_file(file); !gone) return gone;
   return {};
 }
 
@@ -124,7 +142,7 @@ Result<void> remove(const FoundSession& session, RetentionLog& log, const std::s
   if (const Result<void> noted = log.note("delete by=" + keys::audit_text(by) + " " + what); !noted) return noted;
   // The notes first: if the computer stops in between, the next run finds the session again; it would not find notes
   // whose session is gone.
-  Result<void> gone = unlink_file(wire::notes_file(session.file));
+  Result<void> gone = unlink_notes(session.file);
   if (gone) gone = unlink_file(session.file);
   const std::string outcome =
       gone ? "deleted " + what : "not-deleted " + what + " why=" + keys::audit_text(gone.error().what);

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdio>
 #include <optional>
+#include <string_view>
 
 #include "clients/record/file_commands.h"
 #include "clients/record/store/cluster_terms.h"
@@ -59,6 +60,18 @@ Result<std::optional<std::chrono::days>> keep_days(const program::Arguments& arg
   return std::optional(std::chrono::days(*days));
 }
 
+std::string_view in_words(CopiedNotes notes) {
+  switch (notes) {
+    case CopiedNotes::Copied:
+      return ", and the notes on it";
+    case CopiedNotes::LeftOut:
+      return "; a cluster keeps no notes, so those beside the session are not copied";
+    case CopiedNotes::None:
+      break;
+  }
+  return "";
+}
+
 int run_copy(const program::Arguments& arguments) {
   if (arguments.positional().size() != 1 || !arguments.has("out"))
     return asked_wrongly("copy needs one session, and a new one named by --out", copy_usage());
@@ -68,9 +81,10 @@ int run_copy(const program::Arguments& arguments) {
   if (!keep) return program::fail(keep.error(), program::kAskedWrongly);
   options.keep = *keep;
   const std::string out = arguments.text("out");
-  const Result<std::uint64_t> bytes = copy_whole(arguments.positional().front(), out, options);
-  if (!bytes) return program::fail(bytes.error());
-  program::log(kProgram, out + ": " + counted(*bytes, "byte", "bytes") + ", all of the session");
+  const Result<WholeCopy> copy = copy_whole(arguments.positional().front(), out, options);
+  if (!copy) return program::fail(copy.error());
+  program::log(kProgram, out + ": " + counted(copy->bytes, "byte", "bytes") + ", all of the session" +
+                             std::string(in_words(copy->notes)));
   return program::kDone;
 }
 

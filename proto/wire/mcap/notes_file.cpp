@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "proto/wire/mcap/reader.h"
+#include "proto/wire/mcap/sealed/sealed_text.h"
 #include "proto/words/error_line.h"
 
 namespace telepalp::wire {
@@ -95,22 +96,31 @@ std::filesystem::path notes_file(const std::filesystem::path& session) {
   return file;
 }
 
-Result<msg::SessionNotes> read_notes(const std::filesystem::path& session, msg::SessionNotes live) {
+Result<std::optional<std::string>> notes_text(const std::filesystem::path& session) {
   const std::filesystem::path file = notes_file(session);
   std::error_code problem;
-  if (!std::filesystem::exists(file, problem)) return live;
-  if (std::filesystem::file_size(file, problem) > kMostFile_B || problem)
+  if (!std::filesystem::exists(file, problem)) return std::optional<std::string>();
+  if (std::filesystem::file_size(file, problem) > kMostFile_B + mcap::kSealedTextExtra_B || problem)
     return unreadable(file, "this is not a file of notes: it is not a regular file, or larger than 4 MiB");
   std::ifstream in(file, std::ios::binary);
-  const std::string json{std::istreambuf_iterator<char>(in), {}};
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in)
     return Error{.what = "the notes cannot be read",
                  .where = file.string(),
                  .fix = "allow the user of this program to read the file, or move the file away"};
+  Result<std::string> text = mcap::text_of(std::move(bytes), file.string());
+  if (!text) return text.error();
+  return std::optional(*std::move(text));
+}
+
+Result<msg::SessionNotes> read_notes(const std::filesystem::path& session, msg::SessionNotes live) {
+  const std::filesystem::path file = notes_file(session);
+  const Result<std::optional<std::string>> json = notes_text(session);
+  if (!json) return json.error();
+  if (!*json) return live;
   msg::SessionNotes notes;
-  if (const auto parsed = google::protobuf::util::JsonStringToMessage(json, &notes); !parsed.ok()) {
+  if (const auto parsed = google::protobuf::util::JsonStringToMessage(**json, &notes); !parsed.ok())
     return unreadable(file, "the JSON cannot be read: " + first_line(std::string(parsed.message())));
-  }
   if (notes.notes_size() > kMostNotes) return unreadable(file, "the file has more than 1000 notes");
   if (!std::all_of(notes.notes().begin(), notes.notes().end(), has_a_time))
     return unreadable(file, "the field at_s of a note is not a number of seconds, 0 or more");

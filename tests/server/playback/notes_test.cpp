@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 
+#include "proto/keys/seal/site_key.h"
+#include "proto/keys/secret/private_key.h"
+#include "proto/wire/mcap/format/place.h"
 #include "proto/wire/mcap/notes_file.h"
+#include "proto/wire/mcap/sealed/sealed_text.h"
 #include "proto/wire/mcap/writer.h"
 #include "proto/wire/topics.h"
 #include "server/playback/session_notes.h"
@@ -89,6 +95,97 @@ TEST_F(Notes, AFileThatHoldsNoNotesIsNamedAndNotOverwritten) {
     EXPECT_NE(opened.error().where.find("a.mcap.notes.json"), std::string::npos);
     EXPECT_EQ(std::filesystem::file_size(file), wrong.size());
   }
+}
+
+/// A session that is encrypted with a site's key.
+struct SealedNotes : Notes {
+  void SetUp() override {
+    Notes::SetUp();
+    make_key("ward");
+    make_key("other");
+    use("ward.key");
+    auto writer = std::move(wire::McapWriter::open(session, {}).value());
+    ASSERT_TRUE(writer.close());
+    ASSERT_NE(wire::mcap::header_of(session).value(), std::nullopt);
+  }
+  void TearDown() override {
+    ::unsetenv("TELEPALP_SITE_KEYS");
+    Notes::TearDown();
+  }
+  void make_key(const std::string& name) const {
+    const Result<keys::OwnKey> own = keys::make_private_key("");
+    const std::string shown = *keys::public_text(*own->key);
+    std::ofstream(folder / (name + ".key")) << shown + own->text;
+    std::ofstream(folder / (name + ".pub")) << shown;
+    std::filesystem::permissions(folder / (name + ".key"),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  }
+  void use(const char* key) const { ::setenv("TELEPALP_SITE_KEYS", (folder / key).c_str(), 1); }
+  [[nodiscard]] std::string stored() const {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+};
+
+TEST_F(SealedNotes, AreEncryptedAsTheirSessionIsAndOpenAgain) {
+  SessionNotes notes = open();
+  ASSERT_TRUE(notes.apply(R"({"at_s": 3, "text": "a mass under the ninth rib"})", "doctor Anna", kNow));
+  ASSERT_TRUE(notes.apply(R"({"at_s": 4, "text": "no rebound"})", "doctor Anna", kNow));
+  EXPECT_TRUE(stored().starts_with(wire::mcap::kSealedMagic));
+  for (const char* shown : {"rib", "rebound", "Anna", "notes"}) EXPECT_EQ(stored().find(shown), std::string::npos);
+  EXPECT_EQ(program::to_json(open().all()), program::to_json(notes.all()));
+}
+
+TEST_F(SealedNotes, AnotherKeyDoesNotOpenThemAndDoesNotOverwriteThem) {
+  ASSERT_TRUE(open().apply(R"({"at_s": 3, "text": "one"})", "", kNow));
+  const std::string before = stored();
+  for (const char* key : {"other.key", "ward.pub"}) {
+    use(key);
+    const auto opened = SessionNotes::open(session, 60.0, {});
+    ASSERT_FALSE(opened) << key;
+    EXPECT_NE(opened.error().fix.find("name the private part"), std::string::npos) << to_string(opened.error());
+  }
+  EXPECT_EQ(stored() == before, true);
+}
+
+TEST_F(SealedNotes, WhoeverHasThePublicPartAloneWritesWhatTheOwnerReads) {
+  SessionNotes notes = open();
+  use("ward.pub");
+  ASSERT_TRUE(notes.apply(R"({"at_s": 3, "text": "one"})", "", kNow));
+  use("ward.key");
+  EXPECT_EQ(open().all().notes(0).text(), "one");
+}
+
+TEST_F(SealedNotes, ADamagedFileIsNamedAndNotOverwritten) {
+  ASSERT_TRUE(open().apply(R"({"at_s": 3, "text": "one"})", "", kNow));
+  const std::string whole = stored();
+  std::string altered = whole;
+  altered.back() = static_cast<char>(altered.back() ^ 1);
+  for (const std::string& damaged : {altered, whole.substr(0, whole.size() - 1), whole.substr(0, 100)}) {
+    write(damaged);
+    const auto opened = SessionNotes::open(session, 60.0, {});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(to_string(opened.error()).find("a.mcap.notes.json"), std::string::npos) << to_string(opened.error());
+    EXPECT_EQ(stored() == damaged, true);
+  }
+}
+
+TEST_F(SealedNotes, ThoseOfAnOlderVersionAreReadAndEncryptedWithTheNextChange) {
+  write(R"({"notes": [{"number": "1", "at_s": 1, "text": "old"}], "last_number": "1"})");
+  SessionNotes notes = open();
+  ASSERT_EQ(notes.all().notes_size(), 1);
+  ASSERT_TRUE(notes.apply(R"({"at_s": 3, "text": "new"})", "", kNow));
+  EXPECT_EQ(stored().find("old"), std::string::npos);
+  EXPECT_EQ(open().all().notes_size(), 2);
+}
+
+TEST_F(Notes, OnASessionInAClusterAreRefusedWithTheWayOut) {
+  wire::mcap::add_place({.beginning = "nats://", .open = {}, .create = {}});
+  auto notes = SessionNotes::open("nats://127.0.0.1/ward3/a.mcap", 60.0, {});
+  ASSERT_TRUE(notes);
+  const Result<void> refused = notes->apply(R"({"at_s": 1, "text": "one"})", "", kNow);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().fix.find("telepalp-record copy"), std::string::npos);
 }
 
 TEST_F(Notes, BeginWithTheMomentsThatWereMarkedDuringTheSession) {

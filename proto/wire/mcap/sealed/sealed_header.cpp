@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "proto/wire/mcap/format/compression.h"
+#include "proto/wire/mcap/sealed/given_key.h"
 #include "proto/words/little_endian.h"
 
 namespace telepalp::wire::mcap {
@@ -60,17 +61,9 @@ Result<std::optional<SealedHeader>> header_in(std::string_view bytes, const std:
 }
 
 Result<keys::FileKey> file_key_of(const SealedHeader& header, const std::string& file) {
-  const Result<std::vector<keys::SiteKey>> site_keys = keys::site_keys_of_environment();
-  if (!site_keys) return site_keys.error();
-  const keys::SiteKey* found = nullptr;
-  for (const keys::SiteKey& key : *site_keys)
-    if (key.id() == header.site_key_id && (found == nullptr || key.has_private_part())) found = &key;
-  if (found == nullptr)
-    return Error{.what = "is encrypted with the site's key " + keys::in_hexadecimal_digits(header.site_key_id) +
-                         ", which is not given",
-                 .where = file,
-                 .fix = "name the private part of this key in the environment: TELEPALP_SITE_KEYS=NAME.key"};
-  return found->open(header.closed_key, header.about_key(), keys::ask_passphrase);
+  const Result<keys::SiteKey> site = given_site_key(header.site_key_id, file);
+  if (!site) return site.error();
+  return site->open(header.closed_key, header.about_key(), keys::ask_passphrase);
 }
 
 }  // namespace telepalp::wire::mcap
