@@ -14,6 +14,7 @@
 #include "clients/record/live/session_files.h"
 #include "clients/report/figures/speech_figures.h"
 #include "clients/report/session/session_file.h"
+#include "messages/voice.pb.h"
 #include "server/playback/session_events.h"
 #include "tests/proto/mcap_samples.h"
 #include "tests/support/spoken_messages.h"
