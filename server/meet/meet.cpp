@@ -13,7 +13,7 @@
 #include "proto/wire/sockets/tcp_socket.h"
 #include "proto/words/counted.h"
 #include "server/meet/site/site_session.h"
-#include "server/meet/splice.h"
+#include "server/meet/caller/splice.h"
 
 namespace telepalp::meet {
 namespace {

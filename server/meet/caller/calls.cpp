@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "proto/words/demand.h"
-#include "server/meet/splice.h"
+#include "server/meet/caller/splice.h"
 #include "server/meet/words/meet_frames.h"
 
 namespace telepalp::meet {

@@ -1,4 +1,4 @@
-#include "server/meet/splice.h"
+#include "server/meet/caller/splice.h"
 
 #include <array>
 #include <boost/asio/buffer.hpp>
