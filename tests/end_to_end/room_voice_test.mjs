@@ -60,6 +60,7 @@ before(async () => {
   browser = await openBrowser(place.folder, {width: 1000, height: 800});
   await browser.page.goto(`${address}?view=technician&mesh=off`);
   await untilStatus(browser.page, 'the page is connected', (now) => now.connected);
+  if (!(await browser.page.isVisible('#side'))) await browser.page.keyboard.press('d');
 });
 after(async () => {
   await browser?.context.close();

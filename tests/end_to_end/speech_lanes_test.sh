@@ -43,7 +43,7 @@ lanes_of() { # NAME SESSION
       for (;;) {
         const {speech} = await (await fetch(`http://127.0.0.1:${process.argv[1]}/playback/events`)).json();
         if (speech.length > 0 || Date.now() > until)
-          return console.log(speech.length, speech.reduce((sum, one) => sum + one.untilS - one.fromS, 0).toFixed(1), speech.every((one) => !one.doctor));
+          return console.log(speech.length, speech.reduce((sum, one) => sum + one.until_s - one.from_s, 0).toFixed(1), speech.every((one) => !one.doctor));
         await new Promise((done) => setTimeout(done, 100));
       }
     })()' "$port"
