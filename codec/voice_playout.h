@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -19,15 +18,14 @@ struct VoicePacket {
   std::uint32_t number = 0;
   std::uint32_t begun = 0;  ///< number of the first frame since the talker opened the microphone
   std::string opus{};
-  SessionTime spoken{};  ///< when its first sample was at the microphone, on the listener's clock; 0: not known
 };
 
 /// The jitter buffer between a network and a loudspeaker. Packets come late, twice, in another order, or never; the
 /// loudspeaker takes 20 ms of sound at a time. The delay follows the path: with it, 99.5 % of the frames of the last
 /// ten seconds would have been there when their turn came, in their own packet or repeated in the next one. A missing
 /// frame is restored from the next one, or concealed. Where the delay no longer fits, or the two clocks drift apart,
-/// single frames are skipped or stretched. hold() lengthens the delay so that speech waits for its picture. Holds at
-/// most one second of frames. Pure: times are arguments, of any steady clock of the listener.
+/// single frames are skipped or stretched. Holds at most one second of frames. Pure: times are arguments, of any steady
+/// clock of the listener.
 class VoicePlayout {
  public:
   static constexpr Nanoseconds kLeastDelay = std::chrono::milliseconds(5);
@@ -52,12 +50,6 @@ class VoicePlayout {
   /// The sound of the 20 ms from `now` on. To be called each 20 ms.
   [[nodiscard]] Played next(SessionTime now);
 
-  /// From now on the delay is at least `least_delay`, at most kMostDelay: see LipSync.
-  void hold(Nanoseconds least_delay) noexcept;
-  /// How old the fastest frames of the last ten seconds were when they arrived; nullopt: none came, or they state no
-  /// time.
-  [[nodiscard]] std::optional<Nanoseconds> fastest_age() const noexcept;
-
   struct Counts {
     std::uint64_t played = 0;     ///< frames decoded from their own packets
     std::uint64_t restored = 0;   ///< frames decoded from repetitions
@@ -71,7 +63,7 @@ class VoicePlayout {
   };
   [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
   /// What the buffer adds to the delay of the fastest frames.
-  [[nodiscard]] Nanoseconds delay() const noexcept { return std::max(delay_, held_); }
+  [[nodiscard]] Nanoseconds delay() const noexcept { return delay_; }
 
  private:
   [[nodiscard]] bool has_come(std::uint32_t number) const noexcept;
@@ -98,9 +90,7 @@ class VoicePlayout {
   std::vector<Nanoseconds> transits_;  // of the newest frames: arrival minus the talker's time; a ring
   std::size_t newest_transit_ = 0;     // its place in the ring
   Nanoseconds least_transit_{};        // of transits_
-  Nanoseconds delay_ = kLeastDelay;    // that the path needs
-  Nanoseconds held_{};                 // by hold()
-  std::optional<Nanoseconds> spoken_;  // session time at which the talker's frame 0 was spoken
+  Nanoseconds delay_ = kLeastDelay;
   VoiceDecoder decoder_;
   Counts counts_;
 };

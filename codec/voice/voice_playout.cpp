@@ -56,17 +56,7 @@ void VoicePlayout::restart() {
   recent_ = 0;
   missing_ = 0;
   delay_ = kLeastDelay;
-  spoken_.reset();
   decoder_.restart();
-}
-
-void VoicePlayout::hold(Nanoseconds least_delay) noexcept {
-  held_ = std::clamp(least_delay, Nanoseconds{}, kMostDelay);
-}
-
-std::optional<Nanoseconds> VoicePlayout::fastest_age() const noexcept {
-  if (transits_.empty() || !spoken_) return std::nullopt;
-  return least_transit_ - *spoken_;
 }
 
 void VoicePlayout::add(VoicePacket packet, SessionTime arrived) {
@@ -87,7 +77,6 @@ void VoicePlayout::add(VoicePacket packet, SessionTime arrived) {
     return;
   }
   note_transit(transit);
-  if (packet.spoken != SessionTime{}) spoken_ = packet.spoken.time_since_epoch() - time_of(packet.number);
   // The frame before it, which is missing, can be restored from now on.
   const bool follows_gap = recent_ != 0 && packet.number > newest_ + 1 && packet.number > packet.begun;
   if (follows_gap) note_transit(transit + Nanoseconds(kVoiceFrameTime));
@@ -117,7 +106,7 @@ void VoicePlayout::note_transit(Nanoseconds transit) {
 }
 
 double VoicePlayout::behind(SessionTime now) const noexcept {
-  const Nanoseconds turn = now.time_since_epoch() - least_transit_ - delay() - time_of(*next_);
+  const Nanoseconds turn = now.time_since_epoch() - least_transit_ - delay_ - time_of(*next_);
   return to_seconds(turn) / to_seconds(kVoiceFrameTime);
 }
 

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr auto kLookEvery = 250ms;
 constexpr std::chrono::milliseconds kFirstPause = 1s, kLongestPause = 30s;
 constexpr auto kOldPathStays = 3s;      // datagrams that are on their way still arrive
-constexpr auto kBetterPathWithin = 5s;  // an attempt to do without the relay may last so long
+constexpr auto kBetterPathWithin = 5s;  // after this, an attempt to find a path without the relay ends
 constexpr auto kRelayAnswersWithin = 5s;
 constexpr std::size_t kMostAttempts = 3;
 constexpr std::size_t kMostRelays = 4;
@@ -132,7 +132,7 @@ void IcePaths::tell_candidate(Number number, const Candidate& candidate) {
   handlers_.signal(message);
 }
 
-/// Says what is wrong with a relay that has given no address. libnice itself waits for 40 s for a silent one.
+/// Reports a relay that has given no address. libnice itself would wait 40 s for a relay that does not answer.
 void IcePaths::candidates_end(Number number) {
   const auto attempt = attempts_.find(number);
   if (closed_ || attempt == attempts_.end()) return;

@@ -34,6 +34,11 @@ std::pair<std::vector<std::size_t>, std::size_t> most_frequent(const std::vector
 
 }  // namespace
 
+Unproven newcomer(const ip::tcp::socket& socket) {
+  boost::system::error_code gone;
+  return {.from = socket.remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()};
+}
+
 ip::address network_of(const ip::address& address) {
   if (address.is_v6() && !address.to_v6().is_v4_mapped()) return network_of_v6(address.to_v6());
   const ip::address_v4 v4 = address.is_v4() ? address.to_v4() : ip::make_address_v4(ip::v4_mapped, address.to_v6());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -13,6 +14,9 @@ struct Unproven {
   boost::asio::ip::address from{};
   std::chrono::steady_clock::time_point since{};  ///< when it was accepted
 };
+
+/// The connection of `socket`, accepted now. Its address stays 0.0.0.0 if the other end has gone already.
+[[nodiscard]] Unproven newcomer(const boost::asio::ip::tcp::socket& socket);
 
 /// The network of an address: its first 64 bits for IPv6, its first 24 for IPv4, also for IPv4 in IPv6. One machine or
 /// one subscriber of a provider can take each address of such a network.

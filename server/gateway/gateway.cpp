@@ -148,8 +148,7 @@ void Gateway::accept() {
 }
 
 void Gateway::admit(tcp::socket socket) {
-  boost::system::error_code gone;
-  make_room({.from = socket.remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()});
+  make_room(access::newcomer(socket));
   if (context_->connections.size() < context_->options.max_connections)
     start_http_connection(std::move(socket), context_);
   else

@@ -68,8 +68,11 @@ class Peer : private wire::ConnectionOwner {
   Peer& operator=(const Peer&) = delete;
 
   void close(const std::string& reason) { connection_->close(reason); }
-  /// Doctor `who` at another peer has accepted the touch (the right to publish as a station) that this peer offered.
-  void give_touch_to(const keys::Identity& who) { connection_->close(touch_.lose_to(who)); }
+  /// Doctor `who` at another peer has the touch (the right to publish as a station) now: by accepting this peer's
+  /// offer, or because the station of this peer has connected again.
+  void give_touch_to(const keys::Identity& who) {
+    connection_->close(touch_.lose_to(who, who_ && who_->serial == who.serial));
+  }
   [[nodiscard]] std::uint32_t sender() const noexcept { return sender_; }
   [[nodiscard]] std::string from() const { return connection_->peer(); }  ///< ADDRESS:PORT
 

@@ -95,7 +95,7 @@ PeerSite PeerListener::site_for_peers() {
           .relays = options_.relays,
           .note_relay =
               [this](const Error& why) {
-                if (std::exchange(noted_of_relay_, to_string(why)) != to_string(why)) note(noted_of_relay_);
+                if (said_of_relay_.is_new(to_string(why))) note(to_string(why));
               },
           .on_window =
               [this](const msg::WindowRequest& request) {
@@ -195,9 +195,7 @@ void PeerListener::admit(tcp::socket socket) { admit(std::move(socket), Way::Mee
 void PeerListener::admit(tcp::socket socket, Way way) {
   ++counts_.accepted;
   const PeerNumber number = ++last_number_;
-  error_code gone;
-  const access::Unproven arrival{.from = socket.remote_endpoint(gone).address(),
-                                 .since = std::chrono::steady_clock::now()};
+  const access::Unproven arrival = access::newcomer(socket);
   peers_.emplace(number, std::make_unique<Peer>(*site_, number, arrival, stream_over(std::move(socket)), way));
   if (taken(std::nullopt) > options_.places.strangers) let_a_stranger_go();
 }

@@ -17,6 +17,7 @@
 #include "proto/wire/session_clock.h"
 #include "proto/words/repeated_errors.h"
 #include "proto/words/result.h"
+#include "proto/words/said_once.h"
 #include "server/access/access.h"
 #include "server/hub/datagrams/datagram_counts.h"
 #include "server/hub/hub.h"
@@ -127,7 +128,7 @@ class PeerListener {
   std::map<PeerNumber, std::unique_ptr<Peer>> peers_;
   PeerNumber last_number_ = 0;
   Counts counts_;
-  std::string noted_of_relay_;  // why the relay is of no use
+  SaidOnce said_of_relay_;  // why the relay is of no use
   RepeatedErrors strangers_gone_;
   bool cannot_accept_ = false;  // the last attempt to accept failed
   std::chrono::steady_clock::time_point refusal_noted_{};

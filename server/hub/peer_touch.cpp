@@ -50,8 +50,9 @@ bool PeerTouch::renew() {
   return false;
 }
 
-std::string PeerTouch::lose_to(const keys::Identity& who) {
+std::string PeerTouch::lose_to(const keys::Identity& who, bool is_same_doctor) {
   if (std::exchange(holds_, false)) audit_(access::AuditEvent::GaveTouch, "to=" + keys::audit_text(describe(who)));
+  if (is_same_doctor) return "the touch goes to a newer connection of " + describe(who);
   return "the touch is handed over to " + describe(who) + ", who has accepted it";
 }
 

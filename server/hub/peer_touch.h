@@ -39,7 +39,7 @@ class PeerTouch {
   [[nodiscard]] bool renew();
   /// Another peer, of doctor `who`, has the touch now, so this peer loses it. Returns the reason for this peer's
   /// Goodbye.
-  std::string lose_to(const keys::Identity& who);
+  std::string lose_to(const keys::Identity& who, bool is_same_doctor);
   void leave(bool on_purpose);  ///< `on_purpose`: the peer sent a Goodbye, which frees the touch at once
 
   /// Offers the touch to the doctor named `to`; an empty `to` withdraws the offer. Returns the answer for the peer.

@@ -12,8 +12,8 @@
 
 #include "proto/wire/sockets/tcp_socket.h"
 #include "proto/words/counted.h"
-#include "server/meet/site/site_session.h"
 #include "server/meet/caller/splice.h"
+#include "server/meet/site/site_session.h"
 
 namespace telepalp::meet {
 namespace {
@@ -98,8 +98,7 @@ void Meet::accept() {
 }
 
 void Meet::admit(tcp::socket socket) {
-  error_code gone;
-  const access::Unproven who{.from = socket.remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()};
+  const access::Unproven who = access::newcomer(socket);
   // shared_ptr: its pending read owns it, too
   const auto arrival = std::make_shared<Arrival>(std::move(socket), who);
   arrivals_.push_back(arrival);
@@ -107,13 +106,14 @@ void Meet::admit(tcp::socket socket) {
     arrivals_.remove(weak.lock());
     arrived(what, std::move(known), std::move(bytes));
   });
-  make_room(arrivals_, options_.limits.arrivals);
+  if (const auto closed = surplus(arrivals_, options_.limits.arrivals)) closed->close();
 }
 
-/// Closes a connection of the network that holds the most, so that one address cannot keep the others out.
+/// Takes the connection out of `waiting` that must be closed because more than `most` wait: one of the network that
+/// holds the most, so that one address cannot keep the others out. Null: there is room.
 template <class List>
-void Meet::make_room(List& waiting, std::size_t most) {
-  if (waiting.size() <= most) return;
+typename List::value_type Meet::surplus(List& waiting, std::size_t most) {
+  if (waiting.size() <= most) return nullptr;
   std::vector<access::Unproven> all;
   for (const auto& one : waiting) all.push_back(one->who());
   const std::optional<std::size_t> chosen = access::one_to_close(all, std::chrono::steady_clock::now());
@@ -121,7 +121,7 @@ void Meet::make_room(List& waiting, std::size_t most) {
   const auto closed = *at;
   waiting.erase(at);
   ++counts_.refused;
-  closed->close();
+  return closed;
 }
 
 void Meet::arrived(const Arrived& what, tcp::socket socket, std::string bytes) {
@@ -143,8 +143,9 @@ void Meet::site_comes(tcp::socket socket, std::string hello) {
                             .on_decline = [this](const std::string& token) { calls_.declined(token); },
                             .on_end = [this](SiteSession& ended, const std::string& why) { leave(ended, why); }});
   joining_.push_back(site);
-  make_room(joining_, options_.limits.joining);
-  site->start();  // does nothing if its own place was the one to go: no handshake is computed
+  if (const auto closed = surplus(joining_, options_.limits.joining))
+    closed->close("too many connections wait to join");
+  site->start();  // does nothing if this connection is the one that was closed
 }
 
 /// Lets `site` in. Returns why it is refused; empty: it is in. A site that comes again with the certificate that it
@@ -166,8 +167,8 @@ std::string Meet::join(const std::shared_ptr<SiteSession>& site) {
   return {};
 }
 
-/// Ends the streams that went by an address which the site has lost: their callers would notice the silence only after
-/// seconds, and now call again at once.
+/// Ends the streams that went by an address which the site has lost, so that their callers call again at once.
+/// Otherwise they would notice the silence only after seconds.
 void Meet::end_streams(const SiteSession& site) {
   options_.log("the address of the site " + site.names().front() +
                " has changed: " + counted(calls_.end_streams(site.serial()), "stream ends", "streams end"));

@@ -77,7 +77,7 @@ class Meet {
   void caller_comes(const ClientHello& hello, boost::asio::ip::tcp::socket socket, std::string bytes);
   void refuse(boost::asio::ip::tcp::socket socket, unsigned char alert);
   template <class List>
-  void make_room(List& waiting, std::size_t most);
+  [[nodiscard]] typename List::value_type surplus(List& waiting, std::size_t most);
   void pass_to_relay(boost::asio::ip::tcp::socket socket, std::string bytes);
   void tell_relay(SiteSession& site) const;
   void renew_credentials();

@@ -20,7 +20,7 @@ namespace telepalp::playback {
 /// separate thread reads them; the mutex guards the list, which the network thread copies. At most kMostEvents are
 /// kept: the first ones. Where people speak is read at once from the recorder's own record. Only a file without one (of
 /// an earlier release, repaired, cut or merged) is surveyed, after the events: that takes as long as reading most of
-/// it.
+/// the file.
 class SessionEvents {
  public:
   static constexpr int kMostEvents = 5000;

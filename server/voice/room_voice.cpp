@@ -6,18 +6,13 @@
 #include "proto/wire/topics.h"
 #include "proto/wire/voice/voice_message.h"
 #include "support/program/message_json.h"
+#include "support/program/text/metric_text.h"
 #include "support/speech/voice_packets.h"
 
 namespace telepalp::voice {
 namespace {
 
 constexpr int kMostWaiting = 25;  // frames; half a second, after which the network thread is too busy to speak
-
-std::string metric(const char* name, const char* type, const char* help, std::uint64_t value) {
-  const std::string full = std::string("telepalp_room_") + name;
-  return "# HELP " + full + " " + help + "\n# TYPE " + full + " " + type + "\n" + full + " " + std::to_string(value) +
-         "\n";
-}
 
 Result<bool> read_open(const std::string& json) {
   constexpr const char* kExample = "send JSON such as {\"open\": true}";
@@ -134,20 +129,23 @@ origin::Resource RoomVoice::resource() {
 
 std::string RoomVoice::metrics() const {
   const codec::VoicePlayout::Counts played = loudspeaker_->counts();
-  return metric("microphone_open", "gauge", "1 while the microphone in the patient's room is open, else 0.",
-                state_.hears() ? 1 : 0) +
-         metric("voice_problems", "gauge", "Sound devices of the room that cannot be used now.",
-                (state_.microphone_problem().empty() ? 0U : 1U) + (state_.loudspeaker_problem().empty() ? 0U : 1U)) +
-         metric("voice_frames_sent_total", "counter", "20 ms frames of the room's microphone that were published.",
-                sent_) +
-         metric("voice_frames_lost_total", "counter",
-                "20 ms frames of the room's microphone that the server had no time to publish.", lost_) +
-         metric("voice_frames_played_total", "counter", "20 ms frames of the doctor's voice that the room heard.",
-                played.played + played.restored) +
-         metric("voice_frames_concealed_total", "counter", "20 ms frames of the doctor's voice that were lost or late.",
-                played.concealed) +
-         metric("voice_breaks_total", "counter", "Times that a sound device of the room lost sound, or had none.",
-                microphone_->breaks() + loudspeaker_->breaks());
+  return program::metric_text("telepalp_room_microphone_open", "gauge",
+                              "1 while the microphone in the patient's room is open, else 0.", state_.hears() ? 1 : 0) +
+         program::metric_text(
+             "telepalp_room_voice_problems", "gauge", "Sound devices of the room that cannot be used now.",
+             (state_.microphone_problem().empty() ? 0U : 1U) + (state_.loudspeaker_problem().empty() ? 0U : 1U)) +
+         program::metric_text("telepalp_room_voice_frames_sent_total", "counter",
+                              "20 ms frames of the room's microphone that were published.", sent_) +
+         program::metric_text("telepalp_room_voice_frames_lost_total", "counter",
+                              "20 ms frames of the room's microphone that the server had no time to publish.", lost_) +
+         program::metric_text("telepalp_room_voice_frames_played_total", "counter",
+                              "20 ms frames of the doctor's voice that the room heard.",
+                              played.played + played.restored) +
+         program::metric_text("telepalp_room_voice_frames_concealed_total", "counter",
+                              "20 ms frames of the doctor's voice that were lost or late.", played.concealed) +
+         program::metric_text("telepalp_room_voice_breaks_total", "counter",
+                              "Times that a sound device of the room lost sound, or had none.",
+                              microphone_->breaks() + loudspeaker_->breaks());
 }
 
 }  // namespace telepalp::voice

@@ -77,7 +77,7 @@ class RoomVoice {
   std::uint64_t sent_ = 0;                      // frames
   std::atomic<int> waiting_{0};                 // frames on their way from the microphone's thread
   std::atomic<std::uint64_t> lost_{0};          // frames that the network thread had no time for
-  std::optional<RoomLoudspeaker> loudspeaker_;  // its thread uses the members above, and so does the microphone's
+  std::optional<RoomLoudspeaker> loudspeaker_;  // last members: their threads use those above
   std::optional<RoomMicrophone> microphone_;
 };
 

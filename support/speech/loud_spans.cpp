@@ -10,10 +10,10 @@ namespace telepalp::speech {
 namespace {
 
 constexpr double kQuietest_dB = -100.0;
-constexpr double kLeast_dB = -50.0;                             // of speech
-constexpr double kAboveNoise_dB = 10.0;                         // of speech
-constexpr double kNoiseRise_dB = 0.02;                          // in a frame: 1 dB in a second
-constexpr double kLowestNoise_dB = -70.0;                       // of a microphone that is switched off, or a noise gate
+constexpr double kLeast_dB = -50.0;        // of speech
+constexpr double kAboveNoise_dB = 10.0;    // of speech
+constexpr double kNoiseRise_dB = 0.02;     // in a frame: 1 dB in a second
+constexpr double kLowestNoise_dB = -70.0;  // lower only where a microphone is off, or suppresses noise
 constexpr Nanoseconds kPause = std::chrono::milliseconds(500);  // longest within a span
 constexpr Nanoseconds kShortest = std::chrono::milliseconds(60);
 

@@ -21,7 +21,7 @@ struct Spoken {
 [[nodiscard]] double level_dB(const codec::VoiceSamples& samples) noexcept;
 
 /// Finds where somebody speaks from the levels of one microphone, 20 ms at a time. A frame is speech if its level is
-/// above -50 dB and 10 dB above the room's noise, which is the lowest level of late. Pauses up to half a second do not
+/// above -50 dB and 10 dB above the room's noise, which is the lowest recent level. Pauses up to half a second do not
 /// end a span. At most kMost spans are kept: of more, those that lie closest together are joined. Pure.
 class LoudSpans {
  public:

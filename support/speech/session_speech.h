@@ -20,9 +20,8 @@ inline constexpr std::string_view kSpeechMetadata = "telepalp.speech";
 /// it was recorded by an earlier release, repaired, cut or merged, or a record is damaged.
 [[nodiscard]] std::optional<Speech> recorded_speech(wire::McapReader& reader);
 
-/// Where people speak, from the messages of speech themselves; it reads all parts of the file that hold some. Damaged
-/// parts say nothing. `goes_on` is asked before each message; false ends the reading early. Changes the reader's
-/// selection.
+/// Finds where people speak by decoding all speech in the file; a damaged part of the file is left out. `goes_on` is
+/// asked before each message; false ends the reading early. Changes the reader's selection.
 [[nodiscard]] Speech surveyed_speech(
     wire::McapReader& reader, const std::function<bool()>& goes_on = [] { return true; });
 

@@ -20,8 +20,8 @@ struct SideSpeech {
 using Speech = std::map<std::string_view, SideSpeech>;
 
 /// Finds where people speak from the messages of speech, in the order of their time. It decodes each 20 ms once: about
-/// 1 ms of computing time for each second of an open microphone. Messages may be anybody's: damaged ones count and say
-/// nothing.
+/// 1 ms of computing time for each second of an open microphone. A damaged message
+/// is counted and otherwise ignored, because a message may be anybody's.
 class SpeechSurvey {
  public:
   SpeechSurvey();

@@ -72,6 +72,7 @@ test('the microphone begins closed, the loudspeaker plays, and only the technici
   const {text, light, says} = await card(browser.page);
   assert.deepEqual([text, light], ['Open the microphone', 'false']);
   assert.match(says, /nobody hears the room/);
+  assert.equal(await browser.page.locator('#room-voice > h2 > button').getAttribute('aria-expanded'), 'true', 'the card can be folded');
   assert.equal((await state()).open, false);
   await until('the loudspeaker takes sound', () => existsSync(join(place.folder, 'played.raw')) && readFileSync(join(place.folder, 'played.raw')).length > 10_000);
   assert.equal(await voiceMessages(server, ['--voice-consent', 'asked']), 0);

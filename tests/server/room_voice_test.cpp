@@ -1,5 +1,5 @@
-// Microphone and loudspeaker of the room through ALSA itself: devices that are files, nothing, or not there, which a
-// configuration of ALSA's own names.
+// Microphone and loudspeaker of the room, through the real ALSA library. A configuration file of ALSA makes its devices
+// files or nothing, or takes them away.
 
 #include "server/voice/room_voice.h"
 

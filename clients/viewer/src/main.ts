@@ -102,8 +102,8 @@ const recording = resources.at<'/recording', RecordingState, RecordingCommand>('
 const people = resources.at<'/people', PeopleState, PeopleCommand>('/people', asItIs);
 const room = resources.at<'/room_voice', RoomVoiceState, {open: boolean}>('/room_voice', asItIs);
 const laterCards = () => later<typeof import('./panel/technician/later_cards')>('later_cards.js');
-people.onChange(() => people.state && laterCards().then(({showPeople}) => showPeople(people)));
-room.onChange(() => room.state && laterCards().then(({showRoomVoice}) => showRoomVoice(room)));
+people.onChange(() => people.state && laterCards().then(({showPeople}) => showPeople(people) && cards.look()));
+room.onChange(() => room.state && laterCards().then(({showRoomVoice}) => showRoomVoice(room) && cards.look()));
 const link = new SiteLink({
   instant: (instant) => {
     coming = instant;

@@ -281,10 +281,8 @@ void ClientLink::find_paths() {
                               .on_unused_relay = [this](const Error& why) { notice(to_string(why)); }});
 }
 
-/// The texts may hold words of the server, so that their number is bounded.
 void ClientLink::notice(const std::string& text) {
-  constexpr std::size_t kMost = 16;
-  if (noticed_.size() < kMost && noticed_.insert(text).second && handlers_.on_notice) handlers_.on_notice(text);
+  if (noticed_.is_new(text) && handlers_.on_notice) handlers_.on_notice(text);
 }
 
 void ClientLink::on_ice_path(const msg::IcePath& message) {

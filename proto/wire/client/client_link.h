@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +23,7 @@
 #include "proto/wire/datagrams/path_watch.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
+#include "proto/words/said_once.h"
 
 namespace telepalp::wire {
 
@@ -214,7 +214,7 @@ class ClientLink : private ConnectionOwner {
   Datagrams datagrams_;
   Touch touch_;
   RevokedKeys revoked_;
-  std::set<std::string> noticed_;  // texts that on_notice has got
+  SaidOnce noticed_;
   ClientOutbox outbox_;
   std::map<std::string_view, ReceivedCount> received_before_;
   std::uint64_t connections_ = 0;

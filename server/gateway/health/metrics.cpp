@@ -4,20 +4,16 @@
 #include <utility>
 #include <vector>
 
+#include "support/program/text/metric_text.h"
+
 namespace telepalp::gateway {
 namespace {
 
-std::string described(const std::string& name, const std::string& type, const std::string& help) {
-  return "# HELP " + name + " " + help + "\n# TYPE " + name + " " + type + "\n";
-}
-
-std::string single(const std::string& name, const std::string& type, const std::string& help, std::uint64_t value) {
-  return described(name, type, help) + name + " " + std::to_string(value) + "\n";
-}
+using program::metric_heading, program::metric_text;
 
 std::string by_topic(const hub::Hub& hub, const std::string& name, const std::string& help,
                      std::uint64_t hub::Hub::TopicCount::*count) {
-  std::string text = described(name, "counter", help);
+  std::string text = metric_heading(name, "counter", help);
   for (const auto& [topic, counts] : hub.topic_counts())
     text += name + "{topic=\"" + std::string(topic) + "\"} " + std::to_string(counts.*count) + "\n";
   return text;
@@ -25,9 +21,9 @@ std::string by_topic(const hub::Hub& hub, const std::string& name, const std::st
 
 std::string refused(const hub::DatagramCounts& datagrams) {
   const std::string name = "telepalp_datagrams_refused_total";
-  std::string text =
-      described(name, "counter",
-                "UDP datagrams that were dropped without an answer, by reason; stranger: of no connected program.");
+  std::string text = metric_heading(
+      name, "counter",
+      "UDP datagrams that were dropped without an answer, by reason; stranger: of no connected program.");
   for (const auto& [why, count] : {std::pair{"stranger", datagrams.strangers},
                                    {"malformed", datagrams.malformed},
                                    {"replayed", datagrams.replayed},
@@ -50,28 +46,30 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
          by_topic(hub, "telepalp_sent_messages_total", "Messages sent to subscribers, by topic.", &Count::sent) +
          by_topic(hub, "telepalp_dropped_messages_total", "Messages dropped for slow subscribers, by topic.",
                   &Count::dropped) +
-         single("telepalp_subscribers", "gauge", "Stations, recorders and browsers that are connected.",
-                subscribers.size()) +
-         single("telepalp_datagram_subscribers", "gauge",
-                "Connected stations and recorders whose images go by encrypted UDP datagrams.",
-                static_cast<std::uint64_t>(by_datagram)) +
-         single("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.", datagrams.taken) +
+         metric_text("telepalp_subscribers", "gauge", "Stations, recorders and browsers that are connected.",
+                     subscribers.size()) +
+         metric_text("telepalp_datagram_subscribers", "gauge",
+                     "Connected stations and recorders whose images go by encrypted UDP datagrams.",
+                     static_cast<std::uint64_t>(by_datagram)) +
+         metric_text("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.",
+                     datagrams.taken) +
          refused(datagrams) +
-         single("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.",
-                facts.browsers) +
-         single("telepalp_waiting_bytes", "gauge", "Bytes that wait to be sent to subscribers; images are not counted.",
-                hub.waiting_bytes()) +
-         single("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch, else 0.",
-                facts.touch_is_held ? 1 : 0) +
-         single("telepalp_healthy", "gauge", "1 while the health check finds no problem, else 0.",
-                facts.is_healthy ? 1 : 0) +
-         single("telepalp_joined_total", "counter", "Connections that were accepted since the start.", access.joined) +
-         single("telepalp_refused_total", "counter", "Keys, tokens, operations and connections that were refused.",
-                access.refused) +
-         single("telepalp_audit_lines", "gauge", "Lines of the audit log.", access.audit_lines) +
-         single("telepalp_audit_lines_not_written_total", "counter",
-                "Lines of the audit log that could not be written, for example to a full disk.",
-                access.audit_not_written);
+         metric_text("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.",
+                     facts.browsers) +
+         metric_text("telepalp_waiting_bytes", "gauge",
+                     "Bytes that wait to be sent to subscribers; images are not counted.", hub.waiting_bytes()) +
+         metric_text("telepalp_touch_held", "gauge", "1 while a doctor's station holds the touch, else 0.",
+                     facts.touch_is_held ? 1 : 0) +
+         metric_text("telepalp_healthy", "gauge", "1 while the health check finds no problem, else 0.",
+                     facts.is_healthy ? 1 : 0) +
+         metric_text("telepalp_joined_total", "counter", "Connections that were accepted since the start.",
+                     access.joined) +
+         metric_text("telepalp_refused_total", "counter", "Keys, tokens, operations and connections that were refused.",
+                     access.refused) +
+         metric_text("telepalp_audit_lines", "gauge", "Lines of the audit log.", access.audit_lines) +
+         metric_text("telepalp_audit_lines_not_written_total", "counter",
+                     "Lines of the audit log that could not be written, for example to a full disk.",
+                     access.audit_not_written);
 }
 
 }  // namespace telepalp::gateway

@@ -52,8 +52,7 @@ class HealthPort::Check final : public std::enable_shared_from_this<Check> {
  public:
   Check(tcp::socket socket, std::shared_ptr<const Options> options)
       : stream_(std::move(socket)), options_(std::move(options)) {
-    beast::error_code gone;  // then the address stays 0.0.0.0
-    unproven_ = {.from = stream_.socket().remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()};
+    unproven_ = access::newcomer(stream_.socket());
     parser_.header_limit(kMaxHeaderBytes);
     parser_.body_limit(0);
   }

@@ -35,8 +35,7 @@ std::optional<Place> one_to_go(const std::vector<Place>& places, Who who, const 
 }  // namespace
 
 std::optional<std::string> Calls::add(const std::string& site, Socket caller, std::string first) {
-  boost::system::error_code gone;
-  const access::Unproven who{.from = caller.remote_endpoint(gone).address(), .since = std::chrono::steady_clock::now()};
+  const access::Unproven who = access::newcomer(caller);
   if (!has_place_to_wait(site, who) || !has_place_for_stream(site, who)) {
     refuse_(std::move(caller));
     return std::nullopt;

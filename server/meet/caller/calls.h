@@ -15,8 +15,8 @@
 namespace telepalp::meet {
 
 /// The calls to sites: callers whose site has not answered yet, and callers who are joined with it. When a site has no
-/// place left for a further caller, the network that holds most of those that may still be strangers loses one, so that
-/// one address cannot keep the others out. Owner: the meeting point's thread.
+/// place left for a further caller, one caller whom the site may not know yet is refused: one of the network that holds
+/// the most, so that one address cannot keep the others out. Owner: the meeting point's thread.
 class Calls {
  public:
   using Socket = boost::asio::ip::tcp::socket;

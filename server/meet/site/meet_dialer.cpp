@@ -32,8 +32,8 @@ constexpr auto kTimeToConnect = 5s;
 constexpr std::chrono::milliseconds kLookAtAddress{100};  // between two looks, and before the first try at a new one
 constexpr std::size_t kMostAnswers = 64;                  // connections to the meeting point that are being opened
 
-/// Lets the system ask each second whether the connection still leads to the meeting point. A router that has forgotten
-/// it then answers with a reset; silence ends it after 6 s, by when the callers have noticed it themselves.
+/// Lets the system check each second that the connection still leads to the meeting point. A router that has forgotten
+/// the connection answers the check with a reset. Without any answer the connection ends after 6 s.
 void watch_way(tcp::socket& socket) {
   using Seconds = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPIDLE>;
   using Between = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_KEEPINTVL>;
@@ -104,7 +104,7 @@ class MeetDialer::Line : public std::enable_shared_from_this<Line> {
     const auto connected = of(stream_, [this](const error_code& failed, const tcp::endpoint& endpoint) {
       if (failed) return lost(failed.message());
       meet_ = endpoint;
-      moved_ = moved_ || !options_.has_address(own_);  // it was lost while no connection was there
+      moved_ = moved_ || !options_.has_address(own_);  // the old address was lost meanwhile
       error_code gone;
       own_ = stream_->next_layer().local_endpoint(gone).address();
       watch_way(stream_->next_layer());

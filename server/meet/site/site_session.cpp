@@ -26,18 +26,13 @@ bool can_be_called(const std::string& name) {
   return is_name && name != "localhost";
 }
 
-asio::ip::address address_of(const tcp::socket& socket) {
-  error_code gone;
-  return socket.remote_endpoint(gone).address();
-}
-
 }  // namespace
 
 SiteSession::SiteSession(tcp::socket socket, std::string hello, wire::TlsSettings tls, Handlers handlers)
     : stream_(std::move(socket), std::move(hello), std::move(tls)),
       beat_(stream_.socket().get_executor()),
       peer_(wire::peer_address(stream_.socket())),
-      who_{.from = address_of(stream_.socket()), .since = std::chrono::steady_clock::now()},
+      who_(access::newcomer(stream_.socket())),
       handlers_(std::move(handlers)),
       heard_(std::chrono::steady_clock::now()) {}
 

@@ -35,7 +35,7 @@ class SiteSession : public std::enable_shared_from_this<SiteSession> {
   void start();  ///< does nothing after close()
   void call(const msg::MeetCall& call);
   void tell(const msg::MeetRelay& relay);
-  void close(const std::string& why = "too many connections wait to join");
+  void close(const std::string& why);
 
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   [[nodiscard]] const std::string& serial() const noexcept { return serial_; }

@@ -5,8 +5,6 @@
 namespace telepalp::meet {
 namespace {
 
-constexpr std::size_t kMostSaid = 16;  // the texts may hold words of the meeting point
-
 msg::IceRelay relay_of(const msg::MeetRelay& told) {
   msg::IceRelay relay;
   relay.set_address(told.address());
@@ -25,7 +23,7 @@ void ToldRelay::heard(const msg::MeetRelay& told) {
   if (read) return;
   relays_.clear();
   const std::string why = to_string(read.error());
-  if (said_.size() < kMostSaid && said_.insert(why).second) say_(why);
+  if (said_.is_new(why)) say_(why);
 }
 
 }  // namespace telepalp::meet

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "messages/control.pb.h"
 #include "messages/meet.pb.h"
+#include "proto/words/said_once.h"
 
 namespace telepalp::meet {
 
@@ -24,7 +24,7 @@ class ToldRelay {
  private:
   std::function<void(const std::string&)> say_;
   std::vector<msg::IceRelay> relays_;
-  std::set<std::string> said_;
+  SaidOnce said_;
 };
 
 }  // namespace telepalp::meet

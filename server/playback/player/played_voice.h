@@ -9,10 +9,9 @@
 
 namespace telepalp::playback {
 
-/// Makes recorded speech fit to be heard. A listener's jitter buffer counts 20 ms a frame, so speech is in step at
-/// speed 1 alone; at another speed it is withheld, because it would be noise. After each jump of the playback (a seek,
-/// another speed, the end of a pause) the talkers have new numbers: a listener drops what it still has of the place
-/// before, and hears nothing that was said before the new place. Pure; owner: the player's thread.
+/// Prepares recorded speech for listeners. A listener plays one frame each 20 ms, so speech is published only at speed
+/// 1. After each jump of the playback (a seek, another speed, the end of a pause) the talkers get new numbers, by which
+/// a listener drops the frames that it still has from the place before. Pure; owner: the player's thread.
 class PlayedVoice {
  public:
   /// The playback goes on at another place or at another pace.

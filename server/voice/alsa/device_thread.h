@@ -44,7 +44,7 @@ class DeviceThread {
     if (thread_.joinable()) thread_.join();
   }
 
-  // This thread.
+  // The functions below are for Work::use, on this thread.
 
   [[nodiscard]] bool goes_on() {
     const std::scoped_lock lock(mutex_);
@@ -54,7 +54,7 @@ class DeviceThread {
     std::unique_lock lock(mutex_);
     changed_.wait_until(lock, due, [this] { return is_stopping_ || !is_wanted_; });
   }
-  /// The device works: a problem is over.
+  /// Says that the device works, so that an earlier problem is over.
   void works() { say(""); }
 
  private:

@@ -7,8 +7,8 @@
 
 namespace telepalp::voice {
 
-/// Keeps a device to the pace of time. Hardware has its own pace, which is left alone: it is seen by the wait for each
-/// block. A device of ALSA that is a file, or nothing at all, gives and takes sound as fast as a program asks.
+/// Slows down a device that has no clock of its own: ALSA can play to a file or to nothing, and takes sound as fast as
+/// a program gives it. Hardware makes the program wait for each block, and is left alone.
 class Pace {
  public:
   using Clock = std::chrono::steady_clock;
@@ -26,7 +26,7 @@ class Pace {
  private:
   static constexpr std::chrono::milliseconds kBehind{100};  // a device that was late does not catch up more than this
   static constexpr std::chrono::milliseconds kAhead{60};    // the device's buffer
-  static constexpr std::chrono::milliseconds kOwnPace{8};   // of waiting for a block
+  static constexpr std::chrono::milliseconds kOwnPace{8};   // a wait that only hardware causes
   Clock::time_point due_ = Clock::now();
   Clock::time_point began_ = due_;
 };

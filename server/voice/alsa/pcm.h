@@ -13,8 +13,8 @@ struct _snd_pcm;  // of ALSA, whose header has thousands of macros
 namespace telepalp::voice {
 
 /// A sound device of ALSA in one direction: one channel at 48 kHz, 20 ms at a time. ALSA converts what the hardware
-/// has. A device that sound overruns, or that falls silent for want of sound, is started again and counted. Owner: one
-/// thread.
+/// has. When recorded sound was not read in time, or the loudspeaker ran out of sound, the device is started again;
+/// this is counted. Owner: one thread.
 class Pcm {
  public:
   enum class Direction { Capture, Playback };
@@ -30,7 +30,7 @@ class Pcm {
 
   /// How long ago the newest sample that read() returned was at the microphone.
   [[nodiscard]] std::chrono::nanoseconds read_delay() const;
-  /// Times that sound was lost, or the loudspeaker had none.
+  /// How often recorded sound was lost, or the loudspeaker ran out of sound.
   [[nodiscard]] std::uint64_t breaks() const noexcept { return breaks_; }
 
  private:

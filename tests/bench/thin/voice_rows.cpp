@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "codec/lip_sync.h"
 #include "codec/voice_playout.h"
 #include "proto/wire/client/client_link.h"
 #include "proto/wire/voice/voice_message.h"
@@ -147,7 +146,6 @@ class Ear {
   codec::VoicePlayout::Played pull() {
     using Kind = codec::VoicePlayout::Kind;
     const std::lock_guard lock(mutex_);
-    if (const auto fastest = playout_.fastest_age()) playout_.hold(lips_.delay(*fastest));
     const SessionTime now = clock_.now();
     const codec::VoicePlayout::Played played = playout_.next(now);
     heard_.reset();
@@ -175,7 +173,6 @@ class Ear {
     if (captured <= shown_) return;  // a newer one is on the screen
     shown_ = captured;
     const SessionTime now = clock_.now();
-    lips_.shown(now - captured);
     if (!heard_ || now - heard_->at > Nanoseconds(kVoiceFrameTime)) return;
     apart_ms_.add(std::abs(to_milliseconds(heard_->spoken + (now - heard_->at) - captured)));
   }
@@ -186,17 +183,15 @@ class Ear {
     const std::lock_guard lock(mutex_);
     ++messages_;
     const SessionTime now = clock_.now();
-    for (codec::VoicePacket& packet : speech::packets_of(*frame)) {
-      frame_0_ = packet.spoken - packet.number * Nanoseconds(kVoiceFrameTime);
-      playout_.add(std::move(packet), now);
-    }
+    frame_0_ =
+        session_time(static_cast<std::int64_t>(frame->captured_ns())) - frame->number() * Nanoseconds(kVoiceFrameTime);
+    for (codec::VoicePacket& packet : speech::packets_of(*frame)) playout_.add(std::move(packet), now);
   }
 
   const wire::SessionClock clock_;
   const Nanoseconds coding_delay_;
   std::mutex mutex_;  // guards the members below
   codec::VoicePlayout playout_;
-  codec::LipSync lips_;
   std::optional<Heard> heard_;  // nullopt: silence
   SessionTime frame_0_{};       // when the talker's frame 0 was spoken
   SessionTime shown_{};         // capture of the newest image
@@ -313,9 +308,7 @@ Result<void> add_voice_rows(Report& report) {
     if (const auto added = add_rows(report, name, line); !added) return added;
   report.notes.emplace_back(
       "voice: a hub, its sockets and a client with a jitter buffer, 4 Mbit/s, 50 ms there and back; 24 kbit/s of Opus, "
-      "six earlier packets in each message; mouth to ear holds the frame's own 20 ms and Opus's delay; speech waits "
-      "for "
-      "the picture by codec/lip_sync.h");
+      "six earlier packets in each message; mouth to ear holds the frame's own 20 ms and Opus's delay");
   return {};
 }
 

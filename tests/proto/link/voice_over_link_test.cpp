@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "codec/lip_sync.h"
 #include "codec/voice_playout.h"
 #include "proto/impaired/impaired_pair.h"
 #include "proto/words/little_endian.h"
@@ -60,10 +59,8 @@ const std::vector<std::string>& opus() {
 /// A talker at the server's end, with an image of `image_B` beside each frame (0: none), and a listener.
 class Talk {
  public:
-  /// `waits`: speech waits for its picture.
-  Talk(const impaired::Profile& network, std::size_t image_B, std::uint64_t seed, bool waits = false)
-      : waits_(waits),
-        pair_(kBegin, network, seed, {.seal = {.session = {}, .number = 1, .cipher = Cipher::Aes256Gcm}}),
+  Talk(const impaired::Profile& network, std::size_t image_B, std::uint64_t seed)
+      : pair_(kBegin, network, seed, {.seal = {.session = {}, .number = 1, .cipher = Cipher::Aes256Gcm}}),
         image_B_(image_B) {}
 
   void run() {
@@ -118,7 +115,6 @@ class Talk {
     if (number < shown_) return;  // a newer one is on the screen
     shown_ = number;
     const SessionTime captured = kBegin + number * Nanoseconds(kVoiceFrameTime);
-    lips_.shown(now - captured);
     if (!heard_ || now - heard_->at > kVoiceFrameTime || number < kSettled) return;
     apart_ms_.push_back(std::abs(to_milliseconds(heard_->spoken + (now - heard_->at) - captured)));
   }
@@ -128,16 +124,10 @@ class Talk {
       if (frame->channel != kVoice || !frame->newest) continue;
       const std::uint32_t newest = get_little_endian<std::uint32_t>(frame->bytes.data()) - 1;
       for (std::uint32_t number = newest - std::min(newest, kEarlier); number <= newest; ++number)
-        playout_.add({.talker = 1,
-                      .number = number,
-                      .begun = 0,
-                      .opus = opus()[number % opus().size()],
-                      .spoken = kBegin + number * Nanoseconds(kVoiceFrameTime)},
-                     now);
+        playout_.add({.talker = 1, .number = number, .begun = 0, .opus = opus()[number % opus().size()]}, now);
     }
   }
   void play(SessionTime now) {
-    if (const auto fastest = playout_.fastest_age(); fastest && waits_) playout_.hold(lips_.delay(*fastest));
     const codec::VoicePlayout::Played played = playout_.next(now);
     heard_.reset();
     if (played.kind != codec::VoicePlayout::Kind::Silence && played.kind != codec::VoicePlayout::Kind::Stretched)
@@ -153,10 +143,8 @@ class Talk {
     SessionTime spoken{};
   };
 
-  bool waits_;
   impaired::ImpairedPair pair_;
   std::size_t image_B_;
-  codec::LipSync lips_;
   std::optional<Heard> heard_;  // nullopt: silence
   std::uint32_t shown_ = 0;     // number of the newest image
   std::vector<double> apart_ms_;
@@ -197,18 +185,16 @@ TEST(VoiceOverLink, SpeechIsHeardSoonAfterOrBeforeItsPicture) {
   constexpr double kMostApart_ms = 100.0;
   for (const std::size_t image_B : {std::size_t{2'000}, std::size_t{6'000}, std::size_t{8'000}})
     for (const double loss : {0.0, 0.01}) {
-      Talk talk(line(loss, 1.0), image_B, 5, true), alone(line(loss, 1.0), image_B, 5);
+      Talk talk(line(loss, 1.0), image_B, 5);
       talk.run();
-      alone.run();
       std::cout << image_B << " B, loss " << loss << ": p95 " << talk.apart_ms(0.95) << " ms, p50 "
-                << talk.apart_ms(0.5) << " ms apart; without waiting p95 " << alone.apart_ms(0.95)
-                << " ms; mouth to ear p95 " << talk.mouth_to_ear_ms(0.95) << " ms, without waiting "
-                << alone.mouth_to_ear_ms(0.95) << " ms; " << talk.played_percent() << " % played\n";
+                << talk.apart_ms(0.5) << " ms apart; mouth to ear p95 " << talk.mouth_to_ear_ms(0.95) << " ms; "
+                << talk.played_percent() << " % played\n";
       ASSERT_GT(talk.compared(), 1'000u);
       EXPECT_LE(talk.apart_ms(0.95), kMostApart_ms);
       EXPECT_GE(talk.played_percent(), 99.0);
     }
-  Talk bursts(line(0.1, 4.0), 6'000, 5, true);  // most images come late or not at all: told, not promised
+  Talk bursts(line(0.1, 4.0), 6'000, 5);  // most images come late or not at all: told, not promised
   bursts.run();
   std::cout << "10 % loss in bursts of 4: p95 " << bursts.apart_ms(0.95) << " ms, p50 " << bursts.apart_ms(0.5)
             << " ms apart\n";

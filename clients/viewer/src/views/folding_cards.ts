@@ -10,12 +10,20 @@ interface Card {
 
 /** Cards whose heading folds them to one line, with their first value beside the heading. Each view has its own folds. */
 export class FoldingCards {
-  private readonly cards = Array.from(document.querySelectorAll<HTMLElement>('.card > h2'), (title) => this.open(title));
+  private readonly cards: Card[] = [];
   private readonly all = element<HTMLButtonElement>('fold-all');
   private view: View = 'doctor';
 
   constructor(private readonly layout: KeptLayout) {
     this.all.addEventListener('click', () => this.foldAll());
+    this.look();
+  }
+
+  /** Finds cards that have come meanwhile. */
+  look(): void {
+    for (const title of document.querySelectorAll<HTMLElement>('.card > h2'))
+      if (title.firstElementChild === null) this.cards.push(this.open(title));
+    this.show(this.view);
   }
 
   show(view: View): void {

@@ -1,7 +1,10 @@
 const MOST_HELD_MS = 200;
 const PICTURES = 30;  // three seconds
 
-/** How long speech waits in its jitter buffer to be heard with the picture of its instant: the rules of codec/lip_sync.h. */
+/**
+ * How long speech waits in its jitter buffer to be heard with the picture of its instant. The picture never waits,
+ * because the hand follows it. Speech that comes later than its picture is heard when it comes.
+ */
 export class LipSync {
   private ages_ms: number[] = [];
 

@@ -5,10 +5,16 @@ import {type RoomVoice, RoomVoiceCard} from './room_voice_card';
 let people: PeopleCard | undefined;
 let roomVoice: RoomVoiceCard | undefined;
 
-/** Each shows its card; once is enough. */
-export function showPeople(resource: People): void {
+/** Shows the card, unless it is there; true: it has come now. */
+export function showPeople(resource: People): boolean {
+  const comes = people === undefined;
   people ??= new PeopleCard(resource);
+  return comes;
 }
-export function showRoomVoice(resource: RoomVoice): void {
+
+/** As showPeople(). */
+export function showRoomVoice(resource: RoomVoice): boolean {
+  const comes = roomVoice === undefined;
   roomVoice ??= new RoomVoiceCard(resource);
+  return comes;
 }
