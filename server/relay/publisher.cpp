@@ -71,16 +71,19 @@ class Publisher::Line : public std::enable_shared_from_this<Line> {
 
 Result<void> Publisher::Line::start() {
   const std::string& site = options_.address.site;
-  auto nats = nats::NatsConnection::open({.address = options_.address.cluster,
-                                          .name = "telepalp-server of " + site,
-                                          .on_change = [line = weak_from_this()](bool is_connected) {
-                                            if (const auto self = line.lock())
-                                              self->on_network_thread([is_connected](Line& on) {
-                                                on.options_.log(is_connected ? "connected to the cluster again"
-                                                                             : "the connection to the cluster is lost");
-                                                if (is_connected) on.show_again();
-                                              });
-                                          }});
+  auto nats =
+      nats::NatsConnection::open({.address = options_.address.cluster,
+                                  .name = "telepalp-server of " + site,
+                                  .on_change =
+                                      [line = weak_from_this()](bool is_connected) {
+                                        if (const auto self = line.lock())
+                                          self->on_network_thread([is_connected](Line& on) {
+                                            on.options_.log(is_connected ? "connected to the cluster again"
+                                                                         : "the connection to the cluster is lost");
+                                            if (is_connected) on.show_again();
+                                          });
+                                      },
+                                  .writes_at_once = true});
   if (!nats) return nats.error();
   nats_ = std::move(nats).value();
   if (nats_->ask(clock_subject(site), {}, kAnotherAnswersWithin))

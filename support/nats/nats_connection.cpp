@@ -131,6 +131,7 @@ natsStatus NatsConnection::Parts::set(natsOptions* to) {
   then(natsOptions_SetDisconnectedCB(to, &Parts::lost, this));
   then(natsOptions_SetReconnectedCB(to, &Parts::found, this));
   then(natsOptions_SetClosedCB(to, &Parts::over, this));
+  if (options.writes_at_once) then(natsOptions_SetSendAsap(to, true));
   if (options.address.url.starts_with("tls://")) then(natsOptions_SetSecure(to, true));
   if (!options.address.authority.empty())
     then(natsOptions_LoadCATrustedCertificates(to, options.address.authority.c_str()));

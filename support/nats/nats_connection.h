@@ -20,6 +20,9 @@ class NatsConnection {
     Address address;
     std::string name;                                    ///< which the NATS server's monitoring shows
     std::function<void(bool is_connected)> on_change{};  ///< after a loss or a new connection; on a library's thread
+    /// publish() writes all of the payload to the socket. Else a thread of the library writes its end up to a
+    /// millisecond later, together with what is published meanwhile.
+    bool writes_at_once = false;
   };
   struct Note {
     std::string_view subject;

@@ -1,6 +1,5 @@
 #include "tests/bench/cluster/cluster_bench.h"
 
-#include <csignal>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -11,7 +10,7 @@
 #include "tests/bench/choice.h"
 #include "tests/bench/cluster/model_rows.h"
 #include "tests/bench/cluster/nats_cluster.h"
-#include "tests/bench/cluster/partition_rows.h"
+#include "tests/bench/cluster/nodes/node_rows.h"
 #include "tests/bench/cluster/running_server.h"
 #include "tests/bench/cluster/session_rows.h"
 #include "tests/bench/cluster/soak_rows.h"
@@ -29,20 +28,6 @@ using namespace std::chrono_literals;
 using Clock = Watched::Clock;
 
 constexpr std::size_t kViewers = 20;
-
-/// A site that publishes to the first node of a cluster, and an edge that connects to the last one.
-struct Pair {
-  RunningServer site, edge;
-};
-
-Result<Pair> start_pair(const NatsCluster& cluster, std::size_t nodes, const fs::path& scratch) {
-  Result<RunningServer> site =
-      start_server(scratch, "site", {"--source", "synthetic", "--publish", cluster.urls_from(0) + "/bench"});
-  if (!site) return site.error();
-  Result<RunningServer> edge = start_server(scratch, "edge", {"--source", cluster.urls_from(nodes - 1) + "/bench"});
-  if (!edge) return edge.error();
-  return Pair{.site = *std::move(site), .edge = *std::move(edge)};
-}
 
 /// Adds rows of how much later each image arrives at the edge's viewer than at the site's.
 void add_delay(const Watched& at_site, const Watched& at_edge, Clock::time_point from, std::vector<Row>& rows) {
@@ -131,7 +116,7 @@ Result<void> add_publish_cost(const NatsCluster& cluster, std::vector<Row>& rows
 Result<void> add_steady_rows(const fs::path& scratch, double seconds, std::vector<Row>& rows) {
   const Result<NatsCluster> cluster = NatsCluster::start(1, scratch);
   if (!cluster) return cluster.error();
-  const Result<Pair> pair = start_pair(*cluster, 1, scratch);
+  const Result<ServerPair> pair = start_pair(scratch, cluster->url(0), cluster->url(0));
   if (!pair) return pair.error();
   {
     Viewers viewers;
@@ -154,48 +139,7 @@ Result<void> add_steady_rows(const fs::path& scratch, double seconds, std::vecto
   return add_publish_cost(*cluster, rows);
 }
 
-/// Of three nodes, the one that the edge uses is killed, or frozen for 5 s.
-Result<void> add_loss_of_a_node(const fs::path& scratch, bool is_killed, std::vector<Row>& rows) {
-  constexpr std::size_t kNodes = 3;
-  Result<NatsCluster> cluster = NatsCluster::start(kNodes, scratch);
-  if (!cluster) return cluster.error();
-  const Result<Pair> pair = start_pair(*cluster, kNodes, scratch);
-  if (!pair) return pair.error();
-  Viewers viewers;
-  const Watched& at_site = viewers.add(pair->site.port);
-  const Watched& at_edge = viewers.add(pair->edge.port);
-  if (!viewers.all_see()) return sees_nothing();
-  viewers.run_for(2s);
-  const std::size_t site_before = at_site.arrived.size();
-  const std::uint64_t first = at_site.arrived.rbegin()->first;
-  const Clock::time_point lost = Clock::now();
-  cluster->node(kNodes - 1).signal(is_killed ? SIGKILL : SIGSTOP);
-  Clock::time_point healed = lost;
-  if (!is_killed) {
-    viewers.run_for(5s);
-    healed = Clock::now();
-    cluster->node(kNodes - 1).signal(SIGCONT);
-  }
-  viewers.run_for(6s);
-  const std::string what = is_killed ? "node killed: " : "node frozen for 5 s: ";
-  if (is_killed)
-    rows.push_back(
-        at_most(what + "longest gap at the edge's viewer", at_edge.longest_gap_s(lost, Clock::now()), "s", 2.0));
-  else
-    rows.push_back(at_most(what + "longest gap at the edge's viewer after it goes on",
-                           at_edge.longest_gap_s(healed, Clock::now()), "s", 1.0));
-  const std::uint64_t numbers = at_site.arrived.rbegin()->first - first;
-  rows.push_back(at_most(what + "images that a viewer of the site missed meanwhile",
-                         static_cast<double>(numbers) - static_cast<double>(at_site.arrived.size() - site_before), "",
-                         0.0));
-  return {};
-}
-
-Result<void> add_lost_nodes(const fs::path& scratch, double, std::vector<Row>& rows) {
-  for (const bool is_killed : {true, false})
-    if (const Result<void> done = add_loss_of_a_node(scratch, is_killed, rows); !done) return done;
-  return add_partition_rows(scratch, rows);
-}
+Result<void> add_nodes(const fs::path& scratch, double, std::vector<Row>& rows) { return add_node_rows(scratch, rows); }
 
 Result<void> add_sweeps(const fs::path& scratch, double, std::vector<Row>& rows) {
   return add_sweep_rows(scratch, rows);
@@ -211,8 +155,8 @@ struct Section {
 Result<Report> run_cluster(const program::Arguments& arguments) {
   const Result<double> seconds = arguments.number("seconds", 2.0, 7200.0);
   if (!seconds) return seconds.error();
-  const std::vector<Section> all{{"relay", add_steady_rows}, {"nodes", add_lost_nodes}, {"sessions", add_session_rows},
-                                 {"model", add_model_rows},  {"soak", add_soak_rows},   {"sweep", add_sweeps}};
+  const std::vector<Section> all{{"relay", add_steady_rows}, {"nodes", add_nodes},    {"sessions", add_session_rows},
+                                 {"model", add_model_rows},  {"soak", add_soak_rows}, {"sweep", add_sweeps}};
   const Result<std::vector<Section>> chosen = chosen_sections(all, arguments, "cluster");
   if (!chosen) return chosen.error();
   const support::TemporaryFolder scratch;

@@ -1,6 +1,7 @@
 #include "tests/bench/cluster/running_server.h"
 
 #include <optional>
+#include <utility>
 
 #include "where.h"
 
@@ -21,6 +22,16 @@ Result<RunningServer> start_server(const std::filesystem::path& scratch, const s
                  .fix = "read this file"};
   server.port = static_cast<std::uint16_t>(std::stoi(*port));
   return server;
+}
+
+Result<ServerPair> start_pair(const std::filesystem::path& scratch, const std::string& of_site,
+                              const std::string& of_edge) {
+  Result<RunningServer> site =
+      start_server(scratch, "site", {"--source", "synthetic", "--publish", of_site + "/bench"});
+  if (!site) return site.error();
+  Result<RunningServer> edge = start_server(scratch, "edge", {"--source", of_edge + "/bench"});
+  if (!edge) return edge.error();
+  return ServerPair{.site = *std::move(site), .edge = *std::move(edge)};
 }
 
 Error sees_nothing() {

@@ -21,6 +21,14 @@ struct RunningServer {
 [[nodiscard]] Result<RunningServer> start_server(const std::filesystem::path& scratch, const std::string& name,
                                                  std::vector<std::string> options);
 
+/// A site with a synthetic patient that publishes to a cluster, and an edge of it.
+struct ServerPair {
+  RunningServer site, edge;
+};
+/// `of_site`, `of_edge`: the addresses of the nodes to which each connects, the first one first.
+[[nodiscard]] Result<ServerPair> start_pair(const std::filesystem::path& scratch, const std::string& of_site,
+                                            const std::string& of_edge);
+
 /// No image came to a viewer.
 [[nodiscard]] Error sees_nothing();
 

@@ -41,6 +41,7 @@ class Viewers {
   void run_for(std::chrono::duration<double> time);
   /// Runs until each viewer has a depth image, for at most 15 s. False: a viewer has none.
   bool all_see();
+  [[nodiscard]] boost::asio::io_context& io() noexcept { return io_; }  ///< for what else runs beside them
   [[nodiscard]] std::size_t count() const noexcept { return viewers_.size(); }
   /// Bytes that all viewers received.
   [[nodiscard]] std::uint64_t bytes() const;

@@ -1,4 +1,4 @@
-#include "tests/bench/cluster/partition_rows.h"
+#include "tests/bench/cluster/nodes/partition_rows.h"
 
 #include <chrono>
 #include <fstream>
@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/bench/cluster/nodes/station_watch.h"
 #include "tests/bench/cluster/running_server.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/site/two_networks.h"
@@ -22,6 +23,7 @@ constexpr SiteLine kWide{.Mbit_per_s = 2000.0, .buffer_ms = 30.0};
 constexpr int kNodes = 3;
 constexpr int kAlone = 2;  // the node that is cut off
 constexpr auto kCutOff = 5s;
+constexpr auto kAfter = 6s;
 
 Side side_of(int node) { return node == kAlone ? Side::Doctor : Side::Patient; }
 std::string host_of(int node) { return node == kAlone ? TwoNetworks::kDoctor : TwoNetworks::kPatient; }
@@ -31,6 +33,7 @@ struct Seen {
   double gap_while_s = 0.0;
   double gap_after_s = 0.0;
   double missed_at_site = 0.0;
+  StationWatch::Facts station_before, station_meanwhile;
 };
 
 bool is_ready(const fs::path& log) {
@@ -74,7 +77,12 @@ Result<Seen> watch(const TwoNetworks& networks, const fs::path& scratch) {
   const Watched& at_site = viewers.add(site->port);
   const Watched& at_edge = viewers.add(edge->port);
   if (!viewers.all_see()) return sees_nothing();
+  const auto station = StationWatch::start(viewers.io(), "127.0.0.1", site->port, scratch, "part_station");
+  if (!station) return station.error();
   viewers.run_for(2s);
+  const StationWatch::Moment began = (*station)->moment();
+  viewers.run_for(kCutOff + kAfter);
+  const StationWatch::Moment cut_at = (*station)->moment();
   const std::size_t before = at_site.arrived.size();
   const std::uint64_t first = at_site.arrived.rbegin()->first;
   const Clock::time_point cut = Clock::now();
@@ -82,11 +90,13 @@ Result<Seen> watch(const TwoNetworks& networks, const fs::path& scratch) {
   viewers.run_for(kCutOff);
   if (Result<void> done = networks.set_joined(true); !done) return done.error();
   const Clock::time_point healed = Clock::now();
-  viewers.run_for(6s);
+  viewers.run_for(kAfter);
   const double numbers = static_cast<double>(at_site.arrived.rbegin()->first - first);
   return Seen{.gap_while_s = at_edge.longest_gap_s(cut, healed),
               .gap_after_s = at_edge.longest_gap_s(healed, Clock::now()),
-              .missed_at_site = numbers - static_cast<double>(at_site.arrived.size() - before)};
+              .missed_at_site = numbers - static_cast<double>(at_site.arrived.size() - before),
+              .station_before = (*station)->between(began, cut_at),
+              .station_meanwhile = (*station)->since(cut_at)};
 }
 
 }  // namespace
@@ -101,6 +111,7 @@ Result<void> add_partition_rows(const fs::path& scratch, std::vector<Row>& rows)
   rows.push_back(at_most(what + "longest gap at the edge's viewer after it heals", (*seen)->gap_after_s, "s", 1.0));
   rows.push_back(measured(what + "longest gap at the edge's viewer meanwhile", (*seen)->gap_while_s, "s"));
   rows.push_back(at_most(what + "images that a viewer of the site missed meanwhile", (*seen)->missed_at_site, "", 0.0));
+  add_station_rows(what, (*seen)->station_before, (*seen)->station_meanwhile, rows);
   return {};
 }
 
