@@ -1,15 +1,14 @@
 #include "haptic_station/station/threads/journal_thread.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <boost/asio/post.hpp>
 #include <cerrno>
 #include <chrono>
+#include <string>
 #include <system_error>
 #include <utility>
 
 #include "haptic_station/core/journal/journal_words.h"
+#include "proto/wire/mcap/sealed/sealed_stream.h"
 
 namespace telepalp::station {
 namespace {
@@ -17,10 +16,9 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod{20};
 constexpr std::size_t kMostWaitingBytes = 256U << 20U;
 constexpr int kTicksInBlock = 400;
-constexpr mode_t kOwnerAndGroup = 0640;  // depth images of a patient
 
-Error not_written(const std::filesystem::path& file, int reason) {
-  return {.what = "the journal cannot be written: " + std::generic_category().message(reason),
+Error not_written(const std::filesystem::path& file, const std::string& why) {
+  return {.what = "the journal cannot be written: " + why,
           .where = file.string(),
           .fix = "give --journal a file in a folder of this user, on a disk with 5 MB of space for each second"};
 }
@@ -29,16 +27,14 @@ Error not_written(const std::filesystem::path& file, int reason) {
 
 Result<std::unique_ptr<JournalThread>> JournalThread::open(const std::filesystem::path& file,
                                                            const msg::JournalHeader& header) {
-  const int made = ::open(file.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, kOwnerAndGroup);
-  if (made < 0) return not_written(file, errno);
-  ::close(made);
-  std::ofstream out(file, std::ios::binary);
-  if (!out) return not_written(file, errno);
-  return std::unique_ptr<JournalThread>(new JournalThread(file, std::move(out), header));
+  Result<std::unique_ptr<std::ostream>> out = wire::mcap::create_stream(file);
+  if (!out) return out.error().where == file.string() ? not_written(file, out.error().what) : out.error();
+  return std::unique_ptr<JournalThread>(new JournalThread(file, *std::move(out), header));
 }
 
-JournalThread::JournalThread(const std::filesystem::path& file, std::ofstream out, const msg::JournalHeader& header)
-    : file_(file), out_(std::move(out)), writer_(out_, header), thread_([this] {
+JournalThread::JournalThread(const std::filesystem::path& file, std::unique_ptr<std::ostream> out,
+                             const msg::JournalHeader& header)
+    : file_(file), out_(std::move(out)), writer_(*out_, header), thread_([this] {
         every_20_ms();
         io_.run();
       }) {}
@@ -47,6 +43,7 @@ JournalThread::~JournalThread() { (void)close(); }
 
 void JournalThread::every_20_ms() {
   drain();
+  out_->flush();
   timer_.expires_after(kPeriod);
   timer_.async_wait([this](const boost::system::error_code& error) {
     if (!error && !closing_) every_20_ms();
@@ -105,8 +102,8 @@ Result<void> JournalThread::close() {
   *block.mutable_end() = end_;
   writer_.add(block);
   errno = 0;
-  out_.close();
-  if (!out_) return not_written(file_, errno == 0 ? EIO : errno);
+  out_->flush();
+  if (!*out_) return not_written(file_, std::generic_category().message(errno == 0 ? EIO : errno));
   return {};
 }
 

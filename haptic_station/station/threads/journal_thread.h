@@ -4,9 +4,9 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <thread>
 
 #include "haptic_station/core/journal/journal_file.h"
@@ -21,7 +21,8 @@ namespace telepalp::station {
 /// marks the journal as incomplete.
 class JournalThread {
  public:
-  /// Creates `file`, readable for its group. Error: it cannot be written.
+  /// Creates `file`, readable for its group, encrypted if TELEPALP_SITE_KEYS names a key. Error: it cannot be written,
+  /// or the key cannot be read.
   [[nodiscard]] static Result<std::unique_ptr<JournalThread>> open(const std::filesystem::path& file,
                                                                    const msg::JournalHeader& header);
   ~JournalThread();
@@ -44,7 +45,7 @@ class JournalThread {
  private:
   using Ring = SpscRing<core::JournalTick, 16384>;
 
-  JournalThread(const std::filesystem::path& file, std::ofstream out, const msg::JournalHeader& header);
+  JournalThread(const std::filesystem::path& file, std::unique_ptr<std::ostream> out, const msg::JournalHeader& header);
   void add(msg::JournalBlock block);
   void every_20_ms();
   void drain();
@@ -54,7 +55,7 @@ class JournalThread {
   std::atomic<std::uint64_t> ticks_lost_{0};
   std::atomic<std::uint64_t> runs_lost_{0};
   std::atomic<std::size_t> waiting_bytes_{0};  // of the runs that were posted and not written
-  std::ofstream out_;                          // this and the following members, owner: this thread; then close()
+  std::unique_ptr<std::ostream> out_;          // this and the following members, owner: this thread; then close()
   core::JournalWriter writer_;
   msg::JournalEnd end_;
   bool closing_ = false;  // a timer that has expired cannot be cancelled

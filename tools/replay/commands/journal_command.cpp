@@ -2,13 +2,15 @@
 
 #include <array>
 #include <cstdio>
-#include <fstream>
+#include <istream>
+#include <memory>
 
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/journal/journal_replay.h"
 #include "haptic_station/core/tick_stage.h"
 #include "haptic_station/station/rigs/journaled_scene.h"
 #include "haptic_station/station/rigs/placement.h"
+#include "proto/wire/mcap/sealed/sealed_stream.h"
 #include "support/program/files/whole_file.h"
 #include "support/program/version.h"
 #include "tools/replay/words/journal_words.h"
@@ -66,12 +68,9 @@ JournalVerdict verdict_of(JournalReader& reader, const station::JournaledScene& 
 }  // namespace
 
 Result<bool> run_journal(const Request& request) {
-  std::ifstream in(request.journal, std::ios::binary);
-  if (!in)
-    return Error{.what = "cannot be read",
-                 .where = request.journal.string(),
-                 .fix = "give a file that telepalp-station --journal FILE wrote"};
-  Result<JournalReader> reader = JournalReader::open(in, request.journal.string());
+  const Result<std::unique_ptr<std::istream>> in = wire::mcap::open_stream(request.journal);
+  if (!in) return in.error();
+  Result<JournalReader> reader = JournalReader::open(**in, request.journal.string());
   if (!reader) return reader.error();
   const Result<station::JournaledScene> journaled = station::journaled_scene(reader->header());
   if (!journaled) return journaled.error();
