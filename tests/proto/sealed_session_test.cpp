@@ -12,6 +12,7 @@
 #include "proto/wire/mcap/format/byte_source.h"
 #include "proto/wire/mcap/sealed/sealed_header.h"
 #include "proto/wire/mcap/sealed/sealed_source.h"
+#include "proto/wire/mcap/sealed/sealed_stream.h"
 #include "proto/wire/mcap/sealed/sealed_text.h"
 #include "proto/wire/mcap/sealed/sealer.h"
 #include "proto/wire/mcap/writing/output_file.h"
@@ -254,6 +255,42 @@ TEST_F(SealedSession, ABlockOfTheSessionIsNoTextBesideIt) {
   const auto source = decrypted(in_memory(*sealed_text(*keys::SiteKey::load(in("ward3.key")), "a note"), "n"));
   ASSERT_TRUE(source);
   EXPECT_EQ((*source)->size(), 0U) << "nor is a text a session";
+}
+
+TEST_F(SealedSession, AStreamIsEncryptedAndReadsUpToItsLastFlush) {
+  const std::string content = noise(3 * kSealedBlockBytes + 500, 11);
+  const fs::path file = in("run.journal");
+  {
+    const auto out = create_stream(file);
+    ASSERT_TRUE(out) << to_string(out.error());
+    **out << content << std::flush;
+    EXPECT_EQ(bytes_of(file).find(content.substr(0, 32)), std::string::npos);
+    **out << "lost";
+    ASSERT_TRUE((*out)->good());
+    EXPECT_EQ(read(file) == content, true) << "what was flushed is there after a crash";
+  }
+  const auto back = open_stream(file);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(**back), {}).substr(0, content.size()) == content, true);
+  EXPECT_EQ(fs::status(file).permissions() & fs::perms::others_all, fs::perms::none);
+  use(make_key("ward4"));
+  EXPECT_FALSE(open_stream(file));
+}
+
+TEST_F(SealedSession, AStreamWithoutAKeyIsPlainAndADamagedOneEndsBeforeTheDamage) {
+  const std::string content = noise(3 * kSealedBlockBytes, 12);
+  const auto write_stream = [&](const fs::path& file) { (**create_stream(file) << content).flush(); };
+  write_stream(in("sealed.journal"));
+  std::string damaged = bytes_of(in("sealed.journal"));
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+  put(in("damaged.journal"), damaged);
+  const auto part = open_stream(in("damaged.journal"));
+  ASSERT_TRUE(part);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(**part), {}) == content.substr(0, kSealedBlockBytes), true);
+  ::unsetenv("TELEPALP_SITE_KEYS");
+  write_stream(in("plain.journal"));
+  EXPECT_EQ(bytes_of(in("plain.journal")) == content, true);
+  EXPECT_FALSE(create_stream(in("none/plain.journal")));
 }
 
 /// A sink that is full after some bytes.

@@ -300,6 +300,22 @@ TEST_F(ReplayProgram, ComputesTheJournalOfALiveStationAgainToTheLastBit) {
   }
 }
 
+TEST_F(ReplayProgram, AJournalIsEncryptedForTheSiteAndReadWithItsKeyAlone) {
+  ASSERT_EQ(run("telepalp-keys", {"site-key", "--name", "ward", "--dir", in("keys")}).first, 0);
+  ::setenv("TELEPALP_SITE_KEYS", in("keys/ward-site.key").c_str(), 1);
+  const auto [kept, station] = keep_journal(in(""), "fast", "2");
+  const auto [code, said] = run("telepalp-replay", {"--journal", in("a.journal"), "--out", in("forces")});
+  ::unsetenv("TELEPALP_SITE_KEYS");
+  ASSERT_EQ(kept, 0) << station;
+  EXPECT_EQ(bytes_of(in("a.journal")).find("telepalp-journal"), std::string::npos);
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("force     0\nphase     0\nproxy     0\n"), std::string::npos) << said;
+  EXPECT_GT(fs::file_size(in("forces/forces-live.csv")), 50'000U);
+  const auto [without_key, why] = run("telepalp-replay", {"--journal", in("a.journal")});
+  EXPECT_EQ(without_key, 2) << why;
+  EXPECT_NE(why.find("TELEPALP_SITE_KEYS"), std::string::npos) << why;
+}
+
 TEST_F(ReplayProgram, SaysThatAJournalWasCutOffOrIsNone) {
   ASSERT_EQ(keep_journal(in(""), "fast", "2").first, 0);
   fs::resize_file(in("a.journal"), fs::file_size(in("a.journal")) / 2);
