@@ -1,6 +1,7 @@
 #include "tests/bench/cluster/cluster_bench.h"
 
 #include <filesystem>
+#include <functional>
 #include <thread>
 #include <utility>
 
@@ -59,17 +60,28 @@ Result<double> sent_MB_per_cpu_s(const RunningServer& server, double seconds) {
   return 1e-6 * static_cast<double>(viewers.bytes() - bytes) / (cpu_s(server.process->pid()) - before_s);
 }
 
-constexpr std::size_t kMessages = 3000;
+constexpr std::size_t kMessages = 2000;
 constexpr std::size_t kMessage_B = 90'000;  // a depth image of the synthetic patient
+constexpr auto kBetween = 1ms;              // as live messages come: one at a time, each with the time to be written
+
+/// Calls `publish` kMessages times. Returns the processor time of all threads until `is_done` [us].
+double paced_cpu_us(const std::function<void()>& publish, const std::function<bool()>& is_done) {
+  const double before_us = process_us();
+  const Clock::time_point begin = Clock::now();
+  for (std::size_t i = 0; i < kMessages; ++i) {
+    std::this_thread::sleep_until(begin + i * kBetween);
+    publish();
+  }
+  while (!is_done()) std::this_thread::sleep_for(kBetween);
+  return process_us() - before_us;
+}
 
 /// Processor time of a bare NATS client that publishes kMessages payloads [us].
 Result<double> bare_publisher_cpu_us(const std::string& url) {
   auto nats = nats::NatsConnection::open({.address = {.url = url}, .name = "bare"});
   if (!nats) return nats.error();
   const std::string payload(kMessage_B, 'x');
-  const double before_us = process_us();
-  for (std::size_t i = 0; i < kMessages; ++i) (*nats)->publish("telepalp.bare.camera.depth", payload);
-  return process_us() - before_us;
+  return paced_cpu_us([&] { (*nats)->publish("telepalp.bare.camera.depth", payload); }, [] { return true; });
 }
 
 /// Processor time of the same messages through a hub and telepalp's own publisher [us].
@@ -80,15 +92,15 @@ Result<double> publisher_cpu_us(const std::string& url) {
                                           {.address = {.cluster = {.url = url}, .site = "cost"}});
   if (!publisher) return publisher.error();
   const auto payload = std::make_shared<const std::string>(kMessage_B, 'x');
-  constexpr std::size_t kInFlight = 16;  // less than the publisher takes, so that the hub drops none
+  constexpr std::uint64_t kInFlight = 16;  // less than the publisher takes, so that the hub drops none
   const auto done = [&] { return (*publisher)->counts().published + (*publisher)->counts().lost; };
-  const double before_us = process_us();
-  for (std::size_t i = 0; i < kMessages; ++i) {
+  std::uint64_t given = 0;
+  const auto publish = [&] {
+    while (done() + kInFlight < given) std::this_thread::sleep_for(kBetween);
     hub.publish({wire::kCameraDepth, SessionTime{}, payload, 0, true});
-    while (done() + kInFlight < i) std::this_thread::sleep_for(500us);
-  }
-  while (done() < kMessages) std::this_thread::sleep_for(500us);
-  const double used_us = process_us() - before_us;
+    ++given;
+  };
+  const double used_us = paced_cpu_us(publish, [&] { return done() >= given; });
   if ((*publisher)->counts().lost > 0)
     return Error{.what = "the publisher lost messages, so its processor time is not that of all",
                  .where = "telepalp-bench cluster",
