@@ -50,7 +50,7 @@ Result<NatsCluster> NatsCluster::start(std::size_t nodes, const std::filesystem:
   for (const std::string& port : among) routes += (routes.empty() ? "" : ",") + ("nats://127.0.0.1:" + port);
   for (std::size_t i = 0; i < nodes; ++i) {
     const std::filesystem::path log = scratch / ("node" + std::to_string(i) + ".log");
-    std::vector<std::string> arguments{"-a", "127.0.0.1", "-p", cluster.ports_[i]};
+    std::vector<std::string> arguments{"-a", "127.0.0.1", "-p", cluster.ports_[i], "-n", "node" + std::to_string(i)};
     if (stores == Stores::Files)
       arguments.insert(arguments.end(), {"-js", "-sd", scratch / ("store" + std::to_string(i))});
     if (nodes > 1)
