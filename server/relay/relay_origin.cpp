@@ -7,7 +7,7 @@
 #include <charconv>
 #include <utility>
 
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 #include "server/relay/relay_frames.h"
 
 namespace telepalp::relay {

@@ -13,7 +13,7 @@
 #include "codec/depth_stream.h"
 #include "messages/inside.pb.h"
 #include "messages/station.pb.h"
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 #include "server/hub/hub.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 
 namespace telepalp::station {
 

@@ -23,7 +23,7 @@
 #include "proto/wire/datagrams/path_watch.h"
 #include "proto/wire/message.h"
 #include "proto/wire/session_clock.h"
-#include "proto/words/said_once.h"
+#include "proto/words/repeats/said_once.h"
 
 namespace telepalp::wire {
 

@@ -7,7 +7,7 @@
 
 #include "messages/control.pb.h"
 #include "messages/meet.pb.h"
-#include "proto/words/said_once.h"
+#include "proto/words/repeats/said_once.h"
 
 namespace telepalp::meet {
 

@@ -24,7 +24,7 @@ const std::vector<Part> kParts{
     {"surface", surface_section},       {"slopes", slopes_section}, {"patients", patients_section},
     {"prediction", prediction_section}, {"organ", organ_section},   {"solids", solids_section},
     {"needle", needle_section},         {"price", price_section},   {"settings", settings_section},
-    {"z-width", z_width_section},       {"depth", depth_section}};
+    {"z-width", z_width_section},       {"depth", depth_section},   {"thin", thin_section}};
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "tests/bench/accuracy/accuracy_depth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -114,9 +115,11 @@ void compare(const DepthImage& sent, const DepthImage& got, DepthPrice& into, Ro
   }
 }
 
-void feel(const DepthSequence& sequence, const std::vector<DepthImage>& got, DepthPrice& price) {
+/// `captured`, `got`: the images of `sequence` as captured and as decoded, of both what the station makes surface of.
+void feel(const DepthSequence& sequence, const std::vector<DepthImage>& captured, const std::vector<DepthImage>& got,
+          DepthPrice& price) {
   const std::vector<Press> presses = presses_on(sequence);
-  const auto true_N = forces_of(*surface_of(sequence, sequence.frames), presses);
+  const auto true_N = forces_of(*surface_of(sequence, captured), presses);
   const auto shown_N = forces_of(*surface_of(sequence, got), presses);
   Distribution error_N;
   RootMeanSquare all_N;
@@ -147,7 +150,27 @@ Result<std::vector<DepthSequence>> depth_sequences() {
   return std::vector<DepthSequence>{std::move(*room), std::move(patient)};
 }
 
-Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode, const DepthErrorBound& bound) {
+PixelRect rect_of_the_hand(const DepthSequence& sequence, double share) {
+  const DepthImage& depth = sequence.frames.back();
+  double columns = 0.0, rows = 0.0, count = 0.0;
+  for (int row = 0; row < depth.height; ++row)
+    for (int column = 0; column < depth.width; ++column) {
+      const double z_m = depth.unit_m * depth.at(column, row);
+      if (!(z_m > 0.0) || z_m > sequence.farthest_m) continue;
+      columns += column;
+      rows += row;
+      count += 1.0;
+    }
+  const int width = static_cast<int>(std::sqrt(share) * depth.width);
+  const int height = static_cast<int>(std::sqrt(share) * depth.height);
+  return {.column = std::clamp(static_cast<int>(columns / std::max(1.0, count)) - width / 2, 0, depth.width - width),
+          .row = std::clamp(static_cast<int>(rows / std::max(1.0, count)) - height / 2, 0, depth.height - height),
+          .width = width,
+          .height = height};
+}
+
+Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode, const DepthErrorBound& bound,
+                            const std::optional<DepthWindow>& window) {
   codec::DepthEncoder encoder({.mode = mode, .bound = bound});
   codec::DepthDecoder decoder;
   DepthPrice price;
@@ -159,7 +182,7 @@ Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode
   std::vector<DepthImage> got;
   for (const DepthImage& frame : sequence.frames) {
     const double start_ms = cpu_ms();
-    const std::string packet = encoder.encode(frame).bytes;
+    const std::string packet = encoder.encode(frame, window).bytes;
     const double encoded_ms = cpu_ms();
     Result<DepthImage> decoded = decoder.decode(std::as_bytes(std::span(packet)));
     decode_ms.add(cpu_ms() - encoded_ms);
@@ -168,6 +191,7 @@ Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode
     compare(frame, *decoded, price, error_mm);
     bytes += static_cast<double>(packet.size());
     pixels += static_cast<double>(frame.samples.size());
+    if (window) keep_only(*decoded, window->exact);
     got.push_back(std::move(decoded).value());
   }
   price.bits_per_pixel = 8.0 * bytes / pixels;
@@ -175,7 +199,10 @@ Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode
   price.rms_mm = error_mm.value();
   price.encode_p50_ms = encode_ms.p50();
   price.decode_p50_ms = decode_ms.p50();
-  feel(sequence, got, price);
+  std::vector<DepthImage> captured = sequence.frames;
+  if (window)
+    for (DepthImage& frame : captured) keep_only(frame, window->exact);
+  feel(sequence, captured, got, price);
   return price;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "codec/bounded/reconstruction.h"
 #include "codec/depth.h"
+#include "proto/words/depth/depth_window.h"
 #include "proto/words/result.h"
 #include "proto/words/rgbd_frame.h"
 
@@ -36,8 +38,13 @@ struct DepthPrice {
   int places = 0;
 };
 
-/// Measures `mode`. `bound`: the error bound of DepthMode::Bounded.
+/// Measures `mode`. `bound`: the error bound of DepthMode::Bounded. With a window, as in the station, the surface is
+/// built from its exact depth alone, so places outside are not pressed; the depth error is that of the whole image.
 [[nodiscard]] Result<DepthPrice> price_of(const DepthSequence& sequence, codec::DepthMode mode,
-                                          const DepthErrorBound& bound);
+                                          const DepthErrorBound& bound,
+                                          const std::optional<DepthWindow>& window = std::nullopt);
+
+/// A rectangle of `share` of the image's pixels around the middle of what may be pressed in `sequence`.
+[[nodiscard]] PixelRect rect_of_the_hand(const DepthSequence& sequence, double share);
 
 }  // namespace telepalp::bench

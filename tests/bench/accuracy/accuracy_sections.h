@@ -40,5 +40,8 @@ struct Section {
 [[nodiscard]] Result<Section> z_width_section();
 /// The depth codec's modes, and the force error that Bounded causes.
 [[nodiscard]] Result<Section> depth_section();
+/// What a thin line gets: a window of exact depth over its size and the bound around it, and colour as VP8 over its
+/// rate, beside JPEG.
+[[nodiscard]] Result<Section> thin_section();
 
 }  // namespace telepalp::bench

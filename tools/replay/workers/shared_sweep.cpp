@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "proto/words/counted.h"
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 #include "support/program/log.h"
 #include "tools/replay/commands/progress_bar.h"
 #include "tools/replay/commands/settings.h"

@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 #include "support/nats/work_queue.h"
 #include "support/program/log.h"
 #include "support/program/repeated_call.h"

@@ -1,4 +1,4 @@
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 
 namespace telepalp {
 namespace {
