@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "haptic_station/core/tick_vector.h"
+#include "haptic_station/core/window/tick_vector.h"
 
 namespace telepalp::core {
 namespace {

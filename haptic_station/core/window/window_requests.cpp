@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "codec/depth.h"
-#include "haptic_station/core/tick_vector.h"
+#include "haptic_station/core/window/tick_vector.h"
 #include "proto/wire/camera/depth_window_message.h"
 
 namespace telepalp::core {
