@@ -170,7 +170,7 @@ Result<void> open_server(Parts& parts, Asked& asked) {
 }
 
 /// Why the health check fails; empty: healthy.
-std::string problem(const Parts& parts, const access::Access& access) {
+std::string health_problem(const Parts& parts, const access::Access& access) {
   const std::string of_server = parts.server->problem();
   return of_server.empty() ? access.alarm() : of_server;
 }
@@ -206,7 +206,7 @@ Result<void> open_gateway(Parts& parts, Asked& asked) {
   if (!asked.gateway) return {};
   Server& server = *parts.server;
   asked.gateway->access = asked.server.access;
-  asked.gateway->problem = [&parts, access = asked.server.access] { return problem(parts, *access); };
+  asked.gateway->problem = [&parts, access = asked.server.access] { return health_problem(parts, *access); };
   asked.gateway->datagrams = [&server] { return server.datagram_counts(); };
   open_sources(parts, asked);
   offer(*asked.gateway, parts);
@@ -219,12 +219,12 @@ Result<void> open_gateway(Parts& parts, Asked& asked) {
 
 Result<void> open_health(Parts& parts, Asked& asked) {
   if (!asked.health) return {};
-  asked.health->problem = [&parts, access = asked.server.access] { return problem(parts, *access); };
+  asked.health->problem = [&parts, access = asked.server.access] { return health_problem(parts, *access); };
   asked.health->metrics = [&parts, access = asked.server.access] {
     return gateway::metrics_text(parts.server->hub(), access->counts(), parts.server->datagram_counts(),
                                  {.browsers = parts.gateway ? parts.gateway->connections() : 0,
                                   .touch_is_held = access->touch().holder(std::chrono::steady_clock::now()).has_value(),
-                                  .is_healthy = problem(parts, *access).empty()}) +
+                                  .is_healthy = health_problem(parts, *access).empty()}) +
            (parts.voice ? parts.voice->metrics() : "");
   };
   auto listens = gateway::HealthPort::open(parts.io, *asked.health);

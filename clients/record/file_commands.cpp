@@ -15,8 +15,6 @@
 namespace telepalp::record {
 namespace {
 
-constexpr const char* kProgram = "telepalp-record";
-
 program::Usage info_usage() {
   return {.program = "telepalp-record info",
           .purpose = "describes a session: origin, topics, rates, bytes, gaps, drops, clock",
@@ -59,12 +57,6 @@ program::Usage merge_usage() {
           .positional = "FILE...",
           .options = {{"out", "FILE.mcap", "the new file"}},
           .example = "telepalp-record merge part.mcap session.mcap --out both.mcap"};
-}
-
-Error asked_wrongly(std::string what, const program::Usage& usage) {
-  return {.what = std::move(what),
-          .where = std::string(usage.program),
-          .fix = "see " + std::string(usage.program) + " --help"};
 }
 
 /// The one file of a command.
@@ -182,6 +174,12 @@ int run_repair(const std::string& file, const std::string& out) {
 }
 
 }  // namespace
+
+Error asked_wrongly(std::string what, const program::Usage& usage) {
+  return {.what = std::move(what),
+          .where = std::string(usage.program),
+          .fix = "see " + std::string(usage.program) + " --help"};
+}
 
 int info_command(int argc, const char* const* argv) {
   return with_file(info_usage(), argc, argv, [](const std::string& file, const program::Arguments& arguments) {

@@ -12,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kPartial = ".partial";
 constexpr const char* kCannotBeFinished = "the recording cannot be completed";
 
 fs::path finished_name(const fs::path& partial) {

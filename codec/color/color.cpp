@@ -18,7 +18,7 @@ struct FreeTurbo {
   void operator()(unsigned char* bytes) const noexcept { tjFree(bytes); }
 };
 
-Error damaged(std::string what) {
+Error damaged_color(std::string what) {
   return {.what = std::move(what), .where = "colour image", .fix = "send or record the image again"};
 }
 
@@ -53,16 +53,16 @@ Result<ColorImage> decode_color(std::span<const std::byte> jpeg) {
   int subsampling = 0;
   int colorspace = 0;
   if (tjDecompressHeader3(turbo.get(), bytes, jpeg.size(), &color.width, &color.height, &subsampling, &colorspace) != 0)
-    return damaged("its JPEG header cannot be read");
+    return damaged_color("its JPEG header cannot be read");
   if (color.width < 1 || color.height < 1 || color.width > kMaxImageSide || color.height > kMaxImageSide)
-    return damaged("it declares " + std::to_string(color.width) + " x " + std::to_string(color.height) +
-                   " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");
+    return damaged_color("it declares " + std::to_string(color.width) + " x " + std::to_string(color.height) +
+                         " pixels, not 1 to " + std::to_string(kMaxImageSide) + " a side");
   color.rgb.resize(3 * static_cast<std::size_t>(color.width) * static_cast<std::size_t>(color.height));
   // libjpeg only warns of a truncated picture and fills the rest with grey: a warning is an error here. A progressive
   // picture of thousands of scans takes minutes to decode: TurboJPEG refuses more than 500.
   if (tjDecompress2(turbo.get(), bytes, jpeg.size(), color.rgb.data(), color.width, 0, color.height, TJPF_RGB,
                     TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0)
-    return damaged(std::string("it is damaged: ") + tjGetErrorStr2(turbo.get()));
+    return damaged_color(std::string("it is damaged: ") + tjGetErrorStr2(turbo.get()));
   return color;
 }
 

@@ -6,11 +6,7 @@
 namespace telepalp::codec {
 namespace {
 
-struct Destroy {
-  void operator()(OpusDecoder* decoder) const noexcept { opus_decoder_destroy(decoder); }
-};
-
-Error damaged(const char* what) {
+Error damaged_voice(const char* what) {
   return {.what = std::string("a packet of speech is refused: ") + what,
           .where = "VoiceDecoder",
           .fix = "send Opus with one frame of 20 ms of one channel in a packet"};
@@ -19,6 +15,9 @@ Error damaged(const char* what) {
 }  // namespace
 
 struct VoiceDecoder::State {
+  struct Destroy {
+    void operator()(OpusDecoder* decoder) const noexcept { opus_decoder_destroy(decoder); }
+  };
   /// `packet` of 0 bytes: conceals. False: libopus refuses the packet.
   bool decode(std::span<const std::byte> packet, bool restores, VoiceSamples& samples) {
     const auto* bytes = packet.empty() ? nullptr : reinterpret_cast<const unsigned char*>(packet.data());
@@ -38,16 +37,16 @@ VoiceDecoder::VoiceDecoder(VoiceDecoder&&) noexcept = default;
 VoiceDecoder& VoiceDecoder::operator=(VoiceDecoder&&) noexcept = default;
 
 Result<VoiceSamples> VoiceDecoder::decode(std::span<const std::byte> packet) {
-  if (!is_voice_packet(packet)) return damaged("it is not one frame of 20 ms of one channel");
+  if (!is_voice_packet(packet)) return damaged_voice("it is not one frame of 20 ms of one channel");
   VoiceSamples samples{};
-  if (!state_->decode(packet, false, samples)) return damaged("libopus cannot decode it");
+  if (!state_->decode(packet, false, samples)) return damaged_voice("libopus cannot decode it");
   return samples;
 }
 
 Result<VoiceSamples> VoiceDecoder::restore(std::span<const std::byte> next) {
-  if (!is_voice_packet(next)) return damaged("it is not one frame of 20 ms of one channel");
+  if (!is_voice_packet(next)) return damaged_voice("it is not one frame of 20 ms of one channel");
   VoiceSamples samples{};
-  if (!state_->decode(next, true, samples)) return damaged("libopus cannot decode it");
+  if (!state_->decode(next, true, samples)) return damaged_voice("libopus cannot decode it");
   return samples;
 }
 

@@ -9,16 +9,15 @@
 namespace telepalp::codec {
 namespace {
 
-struct Destroy {
-  void operator()(OpusEncoder* encoder) const noexcept { opus_encoder_destroy(encoder); }
-};
-
 /// Half of the best: speech sounds the same, and a station's core has other work.
 constexpr int kComplexity = 5;
 
 }  // namespace
 
 struct VoiceEncoder::State {
+  struct Destroy {
+    void operator()(OpusEncoder* encoder) const noexcept { opus_encoder_destroy(encoder); }
+  };
   std::unique_ptr<OpusEncoder, Destroy> encoder;
   opus_int32 delay_samples = 0;
 };

@@ -14,7 +14,7 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Error refusal(std::string what, std::string fix) {
+Error probe_refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "calibration by hand on probe", .fix = std::move(fix)};
 }
 
@@ -27,13 +27,14 @@ constexpr const char* kFixMeasured =
 std::optional<Error> refuse_pose(const Isometry3d& pose, const std::string& name, const char* fix_position) {
   constexpr double kRotationError = 1e-3;
   if (!pose.matrix().allFinite() || pose.translation().cwiseAbs().maxCoeff() > 10.0)
-    return refusal(name + " is not finite, or has a coordinate beyond 10 m", fix_position);
+    return probe_refusal(name + " is not finite, or has a coordinate beyond 10 m", fix_position);
   const Matrix3d r = pose.linear();
   if ((r * r.transpose() - Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRotationError)
-    return refusal(name + " has no valid rotation: its axes are not perpendicular, or not of length one",
-                   "give a rotation matrix");
+    return probe_refusal(name + " has no valid rotation: its axes are not perpendicular, or not of length one",
+                         "give a rotation matrix");
   if (r.determinant() < 0.0)
-    return refusal(name + " is mirrored (determinant -1)", "check the sign of each axis: frames are right-handed");
+    return probe_refusal(name + " is mirrored (determinant -1)",
+                         "check the sign of each axis: frames are right-handed");
   return std::nullopt;
 }
 
@@ -51,7 +52,8 @@ std::optional<Matrix3d> mean_rotation(const Matrix3d& sum) {
 
 Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> poses, const Isometry3d& probe_from_hand,
                                                  const ProbeSettings& settings) {
-  if (poses.empty()) return refusal("no pose is given", "lay the hand on the probe, and measure at least one pose");
+  if (poses.empty())
+    return probe_refusal("no pose is given", "lay the hand on the probe, and measure at least one pose");
   if (const auto error = refuse_pose(probe_from_hand, "the pose of the hand on the probe (--hand-at)",
                                      "give x, y and z of --hand-at in metres"))
     return *error;
@@ -70,8 +72,8 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
   }
   const std::optional<Matrix3d> rotation = mean_rotation(sum);
   if (!rotation)
-    return refusal("the poses turn the hand in opposite directions on the probe, so their rotations have no mean",
-                   "align the hand with the probe, the same way each time");
+    return probe_refusal("the poses turn the hand in opposite directions on the probe, so their rotations have no mean",
+                         "align the hand with the probe, the same way each time");
   ProbeCalibration fit;
   fit.haptic_from_tracker.linear() = *rotation;
   fit.haptic_from_tracker.translation() = to_mean - *rotation * from_mean;
@@ -81,7 +83,7 @@ Result<ProbeCalibration> calibrate_hand_on_probe(std::span<const HandOnProbe> po
     fit.residuals.each_m.push_back((predicted.translation() - fitted.translation()).norm());
     fit.angles_rad.push_back(Eigen::AngleAxisd(predicted.linear() * fitted.linear().transpose()).angle());
     if (fit.residuals.each_m.back() > settings.furthest_m || fit.angles_rad.back() > kFurthest_rad)
-      return refusal(
+      return probe_refusal(
           "pose " + std::to_string(i + 1) + " disagrees with the others by " +
               std::to_string(std::lround(fit.residuals.each_m.back() * 1e3)) + " mm and " +
               counted(static_cast<std::uint64_t>(std::lround(fit.angles_rad.back() * 57.29578)), "degree", "degrees"),

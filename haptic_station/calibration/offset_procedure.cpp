@@ -9,19 +9,19 @@ constexpr double kMostMoved_m = 0.005;  // largest residual; beyond it the hand 
 
 using Eigen::Vector3d;
 
-constexpr double kFurthest_m = 10.0;
+constexpr double kFurthestHand_m = 10.0;
 
-Error refusal(std::string what, std::string fix) {
+Error offset_refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "calibration by offset", .fix = std::move(fix)};
 }
 
-bool usable(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFurthest_m; }
+bool usable(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFurthestHand_m; }
 
 }  // namespace
 
 Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const OffsetSettings& settings) {
   if (touches.empty() || touches.size() < settings.least_touches)
-    return refusal(
+    return offset_refusal(
         "too few pairs of positions of hand and end-effector were measured: " + std::to_string(touches.size()) +
             " instead of at least " + std::to_string(settings.least_touches),
         "keep the hand on the end-effector, in the tracker's view, until the measurement ends; or, if --pairs is "
@@ -30,9 +30,10 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   Vector3d end_effector = Vector3d::Zero();
   for (const Touch& touch : touches) {
     if (!usable(touch.hand.m) || !usable(touch.end_effector.m))
-      return refusal("a position of hand or end-effector is not finite, or has a coordinate beyond 10 m",
-                     "give positions in metres; leave out measurements in which the tracker did not see the hand, or "
-                     "the device gave no position");
+      return offset_refusal(
+          "a position of hand or end-effector is not finite, or has a coordinate beyond 10 m",
+          "give positions in metres; leave out measurements in which the tracker did not see the hand, or "
+          "the device gave no position");
     hand += touch.hand.m / static_cast<double>(touches.size());
     end_effector += touch.end_effector.m / static_cast<double>(touches.size());
   }
@@ -42,9 +43,9 @@ Result<OffsetCalibration> calibrate_offset(std::span<const Touch> touches, const
   for (const Touch& touch : touches)
     fit.residuals.each_m.push_back((fit.haptic_from_tracker * touch.hand - touch.end_effector).v.norm());
   if (fit.residuals.largest_m() > kMostMoved_m)
-    return refusal("the hand moved on the end-effector by up to " +
-                       std::to_string(std::lround(fit.residuals.largest_m() * 1e3)) + " mm",
-                   "keep the hand still on the end-effector, in the tracker's view, and measure again");
+    return offset_refusal("the hand moved on the end-effector by up to " +
+                              std::to_string(std::lround(fit.residuals.largest_m() * 1e3)) + " mm",
+                          "keep the hand still on the end-effector, in the tracker's view, and measure again");
   return fit;
 }
 

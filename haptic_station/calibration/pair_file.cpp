@@ -10,7 +10,6 @@ namespace telepalp::calibration {
 namespace {
 
 constexpr std::string_view kHeader = "place,to_x_m,to_y_m,to_z_m,from_x_m,from_y_m,from_z_m";
-constexpr std::size_t kMostRows = 100'000;
 
 }  // namespace
 
@@ -26,7 +25,7 @@ Result<std::vector<PointPair>> parse_point_pairs(std::string_view text, std::str
     if (line.empty()) continue;
     const auto row = number_row<7>(line);
     const bool good = row && std::abs((*row)[0]) < 1e6 && std::floor((*row)[0]) == (*row)[0];
-    if (!good || pairs.size() == kMostRows)
+    if (!good || pairs.size() == kMostPairs)
       return Error{
           .what = good ? "the file has more than 100000 rows"
                        : "the row is not seven finite numbers: the number of the place, which is an integer, and six "

@@ -18,8 +18,7 @@ constexpr double kLargestRmsShare = 0.1;    // largest rms residual, as a share 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kFurthest_m = 10.0;
-constexpr std::size_t kMostPairs = 100'000;
+constexpr double kFurthestPoint_m = 10.0;
 constexpr double kLargestScale = 1.25;  // sets whose sizes have a greater ratio have different units
 
 struct Place {
@@ -28,7 +27,7 @@ struct Place {
   double repeats = 0.0;
 };
 
-Error refusal(std::string what, std::string fix) {
+Error points_refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "calibration points", .fix = std::move(fix)};
 }
 
@@ -97,12 +96,12 @@ std::string widths_text(const Vector3d& w) {
 std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3d& to, const Vector3d& from, int rank) {
   const bool by_device = rank < 2 && to[rank] < from[rank];  // the positions by the device lack this width
   if (places.size() < 3)
-    return refusal("only " + counted(places.size(), "different place is", "different places are") +
-                       " measured (the scatter matrix of the places has rank " + std::to_string(rank) +
-                       "); a rotation needs three places that are not on a line",
-                   "measure at least three places, better four or more, spread over the workspace");
+    return points_refusal("only " + counted(places.size(), "different place is", "different places are") +
+                              " measured (the scatter matrix of the places has rank " + std::to_string(rank) +
+                              "); a rotation needs three places that are not on a line",
+                          "measure at least three places, better four or more, spread over the workspace");
   if (rank < 2)
-    return refusal(
+    return points_refusal(
         "the places lie " + std::string(rank == 0 ? "at one point" : "on a line") + " (rank " + std::to_string(rank) +
             " of the scatter matrix; a rotation needs rank 2): the standard deviations of the positions by the " +
             (by_device ? "device" : "tracker or camera") + " along their main axes are " +
@@ -110,10 +109,10 @@ std::optional<Error> refuse_sets(const std::vector<Place>& places, const Vector3
         rank == 0 ? "spread the places over the workspace" : "add places beside the line they lie on");
   const double scale = to[0] / from[0];
   if (scale > kLargestScale || scale < 1.0 / kLargestScale)
-    return refusal("the standard deviation of the places is " + millimetres(to[0]) +
-                       " in the positions by the device, but " + millimetres(from[0]) +
-                       " in those by the tracker or camera",
-                   "give all positions in metres, and both positions of a place in one row");
+    return points_refusal("the standard deviation of the places is " + millimetres(to[0]) +
+                              " in the positions by the device, but " + millimetres(from[0]) +
+                              " in those by the tracker or camera",
+                          "give all positions in metres, and both positions of a place in one row");
   return std::nullopt;
 }
 
@@ -141,12 +140,12 @@ Residuals residuals_of(std::span<const PointPair> pairs, const Eigen::Isometry3d
 
 Result<Registration> register_points(std::span<const PointPair> pairs, const RegistrationSettings& settings) {
   if (pairs.size() > kMostPairs)
-    return refusal(std::to_string(pairs.size()) + " pairs are too many", "give at most 100000 pairs");
+    return points_refusal(std::to_string(pairs.size()) + " pairs are too many", "give at most 100000 pairs");
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthest_m; };
+    if (const auto far = [](const Vector3d& p) { return !p.allFinite() || p.cwiseAbs().maxCoeff() > kFurthestPoint_m; };
         far(pairs[i].to) || far(pairs[i].from))
-      return refusal("pair " + std::to_string(i + 1) + " is not finite, or has a coordinate beyond 10 m",
-                     "give positions in metres; leave out points that were not measured");
+      return points_refusal("pair " + std::to_string(i + 1) + " is not finite, or has a coordinate beyond 10 m",
+                            "give positions in metres; leave out points that were not measured");
 
   const std::vector<Place> places = averaged(pairs);
   const Centred c = centred(places);
@@ -155,12 +154,12 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   const int rank = std::min(rank_of(to_widths), rank_of(from_widths));
   if (const auto error = refuse_sets(places, to_widths, from_widths, rank)) return *error;
   if (rank == 3 && c.cross.determinant() < 0.0)
-    return refusal(
+    return points_refusal(
         "the positions by the device are a mirror image of those by the tracker or camera (rank 3; the determinant of "
         "their covariance is negative)",
         "check the sign of each coordinate in both sets of positions: each frame must be right-handed");
   if (settings.rotation_by == RotationBy::AffinePolar && rank < 3)
-    return refusal(
+    return points_refusal(
         "the places lie in a plane (rank 2 of their scatter matrix); an affine fit needs rank 3",
         "measure places outside this plane, or fit a rotation without scale and shear, for which a plane is enough");
 
@@ -170,10 +169,11 @@ Result<Registration> register_points(std::span<const PointPair> pairs, const Reg
   fit.to_from_from.translation() = c.to_mean - fit.to_from_from.linear() * c.from_mean;
   fit.residuals = residuals_of(pairs, fit.to_from_from);
   if (fit.residuals.rms_m() > kLargestRmsShare * from_widths[0])
-    return refusal("the pairs do not match: the RMS residual is " + millimetres(fit.residuals.rms_m()) +
-                       ", too much for places with a standard deviation of " + millimetres(from_widths[0]) +
-                       "; the worst is pair " + std::to_string(fit.residuals.worst() + 1),
-                   "measure the worst pair again, and check that both positions of each row belong to one place");
+    return points_refusal(
+        "the pairs do not match: the RMS residual is " + millimetres(fit.residuals.rms_m()) +
+            ", too much for places with a standard deviation of " + millimetres(from_widths[0]) +
+            "; the worst is pair " + std::to_string(fit.residuals.worst() + 1),
+        "measure the worst pair again, and check that both positions of each row belong to one place");
   return fit;
 }
 

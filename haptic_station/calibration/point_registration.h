@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct PointPair {
   Eigen::Vector3d to;
   Eigen::Vector3d from;
 };
+
+inline constexpr std::size_t kMostPairs = 100'000;  ///< of a registration, and of a file
 
 /// The method that estimates the rotation.
 enum class RotationBy {

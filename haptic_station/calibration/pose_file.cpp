@@ -10,7 +10,7 @@
 namespace telepalp::calibration {
 namespace {
 
-constexpr std::size_t kMostRows = 10'000;
+constexpr std::size_t kMostPoses = 10'000;
 
 Eigen::Isometry3d pose_of(const double* six) { return isometry_of({six[3], six[4], six[5]}, {six[0], six[1], six[2]}); }
 
@@ -32,7 +32,7 @@ Result<std::vector<HandOnProbe>> parse_hand_on_probe(std::string_view text, std:
     const std::string_view line = take_line(text);
     if (line.empty()) continue;
     const auto row = number_row<12>(line);
-    if (!row || poses.size() == kMostRows)
+    if (!row || poses.size() == kMostPoses)
       return Error{.what = row ? "the file has more than 10000 rows" : "the row is not twelve finite numbers",
                    .where = file + ":" + std::to_string(number),
                    .fix = row ? "give at most 10000 rows"

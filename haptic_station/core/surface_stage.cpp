@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptic_station/core/stamp.h"
 #include "haptic_station/core/window/hand_window.h"
 #include "proto/wire/camera/depth_window_message.h"
 
@@ -56,8 +57,6 @@ Error not_newer(const ArrivedDepth& arrived, const msg::DepthImage& message) {
           .where = image_of(arrived, message),
           .fix = "check the camera's time stamps, and camera.textproto at the server"};
 }
-
-std::uint64_t stamp(SessionTime at) noexcept { return static_cast<std::uint64_t>(to_nanoseconds(at)); }
 
 /// The report of a surface; judge() adds what the choice of the setting knows.
 msg::SurfaceReport report_of(const msg::DepthImage& message, codec::DepthMode mode, SessionTime received,

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace telepalp::mechanism {
 namespace {
-constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kRounding = 1e-12;
 }  // namespace
 

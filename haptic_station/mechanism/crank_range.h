@@ -1,11 +1,15 @@
 #pragma once
 
+#include <numbers>
+
 #include "haptic_station/mechanism/four_bar.h"
 
 namespace telepalp::mechanism {
 
 /// Tolerance of Grashof's equality s + l = p + q (GrashofClass::ChangePoint), relative to the sum of all links.
 inline constexpr double kChangePointTolerance = 1e-9;
+
+inline constexpr double kTurn_rad = 2.0 * std::numbers::pi;  ///< a whole turn
 
 /// The angles of link 3 at which the loop closes, around a given angle [rad]. At both ends, links 1 and 2 lie on one
 /// line: these are the dead points.

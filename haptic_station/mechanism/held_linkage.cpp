@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "haptic_station/mechanism/crank_range.h"
 
@@ -12,7 +11,6 @@ namespace {
 constexpr double kOnPivot_m = 1e-6;     // nearer to O, the angle GOT is undefined
 constexpr double kNearOneLine = 0.1;    // below this sine of links 1 and 2, choose_side() compares branches
 constexpr double kNearTogether = 0.05;  // the same, for |AB| as a share of l1 + l2
-constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 
 double length(const InPlane<double>& a) noexcept { return std::hypot(a.x, a.y); }
 double cross(const InPlane<double>& a, const InPlane<double>& b) noexcept { return a.x * b.y - a.y * b.x; }

@@ -245,7 +245,7 @@ effects::Recipe read_kind(std::type_identity<std::variant<Kinds...>>, const Read
 }
 
 /// The field of `effect` that names its kind; nullptr: none is set.
-const google::protobuf::FieldDescriptor* kind_of(const msg::Effect& effect) {
+const google::protobuf::FieldDescriptor* kind_field_of(const msg::Effect& effect) {
   return effect.GetReflection()->GetOneofFieldDescriptor(effect, effect.GetDescriptor()->FindOneofByName("kind"));
 }
 
@@ -258,7 +258,7 @@ std::vector<effects::Recipe> read_effects(FieldCheck& check, const msg::Scene& m
   if (message.effects().empty())
     check.in(message).complain("the scene names no effect", "add at least effects { skin {} }");
   for (const msg::Effect& effect : message.effects()) {
-    const google::protobuf::FieldDescriptor* kind = kind_of(effect);
+    const google::protobuf::FieldDescriptor* kind = kind_field_of(effect);
     if (kind == nullptr) {
       check.in(effect).complain("the effect has no kind", "name its kind, as in effects { skin {} }");
       continue;

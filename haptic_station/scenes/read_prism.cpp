@@ -7,10 +7,10 @@
 namespace telepalp::scenes {
 namespace {
 
-using Message = msg::FemPrismEffect;
+using PrismEffect = msg::FemPrismEffect;
 namespace limits = tissue::limits;
 
-tissue::PrismSettings read_settings(FieldCheck& check, const Message& given) {
+tissue::PrismSettings read_prism_settings(FieldCheck& check, const PrismEffect& given) {
   tissue::PrismSettings prism;
   prism.name = given.name();
   prism.foot_m = read_xyz(check, "fem_prism.foot_m", given.foot_m(), {-1, 1, "m"});
@@ -25,15 +25,15 @@ tissue::PrismSettings read_settings(FieldCheck& check, const Message& given) {
   read(given.has_lets_go_n(), "lets_go_N", given.lets_go_n(), limits::kLetsGo_N, prism.lets_go_N);
   read(given.has_across(), "across", given.across(), limits::kAcross, prism.grid.across);
   read(given.has_along(), "along", given.along(), limits::kAlong, prism.grid.along);
-  if (given.elements() == Message::ELEMENTS_LINEAR) prism.grid.order = tissue::ElementOrder::Linear;
+  if (given.elements() == PrismEffect::ELEMENTS_LINEAR) prism.grid.order = tissue::ElementOrder::Linear;
   return prism;
 }
 
 }  // namespace
 
-effects::FemPrismSettings read_prism(FieldCheck& check, const Message& given) {
+effects::FemPrismSettings read_prism(FieldCheck& check, const PrismEffect& given) {
   effects::FemPrismSettings recipe;
-  const tissue::PrismSettings prism = read_settings(check, given);
+  const tissue::PrismSettings prism = read_prism_settings(check, given);
   if (check.error()) return recipe;
   if (prism.coupling_N_per_m > 0.0)  // springs in series are softer than each of them
     recipe.slew.stiffest_N_per_m = std::min(recipe.slew.stiffest_N_per_m, prism.coupling_N_per_m);

@@ -6,10 +6,10 @@
 namespace telepalp::scenes {
 namespace {
 
-using Message = msg::LayeredTissueEffect;
+using TissueEffect = msg::LayeredTissueEffect;
 namespace limits = tissue::limits;
 
-tissue::SurfaceSettings read_surface(FieldCheck& check, const Message::Surface& given) {
+tissue::SurfaceSettings read_surface(FieldCheck& check, const TissueEffect::Surface& given) {
   tissue::SurfaceSettings surface;
   const NumberReader read{check, given, "surface."};
   read(given.has_stiffness_n_per_m(), "stiffness_N_per_m", given.stiffness_n_per_m(), limits::kStiffness_N_per_m,
@@ -26,12 +26,12 @@ tissue::SurfaceSettings read_surface(FieldCheck& check, const Message::Surface& 
   return surface;
 }
 
-tissue::BulkLaw law_of(Message::Law law) {
-  if (law == Message::LAW_WINDOW) return tissue::BulkLaw::Window;
-  return law == Message::LAW_PAPER ? tissue::BulkLaw::Paper : tissue::BulkLaw::Bristle;
+tissue::BulkLaw law_of(TissueEffect::Law law) {
+  if (law == TissueEffect::LAW_WINDOW) return tissue::BulkLaw::Window;
+  return law == TissueEffect::LAW_PAPER ? tissue::BulkLaw::Paper : tissue::BulkLaw::Bristle;
 }
 
-tissue::BulkSettings read_bulk(FieldCheck& check, const Message::Bulk& given) {
+tissue::BulkSettings read_bulk(FieldCheck& check, const TissueEffect::Bulk& given) {
   tissue::BulkSettings bulk{.law = law_of(given.law())};
   const NumberReader read{check, given, "bulk."};
   read(given.has_stick_n_per_m(), "stick_N_per_m", given.stick_n_per_m(), limits::kStick_N_per_m, bulk.stick_N_per_m);
@@ -47,9 +47,9 @@ tissue::BulkSettings read_bulk(FieldCheck& check, const Message::Bulk& given) {
   return bulk;
 }
 
-tissue::Relaxation read_relaxation(FieldCheck& check, const Message::Layer& given) {
+tissue::Relaxation read_relaxation(FieldCheck& check, const TissueEffect::Layer& given) {
   tissue::Relaxation relaxation;
-  for (const Message::Relaxation& branch : given.relaxation()) {
+  for (const TissueEffect::Relaxation& branch : given.relaxation()) {
     if (relaxation.branches == tissue::Relaxation::kMost) {
       check.in(branch).complain("a layer has more than 4 branches of relaxation", "give at most 4");
       break;
@@ -63,7 +63,7 @@ tissue::Relaxation read_relaxation(FieldCheck& check, const Message::Layer& give
 
 /// An error states the place of a wrong number, or of the layer if its numbers contradict each other. `before`: the
 /// next layer outwards; nullptr: there is none.
-tissue::LayerSettings read_tissue_layer(FieldCheck& check, const Message::Layer& given,
+tissue::LayerSettings read_tissue_layer(FieldCheck& check, const TissueEffect::Layer& given,
                                         const tissue::LayerSettings* before) {
   tissue::LayerSettings layer{.name = given.name(), .surface = {}, .bulk = {}, .relaxation = {}};
   TELEPALP_READ(check, "layer.", given, top_m, layer.top_m, (within(limits::kTop_m)));
@@ -76,7 +76,7 @@ tissue::LayerSettings read_tissue_layer(FieldCheck& check, const Message::Layer&
   return layer;
 }
 
-tissue::TissueSettings read_settings(FieldCheck& check, const Message& given) {
+tissue::TissueSettings read_tissue_settings(FieldCheck& check, const TissueEffect& given) {
   tissue::TissueSettings settings;
   settings.net_radius_m = 0.06;
   settings.net_edge_m = 0.0075;
@@ -93,7 +93,7 @@ tissue::TissueSettings read_settings(FieldCheck& check, const Message& given) {
        shaft.tears_at_N_per_m);
   read(given.has_bevel_rad(), "bevel_rad", given.bevel_rad(), limits::kBevel_rad, shaft.bevel_rad);
   settings.layers.reserve(tissue::TissueSettings::kMostLayers);
-  for (const Message::Layer& layer : given.layer()) {
+  for (const TissueEffect::Layer& layer : given.layer()) {
     if (settings.layers.size() == tissue::TissueSettings::kMostLayers) {
       check.in(layer).complain("the tissue has more than 12 layers", "leave some out");
       break;
@@ -106,11 +106,11 @@ tissue::TissueSettings read_settings(FieldCheck& check, const Message& given) {
 
 }  // namespace
 
-effects::LayeredTissueSettings read_layered_tissue(FieldCheck& check, const Message& given) {
+effects::LayeredTissueSettings read_layered_tissue(FieldCheck& check, const TissueEffect& given) {
   effects::LayeredTissueSettings recipe;
   recipe.tip_m = read_xyz(check, "layered_tissue.tip_m", given.tip_m(), {-0.3, 0.3, "m"});
   TELEPALP_READ(check, "layered_tissue.", given, skin_left, recipe.skin_left, {0, 1, "N/N"});
-  const tissue::TissueSettings settings = read_settings(check, given);
+  const tissue::TissueSettings settings = read_tissue_settings(check, given);
   if (check.error()) return recipe;
   auto model = tissue::make_tissue(settings);
   if (model)

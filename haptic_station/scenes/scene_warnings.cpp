@@ -19,7 +19,7 @@ constexpr double kAbove_m = 0.002;
 constexpr double kSoft_N_per_m = 10.0;  // 1 N of force would need 0.1 m of depth
 
 /// The message of the effect's kind, for its place in the file.
-const google::protobuf::Message& kind_of(const msg::Effect& effect) {
+const google::protobuf::Message& message_of_kind(const msg::Effect& effect) {
   switch (effect.kind_case()) {
     case msg::Effect::kCylinder:
       return effect.cylinder();
@@ -92,7 +92,7 @@ class ObjectWarnings {
   }
 
   void complain(const std::string& what, std::string fix) {
-    check_.in(kind_of(effect_));
+    check_.in(message_of_kind(effect_));
     check_.warn((effect_.has_solid() ? "layer " : "") + object_.name + " " + what, std::move(fix), check_.place());
   }
 

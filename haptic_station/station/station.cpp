@@ -5,6 +5,7 @@
 
 #include "haptic_station/station/rigs/placement.h"
 #include "haptic_station/station/rigs/scene_rig.h"
+#include "haptic_station/station/telemetry/say.h"
 #include "haptic_station/station/threads/bill.h"
 #include "haptic_station/station/threads/timer_check.h"
 #include "messages/camera.pb.h"
@@ -14,7 +15,6 @@
 #include "proto/words/counted.h"
 #include "support/program/address.h"
 #include "support/program/ending.h"
-#include "support/program/log.h"
 #include "support/program/version.h"
 
 namespace telepalp::station {
@@ -27,8 +27,6 @@ constexpr auto kStatePeriod = 10ms;  // /station/state at 100 Hz
 constexpr auto kTotalsPeriod = 1s;   // /station/stats
 constexpr auto kSayStillWaiting = 5s;
 constexpr auto kBetweenRefusals = 5s;
-
-void say(const std::string& text) { program::log(kName, text); }
 
 std::vector<std::string> subscriptions(const StationOptions& options, const DepthChoice& depth,
                                        bool takes_viewer_hand) {

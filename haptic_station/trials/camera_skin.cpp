@@ -9,7 +9,6 @@
 namespace telepalp::trials {
 namespace {
 
-constexpr double kFrame_hz = 30.0;
 constexpr double kAlongRadius_m = 0.6;  // radius of curvature in the direction from head to feet
 constexpr double kAcrossRadius_m = 0.25;
 

@@ -5,8 +5,6 @@
 namespace telepalp::trials {
 namespace {
 
-constexpr double kFrame_hz = 30.0;
-
 /// A level surface whose prediction is exact: A (cos wt - 1) + B sin wt from the capture on.
 class SinePlane final : public surface::SurfaceSnapshot {
  public:

@@ -8,6 +8,8 @@
 
 namespace telepalp::trials {
 
+inline constexpr double kFrame_hz = 30.0;  ///< of the camera
+
 /// The camera of every trial: straight above the skin's middle, which is H's origin; H's y axis points towards the
 /// camera.
 [[nodiscard]] Transform<HapticBase, DepthCamera> trial_camera(double height_m = 0.8) noexcept;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kSignature = " signature=";
 /// Begins each signed text, because the key also signs TLS handshakes.
-constexpr std::string_view kSigned = "telepalp audit anchor 1\n";
+constexpr std::string_view kAnchorBegins = "telepalp audit anchor 1\n";
 
 /// The bytes that `text` writes in hexadecimal; empty: it is not hexadecimal.
 std::string from_hex(std::string_view text) {
@@ -35,7 +35,7 @@ std::string text_of(const AuditAnchor& anchor) {
 
 bool is_signed(const std::string& text, const std::string& signature, std::string_view certificate) {
   const std::vector<CertificatePtr> signers = certificates_in(certificate);
-  const std::string message = std::string(kSigned) + text;
+  const std::string message = std::string(kAnchorBegins) + text;
   const DigestPtr digest(EVP_MD_CTX_new());
   return !signers.empty() && !signature.empty() &&
          EVP_DigestVerifyInit(digest.get(), nullptr, EVP_sha256(), nullptr, X509_get0_pubkey(signers.front().get())) ==
@@ -64,7 +64,7 @@ std::optional<AuditAnchor> anchor_in(const std::string& text) {
 
 Result<std::string> anchor_line(const AuditAnchor& anchor, const KeyFile& server) {
   EVP_PKEY* const key = server.private_key.get();
-  const std::string message = std::string(kSigned) + text_of(anchor);
+  const std::string message = std::string(kAnchorBegins) + text_of(anchor);
   const DigestPtr digest(EVP_MD_CTX_new());
   std::string signature(160, '\0');
   std::size_t size = signature.size();

@@ -17,7 +17,7 @@ constexpr std::string_view kPrefix = "tp2.";
 constexpr std::string_view kBearerPrefix = "tp1.";
 constexpr std::string_view kProved = "telepalp token proof 2\n";  // the exporter's bytes follow it
 constexpr std::size_t kKeyBytes = 32;                             // of an Ed25519 key, public or secret
-constexpr std::string_view kSigned =
+constexpr std::string_view kTokenBegins =
     "telepalp token 1\n";  // the authority also signs certificates, which begin otherwise
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
@@ -52,7 +52,7 @@ std::optional<std::string> from_base64(std::string_view text) {
 
 bool is_signed(const std::string& payload, const std::string& signature, EVP_PKEY& key) {
   const DigestPtr digest(EVP_MD_CTX_new());
-  const std::string message = std::string(kSigned) + payload;
+  const std::string message = std::string(kTokenBegins) + payload;
   return EVP_DigestVerifyInit(digest.get(), nullptr, EVP_sha256(), nullptr, &key) == 1 &&
          EVP_DigestVerify(digest.get(), bytes_of(signature), signature.size(), bytes_of(message), message.size()) == 1;
 }
@@ -91,7 +91,7 @@ std::string public_key_of(EVP_PKEY& secret) {
 }
 
 /// The secret that `text` writes in Base64; null: `text` is no secret.
-PrivateKeyPtr secret_in(std::string_view text) {
+PrivateKeyPtr token_secret_in(std::string_view text) {
   const std::optional<std::string> raw = from_base64(text);
   if (!raw || raw->size() != kKeyBytes) return nullptr;
   return PrivateKeyPtr(EVP_PKEY_new_raw_private_key(EVP_PKEY_ED25519, nullptr, bytes_of(*raw), raw->size()));
@@ -139,13 +139,13 @@ std::optional<Parts> parts_of(std::string_view token) {
 bool is_possessed(const Parts& parts, const Bearer& bearer, const TokenProof& proof) {
   if (parts.is_bearer) return bearer.public_key.empty();
   if (parts.secret.empty()) return is_proved(bearer.public_key, proof);
-  const PrivateKeyPtr secret = secret_in(parts.secret);
+  const PrivateKeyPtr secret = token_secret_in(parts.secret);
   return secret && to_base64(public_key_of(*secret)) == bearer.public_key;
 }
 
 PrivateKeyPtr new_secret() { return PrivateKeyPtr(EVP_PKEY_Q_keygen(nullptr, nullptr, "ED25519")); }
 
-Error refused(std::string what, std::string fix) {
+Error token_refused(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "token", .fix = std::move(fix)};
 }
 
@@ -161,7 +161,7 @@ Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) 
       EVP_PKEY_get_raw_private_key(secret.get(), reinterpret_cast<unsigned char*>(raw.data()), &raw_size) != 1)
     return openssl_error("token");
   const std::string payload = payload_of(bearer, public_key_of(*secret));
-  const std::string message = std::string(kSigned) + payload;
+  const std::string message = std::string(kTokenBegins) + payload;
   const DigestPtr digest(EVP_MD_CTX_new());
   std::string signature(160, '\0');
   std::size_t size = signature.size();
@@ -175,7 +175,7 @@ Result<std::string> sign_token(const Identity& bearer, EVP_PKEY& authority_key) 
 
 ProvedToken prove_token(std::string_view token, std::span<const std::byte> exporter) {
   const std::optional<Parts> parts = parts_of(token);
-  const PrivateKeyPtr secret = parts ? secret_in(parts->secret) : nullptr;
+  const PrivateKeyPtr secret = parts ? token_secret_in(parts->secret) : nullptr;
   const DigestPtr digest(EVP_MD_CTX_new());
   const std::string message = proof_message(exporter);
   std::string signature(64, '\0');
@@ -188,9 +188,10 @@ ProvedToken prove_token(std::string_view token, std::span<const std::byte> expor
 }
 
 Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, WallTime now, const TokenProof& proof) {
-  const Error no_token = refused("this is not a token of the server's authority",
-                                 "paste all that follows `token:` in a file that telepalp-keys token wrote, or ask the "
-                                 "technician for a new token");
+  const Error no_token =
+      token_refused("this is not a token of the server's authority",
+                    "paste all that follows `token:` in a file that telepalp-keys token wrote, or ask the "
+                    "technician for a new token");
   const std::optional<Parts> parts = parts_of(token);
   if (!parts) return no_token;
   const std::optional<std::string> payload = from_base64(parts->payload);
@@ -199,8 +200,8 @@ Result<Identity> read_token(std::string_view token, EVP_PKEY& authority_key, Wal
   const std::optional<Bearer> bearer = bearer_in(*payload);
   if (!bearer || !is_possessed(*parts, *bearer, proof)) return no_token;
   if (bearer->who.expires <= now)
-    return refused("the token of " + describe(bearer->who) + " has expired",
-                   "ask the technician for a new one: telepalp-keys token");
+    return token_refused("the token of " + describe(bearer->who) + " has expired",
+                         "ask the technician for a new one: telepalp-keys token");
   return bearer->who;
 }
 
@@ -208,8 +209,8 @@ Result<Identity> read_token(std::string_view token, std::string_view authority_p
                             const TokenProof& proof) {
   const std::vector<CertificatePtr> authority = certificates_in(authority_pem);
   if (authority.empty())
-    return refused("the authority's certificate in the server's key cannot be read",
-                   "make the server's key again: telepalp-keys server");
+    return token_refused("the authority's certificate in the server's key cannot be read",
+                         "make the server's key again: telepalp-keys server");
   return read_token(token, *X509_get0_pubkey(authority.front().get()), now, proof);
 }
 

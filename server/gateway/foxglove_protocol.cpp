@@ -23,7 +23,7 @@ std::string our_json(const google::protobuf::Message& message) {
   return json;
 }
 
-Error refused(std::string what) {
+Error operation_refused(std::string what) {
   return {.what = std::move(what),
           .where = "text message from the client",
           .fix = "send subscribe, unsubscribe, advertise or unadvertise, as JSON"};
@@ -147,7 +147,7 @@ Result<Request> read_request(const std::string& text) {
   options.ignore_unknown_fields = true;
   texts::ClientText client;
   if (const auto read = json::JsonStringToMessage(text, &client, options); !read.ok())
-    return refused("the text is not JSON of the Foxglove protocol: " + read.ToString());
+    return operation_refused("the text is not JSON of the Foxglove protocol: " + read.ToString());
   Request request;
   if (client.op() == "subscribe") {
     for (const auto& wanted : client.subscriptions()) request.subscribe.push_back({wanted.id(), wanted.channelid()});
@@ -159,7 +159,7 @@ Result<Request> read_request(const std::string& text) {
   } else if (client.op() == "unadvertise") {
     request.unadvertise.assign(client.channelids().begin(), client.channelids().end());
   } else {
-    return refused("operation '" + client.op().substr(0, 64) + "' is not supported");
+    return operation_refused("operation '" + client.op().substr(0, 64) + "' is not supported");
   }
   return request;
 }

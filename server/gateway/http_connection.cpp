@@ -29,8 +29,6 @@ constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;
 constexpr std::uint64_t kMaxBodyBytes = 1024;                    // of a token at the sign-in, or of a command by POST
 constexpr std::uint64_t kMaxPartBytes = std::uint64_t{1} << 20;  // of a part of a session file, by POST
 
-std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
-
 constexpr std::string_view kOtherSite =
     "this web page is from another site, which may not open the data stream. fix: allow the page's scheme and host: "
     "telepalp-server --allow-origin ORIGIN, such as https://app.foxglove.dev";

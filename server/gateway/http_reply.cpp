@@ -9,8 +9,6 @@ namespace {
 
 namespace http = boost::beast::http;
 
-std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
-
 /// Allows content from this server only, and no code from strings. `blob:` images are the camera's pictures;
 /// 'wasm-unsafe-eval' allows the decoder, a WebAssembly module from this server.
 constexpr const char* kContentSecurityPolicy =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/beast/http.hpp>
+#include <string_view>
 
 #include "proto/words/time.h"
 #include "server/gateway/request_policy.h"
@@ -10,6 +11,9 @@ namespace telepalp::gateway {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using HttpReply = boost::beast::http::response<boost::beast::http::string_body>;
+
+/// `text` of Boost as the standard library has it.
+[[nodiscard]] inline std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 /// Path of the session clock, served as decimal nanoseconds. The viewer estimates the offset between the browser's
 /// clock and the session clock from the round trip of this request, to show the age of the displayed data.

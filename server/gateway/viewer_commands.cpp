@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kMaxChannels = 8;
 constexpr std::chrono::milliseconds kShortestPeriod{2};
 
-Error refused(std::string what) {
+Error command_refused(std::string what) {
   return {.what = std::move(what),
           .where = "client's message",
           .fix = "publish telepalp.msg.ViewerHand on /viewer/hand, as protobuf"};
@@ -19,9 +19,9 @@ Error refused(std::string what) {
 Result<void> ViewerCommands::advertise(const foxglove::Request::Channel& channel) {
   const std::optional<wire::Topic> topic = wire::find_topic(channel.topic);
   if (!topic || !(topic->spoken || topic->name == wire::kViewerHand.name))
-    return refused("viewers may not publish '" + channel.topic.substr(0, 64) + "'");
+    return command_refused("viewers may not publish '" + channel.topic.substr(0, 64) + "'");
   if (channel.encoding != "protobuf")
-    return refused("encoding '" + channel.encoding.substr(0, 64) + "' is not supported");
+    return command_refused("encoding '" + channel.encoding.substr(0, 64) + "' is not supported");
   if (channels_.size() >= kMaxChannels && !channels_.contains(channel.id))
     return Error{.what = "this viewer has advertised " + std::to_string(kMaxChannels) +
                          " channels already, as many as it may have",
@@ -76,11 +76,12 @@ bool ViewerCommands::accepts_object(std::string_view bytes) const {
 Result<std::optional<wire::Message>> ViewerCommands::hear(std::string_view bytes, std::uint64_t viewer,
                                                           SessionTime now) {
   const std::optional<foxglove::ClientData> data = foxglove::read_client_data(bytes);
-  if (!data) return refused("the binary message is not of the Foxglove protocol");
-  if (!is_hands(data->channel)) return refused("channel " + std::to_string(data->channel) + " was not advertised");
+  if (!data) return command_refused("the binary message is not of the Foxglove protocol");
+  if (!is_hands(data->channel))
+    return command_refused("channel " + std::to_string(data->channel) + " was not advertised");
   std::optional<msg::ViewerHand> hand = wire::read_viewer_hand(data->payload);
   if (!hand || !hand->has_hand_camera())
-    return refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");
+    return command_refused("the message is not a ViewerHand, or its hand is more than 10 m from the camera");
   hand->set_rearm(false);  // only a message of its own re-arms, or accepts an object
   hand->set_accept_object(false);
   if (last_ && now >= *last_ && now - *last_ < kShortestPeriod) return std::optional<wire::Message>();

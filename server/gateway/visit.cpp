@@ -15,8 +15,6 @@ namespace {
 
 namespace http = boost::beast::http;
 
-std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
-
 auto steady_now() { return std::chrono::steady_clock::now(); }
 
 /// A browser's page cannot add a header to a WebSocket, and our cookie stays with our pages. So a page of an allowed

@@ -24,7 +24,7 @@ std::string_view word_for(msg::CaptureState state) noexcept {
   }
 }
 
-Error wrong(std::string what) {
+Error wrong_exposure(std::string what) {
   return {
       .what = std::move(what),
       .where = "exposure",
@@ -35,18 +35,18 @@ Error wrong(std::string what) {
 /// `now` after the command in `json`. Error: the source has no exposure to set, or a value is out of its range.
 Result<capture::Exposure> after_command(const pipeline::ExposureReport& now, const std::string& json) {
   msg::ExposureCommand command;
-  if (const Result<void> read = program::read_json(json, command, "exposure", wrong({}).fix); !read)
+  if (const Result<void> read = program::read_json(json, command, "exposure", wrong_exposure({}).fix); !read)
     return read.error();
-  if (!now.limits) return wrong("this source has no exposure to set");
+  if (!now.limits) return wrong_exposure("this source has no exposure to set");
   capture::Exposure exposure = now.exposure;
   if (command.has_automatic()) exposure.automatic = command.automatic();
   if (command.has_exposure()) exposure.exposure = command.exposure();
   if (command.has_gain()) exposure.gain = command.gain();
   const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
   if (command.has_exposure() && !within(exposure.exposure, now.limits->least, now.limits->most))
-    return wrong("the exposure is out of the camera's range");
+    return wrong_exposure("the exposure is out of the camera's range");
   if (command.has_gain() && !within(exposure.gain, now.limits->least_gain, now.limits->most_gain))
-    return wrong("the gain is out of the camera's range");
+    return wrong_exposure("the gain is out of the camera's range");
   return exposure;
 }
 

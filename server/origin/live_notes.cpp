@@ -16,24 +16,24 @@ namespace {
 constexpr double kLongestAgo_s = 60.0;
 constexpr double kFarthest_m = 10.0;
 constexpr int kMostNewest = 4;
-constexpr const char* kExample = "send JSON such as {\"ago_s\": 0.2, \"text\": \"tender here\"}";
+constexpr const char* kMarkExample = "send JSON such as {\"ago_s\": 0.2, \"text\": \"tender here\"}";
 
 /// NaN is not near.
 bool is_near(const msg::Vec3& at_m) { return std::hypot(at_m.x(), at_m.y(), at_m.z()) <= kFarthest_m; }
 
-Error wrong(std::string what) { return {.what = std::move(what), .where = "marks", .fix = kExample}; }
+Error wrong_mark(std::string what) { return {.what = std::move(what), .where = "marks", .fix = kMarkExample}; }
 
 }  // namespace
 
 Result<void> LiveNotes::mark(const std::string& json, const std::string& who) {
   msg::MarkCommand command;
-  if (const Result<void> read = program::read_json(json, command, "marks", kExample); !read) return read;
-  if (!(command.ago_s() >= 0.0 && command.ago_s() <= kLongestAgo_s)) return wrong("ago_s is not from 0 to 60");
+  if (const Result<void> read = program::read_json(json, command, "marks", kMarkExample); !read) return read;
+  if (!(command.ago_s() >= 0.0 && command.ago_s() <= kLongestAgo_s)) return wrong_mark("ago_s is not from 0 to 60");
   if (const std::string_view fault = wire::fault_of_note(command.text()); !fault.empty())
-    return wrong(std::string(fault));
-  if (command.has_at_m() && !is_near(command.at_m())) return wrong("at_m is not within 10 m of the camera");
+    return wrong_mark(std::string(fault));
+  if (command.has_at_m() && !is_near(command.at_m())) return wrong_mark("at_m is not within 10 m of the camera");
   if (state_.count() >= static_cast<std::uint32_t>(wire::kMostNotes))
-    return wrong("1000 moments are marked, the most that a session may have");
+    return wrong_mark("1000 moments are marked, the most that a session may have");
   if (!publish_) return {};
   const SessionTime now = clock_.now();
   msg::LiveNote note;

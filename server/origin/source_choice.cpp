@@ -9,7 +9,7 @@ namespace telepalp::origin {
 namespace {
 
 constexpr const char* kWhere = "source";
-constexpr const char* kExample =
+constexpr const char* kSourceExample =
     "send JSON such as {\"source\": \"synthetic\"}, with a source that GET /source lists, or {\"look_for_cameras\": "
     "true}";
 
@@ -48,7 +48,7 @@ Resource SourceChoice::resource() {
 
 Result<void> SourceChoice::apply(const std::string& json) {
   msg::SourceCommand command;
-  if (const Result<void> read = program::read_json(json, command, kWhere, kExample); !read) return read;
+  if (const Result<void> read = program::read_json(json, command, kWhere, kSourceExample); !read) return read;
   if (command.look_for_cameras()) look_for_cameras();
   return command.has_source() ? choose(command.source()) : Result<void>{};
 }
@@ -56,7 +56,7 @@ Result<void> SourceChoice::apply(const std::string& json) {
 Result<void> SourceChoice::choose(const std::string& name) {
   const std::vector<Source> known = sources();
   if (std::ranges::find(known, name, &Source::name) == known.end())
-    return Error{.what = "this server may not open a source of this name", .where = kWhere, .fix = kExample};
+    return Error{.what = "this server may not open a source of this name", .where = kWhere, .fix = kSourceExample};
   if (!state_.opening().empty())
     return Error{.what = "another source is being opened", .where = kWhere, .fix = "wait until it is shown"};
   state_.set_opening(name);

@@ -8,7 +8,8 @@ namespace telepalp::playback {
 namespace {
 
 constexpr double kMbit_B_per_s = 125'000.0;
-constexpr const char* kExample = "send JSON such as {\"profile\": \"lte\"} or {\"delay_ms\": 80, \"loss_percent\": 2}";
+constexpr const char* kNetworkExample =
+    "send JSON such as {\"profile\": \"lte\"} or {\"delay_ms\": 80, \"loss_percent\": 2}";
 
 struct Bounded {
   const char* name;
@@ -36,7 +37,7 @@ void set(impaired::Impairment& impairment, const msg::NetworkCommand& command) {
 
 Result<msg::NetworkCommand> read_network_command(const std::string& json) {
   msg::NetworkCommand command;
-  if (const Result<void> read = program::read_json(json, command, "playback/network", kExample); !read)
+  if (const Result<void> read = program::read_json(json, command, "playback/network", kNetworkExample); !read)
     return read.error();
   const double rate = command.rate_mbit_per_s();
   const std::array numbers{
@@ -47,7 +48,7 @@ Result<msg::NetworkCommand> read_network_command(const std::string& json) {
       Bounded{"rate_Mbit_per_s is neither 0 (unlimited) nor from 0.1 to 1000",
               command.has_rate_mbit_per_s() && rate != 0.0, rate, 0.1, 1000.0}};
   for (const Bounded& number : numbers)
-    if (!is_within(number)) return Error{.what = number.name, .where = "playback/network", .fix = kExample};
+    if (!is_within(number)) return Error{.what = number.name, .where = "playback/network", .fix = kNetworkExample};
   return command;
 }
 

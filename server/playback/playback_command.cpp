@@ -13,9 +13,9 @@ namespace {
 constexpr double kLongest_s = 1e7;
 constexpr std::uint32_t kMostSteps = 100;
 
-constexpr const char* kExample = "send JSON such as {\"seek_s\": 12.5, \"speed\": 0.5, \"play\": true}";
+constexpr const char* kPlaybackExample = "send JSON such as {\"seek_s\": 12.5, \"speed\": 0.5, \"play\": true}";
 
-Error wrong(std::string what) { return {.what = std::move(what), .where = "playback", .fix = kExample}; }
+Error wrong(std::string what) { return {.what = std::move(what), .where = "playback", .fix = kPlaybackExample}; }
 
 bool is_speed(double speed) { return speed >= kSlowest && speed <= kFastest; }
 bool is_position(double seconds) { return seconds >= 0.0 && seconds <= kLongest_s; }
@@ -40,7 +40,8 @@ bool set(PlaybackSpec& spec, std::string_view key, std::string_view value) {
 
 Result<msg::PlaybackCommand> read_command(const std::string& json) {
   msg::PlaybackCommand command;
-  if (const Result<void> read = program::read_json(json, command, "playback", kExample); !read) return read.error();
+  if (const Result<void> read = program::read_json(json, command, "playback", kPlaybackExample); !read)
+    return read.error();
   if (const Result<void> valid = check(command); !valid) return valid.error();
   return command;
 }

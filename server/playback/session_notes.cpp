@@ -14,7 +14,8 @@
 namespace telepalp::playback {
 namespace {
 
-constexpr const char* kExample = "send JSON such as {\"at_s\": 12.5, \"text\": \"rebound here\"} or {\"remove\": 3}";
+constexpr const char* kNotesExample =
+    "send JSON such as {\"at_s\": 12.5, \"text\": \"rebound here\"} or {\"remove\": 3}";
 
 Error wrong(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "playback/notes", .fix = std::move(fix)};
@@ -48,7 +49,7 @@ Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
   if (command.has_remove() && !place_of(notes_, command.remove()))
     return wrong("no note has the number " + std::to_string(command.remove()),
                  "send a number that GET /playback/notes lists");
-  if (command.has_at_s() != command.has_text()) return wrong("a note needs both at_s and text", kExample);
+  if (command.has_at_s() != command.has_text()) return wrong("a note needs both at_s and text", kNotesExample);
   if (!command.has_at_s()) return {};
   if (!(command.at_s() >= 0.0 && command.at_s() <= duration_s_))
     return wrong("at_s is not from 0 to the session's end, " + std::to_string(duration_s_) + " s",
@@ -64,7 +65,7 @@ Result<void> SessionNotes::check(const msg::NoteCommand& command) const {
 Result<void> SessionNotes::apply(const std::string& json, const std::string& who,
                                  std::chrono::system_clock::time_point now) {
   msg::NoteCommand command;
-  if (const Result<void> read = program::read_json(json, command, "playback/notes", kExample); !read)
+  if (const Result<void> read = program::read_json(json, command, "playback/notes", kNotesExample); !read)
     return read.error();
   if (const Result<void> checked = check(command); !checked) return checked.error();
   if (!command.has_remove() && !command.has_at_s()) return {};

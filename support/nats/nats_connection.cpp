@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kConnectsWithin = 3s;
-constexpr std::chrono::milliseconds kTriesAgainAfter = 250ms;
+constexpr std::chrono::milliseconds kConnectsAgainAfter = 250ms;
 constexpr std::chrono::milliseconds kJitter = 250ms;
 constexpr std::chrono::milliseconds kWritesWithin = 2s;
 constexpr std::chrono::milliseconds kPingEvery = 1s;  // with kMostPings, a server that is gone is noticed within 2 s
@@ -38,48 +38,35 @@ std::vector<std::string> split_at_commas(std::string_view list) {
   return parts;
 }
 
-/// Lets a destructor wait until the library has made its last callback, which comes on a thread of the library.
-class LastCall {
- public:
-  void came() {
-    const std::scoped_lock lock(mutex_);
-    came_ = true;
-    changed_.notify_all();
-  }
-  void wait() {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, kWritesWithin, [this] { return came_; });
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool came_ = false;
-};
-
-struct Handler {
-  NatsConnection::OnNote on_note;
-  LastCall last_call;
-};
-
 std::string_view view(const char* text) noexcept { return text == nullptr ? std::string_view() : text; }
-
-void on_message(natsConnection*, natsSubscription*, natsMsg* message, void* closure) {
-  const auto& handler = *static_cast<std::shared_ptr<Handler>*>(closure);
-  handler->on_note({.subject = view(natsMsg_GetSubject(message)),
-                    .payload = {natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))},
-                    .reply_to = view(natsMsg_GetReply(message))});
-  natsMsg_Destroy(message);
-}
-
-void on_complete(void* closure) {
-  const std::unique_ptr<std::shared_ptr<Handler>> handler(static_cast<std::shared_ptr<Handler>*>(closure));
-  (*handler)->last_call.came();
-}
 
 }  // namespace
 
 struct NatsConnection::Parts {
+  /// Lets a destructor wait until the library has made its last callback, which comes on a thread of the library.
+  class LastCall {
+   public:
+    void came() {
+      const std::scoped_lock lock(mutex_);
+      came_ = true;
+      changed_.notify_all();
+    }
+    void wait() {
+      std::unique_lock lock(mutex_);
+      changed_.wait_for(lock, kWritesWithin, [this] { return came_; });
+    }
+
+   private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool came_ = false;
+  };
+
+  struct Handler {
+    NatsConnection::OnNote on_note;
+    LastCall last_call;
+  };
+
   Options options;
   natsConnection* connection = nullptr;
   std::vector<std::pair<natsSubscription*, std::shared_ptr<Handler>>> subscriptions{};
@@ -103,6 +90,18 @@ struct NatsConnection::Parts {
   static void lost(natsConnection*, void* closure) { static_cast<Parts*>(closure)->changed(false); }
   static void found(natsConnection*, void* closure) { static_cast<Parts*>(closure)->changed(true); }
   static void over(natsConnection*, void* closure) { static_cast<Parts*>(closure)->closed.came(); }
+  static void on_message(natsConnection*, natsSubscription*, natsMsg* message, void* closure) {
+    const auto& handler = *static_cast<std::shared_ptr<Handler>*>(closure);
+    handler->on_note({.subject = view(natsMsg_GetSubject(message)),
+                      .payload = {natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))},
+                      .reply_to = view(natsMsg_GetReply(message))});
+    natsMsg_Destroy(message);
+  }
+
+  static void on_complete(void* closure) {
+    const std::unique_ptr<std::shared_ptr<Handler>> handler(static_cast<std::shared_ptr<Handler>*>(closure));
+    (*handler)->last_call.came();
+  }
   void changed(bool is_connected) const {
     if (options.on_change && !ends) options.on_change(is_connected);
   }
@@ -122,7 +121,7 @@ natsStatus NatsConnection::Parts::set(natsOptions* to) {
   then(natsOptions_SetName(to, options.name.c_str()));
   then(natsOptions_SetTimeout(to, ms(kConnectsWithin)));
   then(natsOptions_SetMaxReconnect(to, -1));
-  then(natsOptions_SetReconnectWait(to, ms(kTriesAgainAfter)));
+  then(natsOptions_SetReconnectWait(to, ms(kConnectsAgainAfter)));
   then(natsOptions_SetReconnectJitter(to, ms(kJitter), ms(kJitter)));
   then(natsOptions_SetReconnectBufSize(to, 0));  // what was not sent is old when the connection is back
   then(natsOptions_SetWriteDeadline(to, ms(kWritesWithin)));
@@ -160,15 +159,15 @@ Result<std::unique_ptr<NatsConnection>> NatsConnection::open(Options options) {
 }
 
 Result<void> NatsConnection::subscribe(const std::string& subject, OnNote on_note) {
-  auto handler = std::make_shared<Handler>();
+  auto handler = std::make_shared<Parts::Handler>();
   handler->on_note = std::move(on_note);
-  auto closure = std::make_unique<std::shared_ptr<Handler>>(handler);
+  auto closure = std::make_unique<std::shared_ptr<Parts::Handler>>(handler);
   natsSubscription* subscription = nullptr;
   natsStatus status =
-      natsConnection_Subscribe(&subscription, parts_->connection, subject.c_str(), on_message, closure.get());
+      natsConnection_Subscribe(&subscription, parts_->connection, subject.c_str(), &Parts::on_message, closure.get());
   if (status != NATS_OK) return refused(status, subject, "permit this subject in the NATS server's accounts");
   natsSubscription_SetPendingLimits(subscription, kMostWaitingNotes, kMostWaiting_B);
-  status = natsSubscription_SetOnCompleteCB(subscription, on_complete, closure.release());
+  status = natsSubscription_SetOnCompleteCB(subscription, &Parts::on_complete, closure.release());
   parts_->subscriptions.emplace_back(subscription, std::move(handler));
   if (status == NATS_OK) status = natsConnection_FlushTimeout(parts_->connection, kConnectsWithin.count());
   if (status != NATS_OK) return refused(status, subject, "check the connection with the NATS server");

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kAnswersWithin = 5s;
 constexpr std::chrono::milliseconds kStoresWithin = 1s;  // one attempt of store_patiently()
-constexpr std::chrono::milliseconds kTriesAgainAfter = 100ms;
+constexpr std::chrono::milliseconds kStoresAgainAfter = 100ms;
 
 /// True for a failure that ends by itself: the connection is lost, or the cluster has no leader at the moment. Nobody
 /// answers for a stream without a leader, and libnats reports this with the code of a server without JetStream.
@@ -100,7 +100,7 @@ Result<void> Streams::store_patiently(const std::string& subject, std::string_vi
     if (status == NATS_OK) return {};
     if (!may_pass(status, code) || std::chrono::steady_clock::now() >= until)
       return refused_by_jetstream(status, code, subject);
-    std::this_thread::sleep_for(kTriesAgainAfter);
+    std::this_thread::sleep_for(kStoresAgainAfter);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/plot/ink.h"
 #include "support/plot/number.h"
 #include "support/plot/scale.h"
 #include "support/plot/svg.h"
@@ -9,9 +10,7 @@
 namespace telepalp::plot {
 namespace {
 
-constexpr std::string_view kInk = "#2b2f36";
-constexpr std::string_view kFaint = "#e3e6ea";
-constexpr double kNames = 200.0, kNumbers = 190.0, kTop = 30.0, kRow = 30.0, kAxis = 44.0, kTextSize = 12.0;
+constexpr double kNames = 200.0, kNumbers = 190.0, kBarTop = 30.0, kBarRow = 30.0, kBarAxis = 44.0;
 
 Scale scale_of(const BarChart& chart) {
   std::vector<double> values{0.0};
@@ -39,17 +38,17 @@ void draw_bar(Svg& svg, const BarChart& chart, const Bar& bar, const Scale& scal
 }  // namespace
 
 std::string to_svg(const BarChart& chart) {
-  const double bottom = kTop + kRow * static_cast<double>(chart.bars.size());
+  const double bottom = kBarTop + kBarRow * static_cast<double>(chart.bars.size());
   const Scale scale = scale_of(chart);
-  Svg svg(chart.width_px, bottom + kAxis, chart.title);
+  Svg svg(chart.width_px, bottom + kBarAxis, chart.title);
   svg.text({66.0, 15.0}, chart.title, Anchor::Start, 14.0, kInk, true);
   for (const Tick& tick : nice_ticks(scale.data, 6)) {
-    svg.line({scale(tick.at), kTop}, {scale(tick.at), bottom}, kFaint, 1.0);
+    svg.line({scale(tick.at), kBarTop}, {scale(tick.at), bottom}, kFaint, 1.0);
     svg.text({scale(tick.at), bottom + 16.0}, tick.label, Anchor::Middle, kTextSize, kInk);
   }
   for (std::size_t i = 0; i < chart.bars.size(); ++i)
-    draw_bar(svg, chart, chart.bars[i], scale, kTop + kRow * (static_cast<double>(i) + 0.5));
-  svg.line({scale(0.0), kTop}, {scale(0.0), bottom}, kInk, 1.0);
+    draw_bar(svg, chart, chart.bars[i], scale, kBarTop + kBarRow * (static_cast<double>(i) + 0.5));
+  svg.line({scale(0.0), kBarTop}, {scale(0.0), bottom}, kInk, 1.0);
   svg.text({(scale.pixels.least + scale.pixels.most) / 2.0, bottom + 34.0}, "[" + chart.unit + "]", Anchor::Middle,
            kTextSize, kInk);
   return std::move(svg).finish();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "proto/words/demand.h"
+#include "support/plot/ink.h"
 #include "support/plot/number.h"
 #include "support/plot/svg.h"
 #include "support/plot/thin.h"
@@ -11,9 +12,7 @@
 namespace telepalp::plot {
 namespace {
 
-constexpr std::string_view kInk = "#2b2f36";
-constexpr std::string_view kFaint = "#e3e6ea";
-constexpr double kLeft = 66.0, kRight = 16.0, kTitle = 24.0, kLegendRow = 18.0, kBottom = 44.0, kTextSize = 12.0;
+constexpr double kChartLeft = 66.0, kChartRight = 16.0, kChartTitle = 24.0, kLegendRow = 18.0, kChartBottom = 44.0;
 
 struct LegendEntry {
   std::string name;
@@ -41,12 +40,12 @@ double entry_width(const LegendEntry& entry) { return 24.0 + width_of(entry.name
 /// Places legend entries in rows; calls `place(entry, x, row)`; returns the number of rows.
 template <class Place>
 int lay_out_legend(const Chart& chart, Place place) {
-  double x = kLeft;
+  double x = kChartLeft;
   int row = 0;
   const std::vector<LegendEntry> entries = legend_of(chart);
   for (const LegendEntry& entry : entries) {
-    if (x > kLeft && x + entry_width(entry) > chart.width_px - kRight) {
-      x = kLeft;
+    if (x > kChartLeft && x + entry_width(entry) > chart.width_px - kChartRight) {
+      x = kChartLeft;
       ++row;
     }
     place(entry, x, row);
@@ -195,7 +194,7 @@ void draw_mark(Svg& svg, const Mark& mark, const Scales& scales) {
 
 void draw_legend(Svg& svg, const Chart& chart) {
   lay_out_legend(chart, [&](const LegendEntry& entry, double x, int row) {
-    const double y = kTitle + kLegendRow * row + 9.0;
+    const double y = kChartTitle + kLegendRow * row + 9.0;
     if (entry.band)
       svg.rect({x, y - 5.0}, {x + 18.0, y + 5.0}, entry.color, 0.3);
     else
@@ -208,13 +207,14 @@ void draw_legend(Svg& svg, const Chart& chart) {
 
 Frame frame_of(const Chart& chart) noexcept {
   const int rows = lay_out_legend(chart, [](const LegendEntry&, double, int) {});
-  return {{kLeft, chart.width_px - kRight}, {chart.height_px - kBottom, kTitle + kLegendRow * rows + 8.0}};
+  return {{kChartLeft, chart.width_px - kChartRight},
+          {chart.height_px - kChartBottom, kChartTitle + kLegendRow * rows + 8.0}};
 }
 
 std::string to_svg(const Chart& chart) {
   const Scales scales = scales_of(chart);
   Svg svg(chart.width_px, chart.height_px, chart.title);
-  svg.text({kLeft, 15.0}, chart.title, Anchor::Start, 14.0, kInk, true);
+  svg.text({kChartLeft, 15.0}, chart.title, Anchor::Start, 14.0, kInk, true);
   draw_bands(svg, chart, scales);
   draw_axes(svg, chart, scales);
   for (const Series& series : chart.series) draw_series(svg, series, scales);

@@ -13,7 +13,7 @@ namespace {
 
 using MakeExperiment = Result<Experiment> (*)(const program::Arguments&);
 
-Result<ExperimentSettings> read(const program::Arguments& arguments) {
+Result<ExperimentSettings> read_experiment_settings(const program::Arguments& arguments) {
   const Result<std::int64_t> observers = arguments.whole("observers", 4, 10'000);
   if (!observers) return observers.error();
   const Result<RunChoice> choice = read_run_choice(arguments);
@@ -39,7 +39,7 @@ Result<ExperimentResult> run(const Experiment& experiment, const ExperimentSetti
 
 int run_command(const program::Usage& usage, int argc, const char* const* argv, MakeExperiment make) {
   return program::run_program(usage, argc, argv, [make](const program::Arguments& arguments) {
-    const Result<ExperimentSettings> settings = read(arguments);
+    const Result<ExperimentSettings> settings = read_experiment_settings(arguments);
     if (!settings) return program::fail(settings.error(), program::kAskedWrongly);
     const Result<Experiment> experiment = make(arguments);
     if (!experiment) return program::fail(experiment.error(), program::kAskedWrongly);

@@ -8,6 +8,8 @@
 
 namespace telepalp::study {
 
+inline constexpr const char* kProgram = "telepalp-study";
+
 /// The options that all studies have.
 inline constexpr program::Option kSeedOption{"seed", "N", "the same seed gives the same bytes", "1"};
 inline constexpr program::Option kThreadsOption{"threads", "N", "side by side; 0: one for each processor", "0"};

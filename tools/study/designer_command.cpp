@@ -14,9 +14,8 @@ namespace telepalp::study {
 namespace {
 
 namespace asio = boost::asio;
-constexpr const char* kProgram = "telepalp-study";
 
-const program::Usage kUsage{
+const program::Usage kDesignerUsage{
     .program = "telepalp-study designer",
     .purpose =
         "serves a page in which a four-bar linkage with a needle is turned, changed and compared: forces at needle and "
@@ -31,12 +30,12 @@ const program::Usage kUsage{
     .example = "telepalp-study designer --port 8766",
 };
 
-struct Asked {
+struct DesignerAsked {
   Door door;
   JudgeSettings judges;
 };
 
-Result<Asked> read(const program::Arguments& arguments) {
+Result<DesignerAsked> read_designer_options(const program::Arguments& arguments) {
   const Result<std::int64_t> port = arguments.whole("port", 0, 65'535);
   if (!port) return port.error();
   const Result<std::int64_t> operators = arguments.whole("operators", 2, 200);
@@ -47,11 +46,11 @@ Result<Asked> read(const program::Arguments& arguments) {
   if (!threads) return threads.error();
   Result<Door> door = new_door(arguments.text("listen"), *port);
   if (!door) return door.error();
-  return Asked{.door = std::move(*door),
-               .judges = {.operators = static_cast<int>(*operators), .seed = *seed, .threads = *threads}};
+  return DesignerAsked{.door = std::move(*door),
+                       .judges = {.operators = static_cast<int>(*operators), .seed = *seed, .threads = *threads}};
 }
 
-int run(const Asked& asked) {
+int run(const DesignerAsked& asked) {
   asio::io_context io(1);
   Workers workers(asked.judges);  // ends before `io`, to which its threads post
   Result<Page> page = designer_page(workers);
@@ -82,8 +81,8 @@ int run(const Asked& asked) {
 }  // namespace
 
 int run_designer(int argc, const char* const* argv) {
-  return program::run_program(kUsage, argc, argv, [](const program::Arguments& arguments) {
-    const Result<Asked> asked = read(arguments);
+  return program::run_program(kDesignerUsage, argc, argv, [](const program::Arguments& arguments) {
+    const Result<DesignerAsked> asked = read_designer_options(arguments);
     return asked ? run(*asked) : program::fail(asked.error(), program::kAskedWrongly);
   });
 }

@@ -13,7 +13,7 @@ namespace {
 using namespace telepalp;
 using namespace telepalp::study;
 
-const program::Usage kUsage{
+const program::Usage kStudyUsage{
     .program = "telepalp-study",
     .purpose =
         "simulated people in the studies of the papers. Without a command: operators puncture a sac with each "
@@ -38,7 +38,7 @@ const program::Usage kUsage{
                  {"rib-count", "", "ribs are counted by touch and by sight (S2's scene)", run_rib_count}},
 };
 
-Result<StudySettings> read(const program::Arguments& arguments) {
+Result<StudySettings> read_study_settings(const program::Arguments& arguments) {
   StudySettings settings;
   Result<Design> read = read_design_choice(arguments);
   if (!read) return read.error();
@@ -77,8 +77,8 @@ Result<StudyResult> run(const StudySettings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return program::run_program(kUsage, argc, argv, [](const program::Arguments& arguments) {
-    const Result<StudySettings> settings = read(arguments);
+  return program::run_program(kStudyUsage, argc, argv, [](const program::Arguments& arguments) {
+    const Result<StudySettings> settings = read_study_settings(arguments);
     if (!settings) return program::fail(settings.error(), program::kAskedWrongly);
     const Result<StudyResult> result = run(*settings);
     if (!result) return program::fail(result.error());

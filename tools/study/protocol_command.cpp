@@ -17,10 +17,9 @@ namespace telepalp::study {
 namespace {
 
 namespace asio = boost::asio;
-constexpr const char* kProgram = "telepalp-study";
 constexpr std::chrono::milliseconds kLastWords{800};  // in which the page gets the last state
 
-const program::Usage kUsage{
+const program::Usage kProtocolUsage{
     .program = "telepalp-study protocol",
     .purpose =
         "a person punctures with each mechanism of a design, by the protocol of the simulated operators: "
@@ -45,7 +44,7 @@ const program::Usage kUsage{
     .example = "telepalp-study protocol --participant p01 --out protocol",
 };
 
-struct Asked {
+struct ProtocolAsked {
   Protocol protocol;
   Participant participant;
   std::string device;  // empty: the browser's mouse moves the hand
@@ -66,8 +65,8 @@ Result<void> read_counts(const program::Arguments& arguments, Protocol& protocol
   return {};
 }
 
-Result<Asked> read(const program::Arguments& arguments) {
-  Asked asked;
+Result<ProtocolAsked> read_protocol_options(const program::Arguments& arguments) {
+  ProtocolAsked asked;
   Result<Design> read = read_design_choice(arguments);
   if (!read) return read.error();
   asked.protocol.design = std::move(*read);
@@ -92,7 +91,7 @@ Result<Asked> read(const program::Arguments& arguments) {
 }
 
 /// Writes all files of the folder, and prints the table.
-int tell(const Asked& asked, bool as_json) {
+int tell(const ProtocolAsked& asked, bool as_json) {
   Result<People> people = read_people(asked.protocol, asked.out);
   if (!people) return program::fail(people.error());
   for (const std::string& other : people->left_out)
@@ -114,7 +113,7 @@ int tell(const Asked& asked, bool as_json) {
 
 /// Serves the page until the last penetration is done, or Ctrl-C. Error: the port, a file of the page, the journal, or
 /// the session file.
-Result<void> serve(const Asked& asked, Session session, Journal journal, Place place) {
+Result<void> serve(const ProtocolAsked& asked, Session session, Journal journal, Place place) {
   asio::io_context io(1);
   asio::steady_timer end(io);
   const auto desk = std::make_shared<Desk>(
@@ -146,7 +145,7 @@ Result<void> serve(const Asked& asked, Session session, Journal journal, Place p
   return closed;
 }
 
-Result<void> follow(const Asked& asked) {
+Result<void> follow(const ProtocolAsked& asked) {
   const std::filesystem::path file = journal_file(asked.out, asked.participant.name);
   if (const Result<Plant> plant = plant_for(asked.protocol, asked.participant); !plant) return plant.error();
   Result<Journal> journal = Journal::open(
@@ -180,8 +179,8 @@ Result<void> follow(const Asked& asked) {
 }  // namespace
 
 int run_protocol(int argc, const char* const* argv) {
-  return program::run_program(kUsage, argc, argv, [](const program::Arguments& arguments) {
-    const Result<Asked> asked = read(arguments);
+  return program::run_program(kProtocolUsage, argc, argv, [](const program::Arguments& arguments) {
+    const Result<ProtocolAsked> asked = read_protocol_options(arguments);
     if (!asked) return program::fail(asked.error(), program::kAskedWrongly);
     if (!arguments.has("report"))
       if (const Result<void> followed = follow(*asked); !followed) return program::fail(followed.error());

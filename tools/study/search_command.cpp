@@ -14,7 +14,7 @@
 namespace telepalp::study {
 namespace {
 
-const program::Usage kUsage{
+const program::Usage kSearchUsage{
     .program = "telepalp-study search",
     .purpose =
         "looks for the four-bar linkage with which a needle overshoots least, and for the best one within each "
@@ -65,7 +65,7 @@ struct Choice {
   std::filesystem::path out;
 };
 
-Result<Choice> read(const program::Arguments& arguments) {
+Result<Choice> read_search_options(const program::Arguments& arguments) {
   Result<SearchBox> box = read_box(arguments);
   if (!box) return box.error();
   const Result<RunChoice> run = read_run_choice(arguments);
@@ -147,8 +147,8 @@ Result<SearchResult> run(const Choice& choice) {
 }  // namespace
 
 int run_search(int argc, const char* const* argv) {
-  return program::run_program(kUsage, argc, argv, [](const program::Arguments& arguments) {
-    const Result<Choice> choice = read(arguments);
+  return program::run_program(kSearchUsage, argc, argv, [](const program::Arguments& arguments) {
+    const Result<Choice> choice = read_search_options(arguments);
     if (!choice) return program::fail(choice.error(), program::kAskedWrongly);
     const Result<SearchResult> result = run(*choice);
     if (!result) return program::fail(result.error());

@@ -12,11 +12,11 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kLeastSpread_m = 0.01;
+constexpr double kLeastTouchSpread_m = 0.01;
 constexpr double kLargestRms_m = 0.015;
 constexpr double kLeastTurn_rad = 0.2;
 
-Error refusal(std::string what, std::string fix) {
+Error touches_refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "touches", .fix = std::move(fix)};
 }
 
@@ -34,16 +34,16 @@ Result<void> check(std::span<const Touch> touches, const Matrix3Xd& centred) {
   std::set<int> places;
   for (const Touch& touch : touches) {
     if (!touch.known.m.allFinite() || !touch.touched.m.allFinite())
-      return refusal("a coordinate of a touch is not finite", "touch that place again, with the hand in view");
+      return touches_refusal("a coordinate of a touch is not finite", "touch that place again, with the hand in view");
     places.insert(touch.place);
   }
   if (places.size() < 3)
-    return refusal("only " + std::to_string(places.size()) + " places were touched; an anchor needs three",
-                   "touch three places or more, at least 20 cm from each other");
+    return touches_refusal("only " + std::to_string(places.size()) + " places were touched; an anchor needs three",
+                           "touch three places or more, at least 20 cm from each other");
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(
       centred * centred.transpose() / static_cast<double>(centred.cols()), Eigen::EigenvaluesOnly);
-  if (std::sqrt(std::max(solver.eigenvalues()[1], 0.0)) < kLeastSpread_m)
-    return refusal("the places lie on a line or at one point", "touch a place beside the line");
+  if (std::sqrt(std::max(solver.eigenvalues()[1], 0.0)) < kLeastTouchSpread_m)
+    return touches_refusal("the places lie on a line or at one point", "touch a place beside the line");
   return {};
 }
 
@@ -71,7 +71,7 @@ Result<HeadsetAnchor> anchor_headset(std::span<const Touch> touches, Gravity gra
   if (!(anchor.rms_m <= kLargestRms_m)) {
     char text[80];
     std::snprintf(text, sizeof text, "the touches miss their places by %.0f mm rms", anchor.rms_m * 1e3);
-    return refusal(text, "touch the places in the order that is shown");
+    return touches_refusal(text, "touch the places in the order that is shown");
   }
   return anchor;
 }
@@ -92,8 +92,8 @@ Result<Vector3d> pivot_tip(std::span<const Eigen::Isometry3d> headset_from_tool)
         turn_rad, std::abs(Eigen::AngleAxisd(headset_from_tool.front().linear().transpose() * pose.linear()).angle()));
   }
   if (count < 4 || turn_rad < kLeastTurn_rad)
-    return refusal("the tool was turned too little about its tip",
-                   "rest the tip at one point, and turn the tool widely");
+    return touches_refusal("the tool was turned too little about its tip",
+                           "rest the tip at one point, and turn the tool widely");
   return Vector3d(system.colPivHouseholderQr().solve(right).head<3>());
 }
 

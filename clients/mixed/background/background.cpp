@@ -16,7 +16,7 @@ constexpr int kShrink = 4;                // a source's depth map has a quarter 
 constexpr double kDepthTolerance = 0.02;  // a vertex this share of its depth behind the map is still seen
 constexpr double kEdge_px = 2.0;          // a vertex nearer to the image's edge is not seen
 
-Error refusal(std::string what, std::string fix) {
+Error background_refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "background", .fix = std::move(fix)};
 }
 
@@ -63,23 +63,25 @@ bool is_unobstructed(const std::vector<float>& inverse, const Intrinsics& lens, 
 
 Result<void> check(const std::vector<SourceImage>& sources, const Proxy& proxy) {
   if (sources.empty())
-    return refusal("it has no image", "take images of the desk without the device from several places");
+    return background_refusal("it has no image", "take images of the desk without the device from several places");
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const SourceImage& source = sources[i];
     if (!is_well_formed(source.color) || source.color.rgb.empty() || !is_well_formed(source.view.intrinsics) ||
         source.color.width != source.view.intrinsics.width || source.color.height != source.view.intrinsics.height)
-      return refusal("image " + std::to_string(i + 1) + " does not have the size of its camera's intrinsics",
-                     "calibrate the camera at the size of its images");
+      return background_refusal("image " + std::to_string(i + 1) + " does not have the size of its camera's intrinsics",
+                                "calibrate the camera at the size of its images");
     if (!source.view.world_from_eye.iso.matrix().allFinite())
-      return refusal("the pose of image " + std::to_string(i + 1) + " is not finite", "leave this image out");
+      return background_refusal("the pose of image " + std::to_string(i + 1) + " is not finite",
+                                "leave this image out");
   }
   if (proxy.triangles.empty())
-    return refusal("its proxy has no triangle", "give the planes of desk and walls, or a depth camera's mesh");
+    return background_refusal("its proxy has no triangle",
+                              "give the planes of desk and walls, or a depth camera's mesh");
   for (const auto& triangle : proxy.triangles)
     for (const std::uint32_t vertex : triangle)
       if (vertex >= proxy.vertices.size() || !proxy.vertices[vertex].allFinite())
-        return refusal("its proxy has a triangle with a vertex that does not exist or is not finite",
-                       "export the mesh again");
+        return background_refusal("its proxy has a triangle with a vertex that does not exist or is not finite",
+                                  "export the mesh again");
   return {};
 }
 

@@ -15,10 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kLeastSpread_m = 0.005;  // standard deviation of the places along their second main axis
+constexpr double kLeastRingSpread_m = 0.005;  // standard deviation of the places along their second main axis
 constexpr int kSteps = 6;
 
-Error refusal(std::string what, std::string fix) {
+Error clicks_refusal(std::string what, std::string fix) {
   return {.what = std::move(what), .where = "clicks", .fix = std::move(fix)};
 }
 
@@ -53,16 +53,17 @@ Result<void> check(const DeviceModel& model, std::span<const Click> clicks) {
   std::set<int> places;
   for (std::size_t i = 0; i < clicks.size(); ++i) {
     if (clicks[i].readings_rad.size() != model.joints.size() || !is_finite(clicks[i]))
-      return refusal("click " + std::to_string(i + 1) + " is not complete: it takes a ring and " +
-                         std::to_string(model.joints.size()) + " joint angles, all finite",
-                     "click again, or remove the row");
+      return clicks_refusal("click " + std::to_string(i + 1) + " is not complete: it takes a ring and " +
+                                std::to_string(model.joints.size()) + " joint angles, all finite",
+                            "click again, or remove the row");
     places.insert(clicks[i].place);
   }
   if (places.size() < 3)
-    return refusal("only " + std::to_string(places.size()) + " different places were clicked; a pose needs three",
-                   "click at three places or more that are not on a line");
-  if (second_spread_m(rings_of(clicks)) < kLeastSpread_m)
-    return refusal(
+    return clicks_refusal(
+        "only " + std::to_string(places.size()) + " different places were clicked; a pose needs three",
+        "click at three places or more that are not on a line");
+  if (second_spread_m(rings_of(clicks)) < kLeastRingSpread_m)
+    return clicks_refusal(
         "the places lie on a line: across it their standard deviation is below 5 mm, so the rotation about "
         "it is unknown",
         "click at places beside the line");
@@ -147,7 +148,7 @@ Result<DeviceFit> fit_device(const DeviceModel& model, std::span<const Click> cl
     char text[120];
     std::snprintf(text, sizeof text, "the clicks miss their rings by %.1f mm rms, click %zu by %.1f mm",
                   fit.rms_m * 1e3, fit.worst + 1, fit.largest_m * 1e3);
-    return refusal(text, "click that place again; if all miss, check that the device has not moved");
+    return clicks_refusal(text, "click that place again; if all miss, check that the device has not moved");
   }
   return fit;
 }

@@ -9,7 +9,6 @@
 namespace telepalp::record {
 namespace {
 
-constexpr std::size_t kMostDamages = 100;
 constexpr std::uint64_t kPreludeNs = 10'000'000'000;  // what is published again comes more often than this
 
 /// A group of pictures that needs more memory is not from telepalp's encoder: it is skipped up to its next key frame.
@@ -33,7 +32,7 @@ template <class Take>
 Result<void> for_each(wire::McapReader& reader, std::vector<std::string>& damages, Take take) {
   for (;;) {
     const auto next = reader.next_stored();
-    if (!next && damages.size() < kMostDamages) damages.push_back(next.error().what);
+    if (!next && damages.size() < kMostDamagesTold) damages.push_back(next.error().what);
     if (!next) continue;
     if (!*next) return {};
     if (const Result<void> taken = take(**next); !taken) return taken;

@@ -18,10 +18,12 @@ struct CutOptions {
   TopicFilter topics{"*"};
 };
 
+inline constexpr std::size_t kMostDamagesTold = 100;
+
 struct EditReport {
   std::uint64_t messages = 0;        ///< number of messages written
   std::uint64_t left_out = 0;        ///< number of duplicates that merge() left out; 0 from cut()
-  std::vector<std::string> damages;  ///< places that could not be read, at most 100
+  std::vector<std::string> damages;  ///< places that could not be read, at most kMostDamagesTold
 };
 
 /// Writes the messages on options.topics in [options.from, options.to) to `out`, with all metadata and attachments.

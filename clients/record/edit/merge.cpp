@@ -11,7 +11,6 @@
 namespace telepalp::record {
 namespace {
 
-constexpr std::size_t kMostDamages = 100;
 constexpr std::uint32_t kSendersApart = 1000;
 
 /// One of the merged files, at its next message.
@@ -29,7 +28,7 @@ class Strand {
     for (;;) {
       auto next = reader_.next_stored();
       if (next) return void(next_ = *next);
-      if (damages.size() < kMostDamages) damages.push_back(file_.string() + ": " + next.error().what);
+      if (damages.size() < kMostDamagesTold) damages.push_back(file_.string() + ": " + next.error().what);
     }
   }
   [[nodiscard]] bool holds(std::string_view topic) const {

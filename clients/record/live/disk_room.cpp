@@ -8,7 +8,7 @@ namespace telepalp::record {
 namespace {
 
 /// Absolute where possible, so that the alarm names the disk.
-std::filesystem::path folder_of(const std::filesystem::path& file) {
+std::filesystem::path whole_folder_of(const std::filesystem::path& file) {
   std::error_code unknown;
   const std::filesystem::path whole = std::filesystem::absolute(file, unknown);
   return unknown ? std::filesystem::path(".") : whole.parent_path();
@@ -16,7 +16,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-DiskRoom::DiskRoom(const std::filesystem::path& file) : folder_(folder_of(file)) {}
+DiskRoom::DiskRoom(const std::filesystem::path& file) : folder_(whole_folder_of(file)) {}
 
 std::optional<std::string> DiskRoom::alarm(std::uint64_t stored_bytes) {
   constexpr double kShort_s = 60.0;

@@ -11,7 +11,6 @@
 namespace telepalp::record {
 namespace {
 
-constexpr std::string_view kPartial = ".partial";
 constexpr std::size_t kMaxDamagesListed = 100;
 
 /// Reads all of `stream`, gives each message to `take` and notes each damage.

@@ -12,6 +12,8 @@
 
 namespace telepalp::record {
 
+inline constexpr std::string_view kPartial = ".partial";  ///< ends the name of a session file while it is written
+
 /// True if telepalp wrote the file: the metadata that `stream` has read hold the record "telepalp.session".
 [[nodiscard]] bool is_of_telepalp(const wire::McapStreamReader& stream);
 

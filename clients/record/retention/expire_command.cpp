@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kProgram = "telepalp-record";
 constexpr std::uintmax_t kMostListBytes = 1 << 20;
 
 program::Usage usage() {

@@ -17,8 +17,6 @@
 namespace telepalp::record {
 namespace {
 
-constexpr const char* kProgram = "telepalp-record";
-
 program::Usage copy_usage() {
   return {.program = "telepalp-record copy",
           .purpose = "copies a session as it is, between the disk and a cluster (nats://HOST/SITE/SESSION.mcap)",
@@ -45,11 +43,8 @@ program::Usage forget_usage() {
           .example = "telepalp-record forget nats://127.0.0.1/ward3/session.mcap --delete"};
 }
 
-int asked_wrongly(std::string what, const program::Usage& usage) {
-  return program::fail({.what = std::move(what),
-                        .where = std::string(usage.program),
-                        .fix = "see " + std::string(usage.program) + " --help"},
-                       program::kAskedWrongly);
+int fail_asked_wrongly(std::string what, const program::Usage& usage) {
+  return program::fail(asked_wrongly(std::move(what), usage), program::kAskedWrongly);
 }
 
 /// --keep-days; nullopt: it is not given.
@@ -74,7 +69,7 @@ std::string_view in_words(CopiedNotes notes) {
 
 int run_copy(const program::Arguments& arguments) {
   if (arguments.positional().size() != 1 || !arguments.has("out"))
-    return asked_wrongly("copy needs one session, and a new one named by --out", copy_usage());
+    return fail_asked_wrongly("copy needs one session, and a new one named by --out", copy_usage());
   WholeCopyOptions options;
   if (arguments.has("plain")) options.protection = wire::mcap::Protection::None;
   const auto keep = keep_days(arguments);
@@ -89,7 +84,7 @@ int run_copy(const program::Arguments& arguments) {
 }
 
 int run_reseal(const program::Arguments& arguments) {
-  if (arguments.positional().empty()) return asked_wrongly("no session is named", reseal_usage());
+  if (arguments.positional().empty()) return fail_asked_wrongly("no session is named", reseal_usage());
   int result = program::kDone;
   for (const std::string& file : arguments.positional()) {
     const Result<Resealed> done = reseal(file);
@@ -103,7 +98,7 @@ int run_reseal(const program::Arguments& arguments) {
 }
 
 int run_forget(const program::Arguments& arguments) {
-  if (arguments.positional().size() != 1) return asked_wrongly("one session is needed", forget_usage());
+  if (arguments.positional().size() != 1) return fail_asked_wrongly("one session is needed", forget_usage());
   const std::string& name = arguments.positional().front();
   if (!session_store::is_in_cluster(name))
     return program::fail({.what = "is not the name of a session in a cluster",

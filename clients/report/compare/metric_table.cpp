@@ -12,8 +12,6 @@ namespace {
 
 using Better = MetricPair::Better;
 
-double known(const std::optional<std::uint64_t>& count) { return count ? static_cast<double>(*count) : kUnknown; }
-
 double seconds_in(const Summary& summary, msg::Phase phase) {
   for (std::size_t i = 0; i < ar::kPhases.size(); ++i)
     if (ar::kPhases[i].phase == phase) return summary.dwells[i].seconds;

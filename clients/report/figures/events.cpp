@@ -10,7 +10,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-constexpr std::size_t kMost = 60;         // of the events that are shown at once
+constexpr std::size_t kMostShown = 60;    // of the events that are shown at once
 constexpr std::size_t kMostFolded = 500;  // changes of phase
 
 /// A station of an older version has other words in its text, so a change of phase is told by its two phases.
@@ -38,7 +38,7 @@ std::string events_section(const Session& session) {
     rows.push_back({plot::number(static_cast<double>(since_ns) * 1e-9, 3) + " s", words_of(event)});
   }
   if (changes.empty() && others.empty()) return "";
-  std::string content = others.empty() ? "" : shown(others, kMost);
+  std::string content = others.empty() ? "" : shown(others, kMostShown);
   if (!changes.empty())
     content += "<details><summary>" + counted(changes.size(), "change", "changes") + " of state</summary>\n" +
                shown(changes, kMostFolded) + "</details>\n";

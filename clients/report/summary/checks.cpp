@@ -15,8 +15,6 @@ constexpr double kLeastBalance_mJ = -5.0;  // of the storms that telepalp-replay
 constexpr double kMostExcess_mJ = 250.0;
 constexpr double kPeriod_us = 500.0;  // of a tick
 
-double known(const std::optional<std::uint64_t>& count) { return count ? static_cast<double>(*count) : kUnknown; }
-
 double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : kUnknown; }
 
 std::vector<Check> safety_checks(const Summary& s) {

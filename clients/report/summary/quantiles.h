@@ -1,12 +1,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace telepalp::report {
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  ///< not measured; written as null in JSON
+
+/// `count` as a number.
+[[nodiscard]] inline double known(const std::optional<std::uint64_t>& count) noexcept {
+  return count ? static_cast<double>(*count) : kUnknown;
+}
 
 /// Quantiles of a distribution (p999: 99.9 %) and its largest sample (most); kUnknown without samples.
 struct Quantiles {

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "haptic_station/core/window/tick_vector.h"
+
 namespace telepalp::core {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr double kLeastFacing = 0.5;  // cosine of the largest angle between scan lines and the skin's inward normal
-
-Vector3d vector_of(const std::array<float, 3>& v) noexcept { return {v[0], v[1], v[2]}; }
 
 /// The hand's axes in K; nullopt: not known.
 std::optional<Eigen::Matrix3d> axes_of(const std::array<float, 4>& xyzw) noexcept {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "haptic_station/core/outbox/tick_messages.h"
+#include "haptic_station/core/stamp.h"
 #include "proto/wire/topics.h"
 #include "proto/wire/vector_message.h"
 
@@ -11,8 +12,6 @@ namespace telepalp::core {
 namespace {
 
 constexpr std::int64_t kStatePeriod_ns = 10'000'000;
-
-std::uint64_t stamp(SessionTime at) noexcept { return static_cast<std::uint64_t>(to_nanoseconds(at)); }
 
 }  // namespace
 

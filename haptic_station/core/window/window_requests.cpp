@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "codec/depth.h"
+#include "haptic_station/core/window/tick_vector.h"
 #include "proto/wire/camera/depth_window_message.h"
 
 namespace telepalp::core {
@@ -14,8 +15,6 @@ constexpr std::int64_t kLongest_ns = 200'000'000;  // between ticks from which a
 constexpr double kFrame_s = 1.0 / 30.0;
 constexpr double kMostLead_s = 0.5;
 constexpr Nanoseconds kBetweenSentences = std::chrono::seconds(5);
-
-Eigen::Vector3d vector_of(const std::array<float, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 /// Velocity of the hand in H between two ticks; zero if they are too far apart.
 Eigen::Vector3d velocity_between(const std::optional<loop::TickSample>& last, const loop::TickSample& tick) {

@@ -15,7 +15,7 @@
 namespace telepalp::station {
 namespace {
 
-program::Usage usage() {
+program::Usage calibrate_usage() {
   return {
       .program = "telepalp-station calibrate",
       .purpose = "measures the transforms between tracker, camera and haptic device",
@@ -96,7 +96,7 @@ int calibrate(const program::Arguments& arguments) {
 }  // namespace
 
 int calibrate_command(int argc, const char* const* argv) {
-  return program::run_program(usage(), argc, argv, calibrate);
+  return program::run_program(calibrate_usage(), argc, argv, calibrate);
 }
 
 }  // namespace telepalp::station

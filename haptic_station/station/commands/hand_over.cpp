@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "support/program/log.h"
+#include "haptic_station/station/telemetry/say.h"
 #include "support/program/options.h"
 #include "support/program/patience.h"
 
@@ -14,8 +14,6 @@ namespace {
 constexpr std::string_view kOffer = "offer ";
 constexpr std::string_view kDone = "done: ";
 constexpr std::size_t kLongestName = 128;
-
-void say(const std::string& text) { program::log("telepalp-station", text); }
 
 program::Usage usage() {
   return {.program = "telepalp-station hand-over",

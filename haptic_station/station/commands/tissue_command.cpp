@@ -9,7 +9,7 @@
 namespace telepalp::station {
 namespace {
 
-program::Usage usage() {
+program::Usage tissue_usage() {
   return {.program = "telepalp-station tissue",
           .purpose =
               "fits the skin's stiffness to a compression test of a tissue or phantom, and prints the fit's error; "
@@ -94,6 +94,8 @@ int print_fit(const program::Arguments& arguments) {
 
 }  // namespace
 
-int tissue_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, print_fit); }
+int tissue_command(int argc, const char* const* argv) {
+  return program::run_program(tissue_usage(), argc, argv, print_fit);
+}
 
 }  // namespace telepalp::station

@@ -5,7 +5,7 @@
 
 #include "haptic_station/control/phases/phase.h"
 #include "haptic_station/station/faults/flight_recorder.h"
-#include "support/program/log.h"
+#include "haptic_station/station/telemetry/say.h"
 
 namespace telepalp::station {
 namespace {
@@ -13,8 +13,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kRearmTakes = 20ms;  // time for some ticks and for their telemetry
-
-void say(const std::string& text) { program::log("telepalp-station", text); }
 
 }  // namespace
 

@@ -4,15 +4,13 @@
 
 #include "haptic_station/device/hand_driven_device.h"
 #include "haptic_station/device/joined_rig.h"
+#include "haptic_station/station/telemetry/say.h"
 #include "haptic_station/tracking/grip_tracker.h"
-#include "support/program/log.h"
 
 namespace telepalp::station {
 namespace {
 
 constexpr double kRestHeight_m = 0.10;  // height above the skin, as for the simulated hand
-
-void say(const std::string& text) { program::log("telepalp-station", text); }
 
 /// The text after `word:`; empty when `text` is only `word`; nullopt for any other text.
 std::optional<std::string> after(const std::string& text, const std::string& word) {

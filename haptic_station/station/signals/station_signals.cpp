@@ -8,14 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "support/program/log.h"
+#include "haptic_station/station/telemetry/say.h"
 
 namespace telepalp::station {
 namespace {
 
 using namespace std::chrono_literals;
-
-void say(const std::string& text) { program::log("telepalp-station", text); }
 
 bool ignores(int signal) {
   struct sigaction now {};

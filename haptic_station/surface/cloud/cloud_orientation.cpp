@@ -19,7 +19,6 @@ using Eigen::Vector3f;
 
 constexpr std::size_t kMostPoints = 20'000;
 constexpr std::size_t kNeighbors = 13;  // of each point, itself included
-constexpr float kAnywhere_m = 1e6F;
 
 std::vector<CloudPoint> some_of(const std::vector<CloudPoint>& cloud) {
   std::vector<CloudPoint> some;

@@ -8,18 +8,12 @@
 #include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
-namespace {
-
-constexpr float kAnywhere_m = 1e6F;
-
-IndexedPoints positions(const std::vector<CloudPoint>& points) {
+IndexedPoints positions_of(const std::vector<CloudPoint>& points) {
   IndexedPoints out;
   out.at_m.reserve(points.size());
   for (const CloudPoint& point : points) out.at_m.push_back(point.at_m);
   return out;
 }
-
-}  // namespace
 
 double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& index) {
   std::vector<float> squared;
@@ -36,7 +30,7 @@ double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& ind
 }
 
 CloudSnapshot::CloudSnapshot(std::vector<CloudPoint> cloud, const CloudShape& shape, Index index)
-    : storage_(std::move(cloud)), owned_index_(make_index(index, positions(storage_))) {
+    : storage_(std::move(cloud)), owned_index_(make_index(index, positions_of(storage_))) {
   shape_ = shape;
   if (!(shape_.support_m > 0.0))
     shape_.support_m = kSupportPerSpacing * std::max(1e-6, spacing_m(storage_, *owned_index_));

@@ -29,6 +29,9 @@ class CloudSnapshot final : public CloudSurface {
   std::shared_ptr<const NeighborIndex> owned_index_;
 };
 
+/// The positions of `points`, as an index takes them.
+[[nodiscard]] IndexedPoints positions_of(const std::vector<CloudPoint>& points);
+
 /// Mean spacing of a cloud: the median distance to the sixth neighbour, over a sample of the points, times √(π/6).
 [[nodiscard]] double spacing_m(const std::vector<CloudPoint>& points, const NeighborIndex& index);
 

@@ -49,7 +49,7 @@ void add(Sums& sums, const Vector3d& offset, const Vector3d& normal, double side
 
 /// Coverage at a point, from the sum of weights. A sum below the constant is the outer rim of a single point's support,
 /// where the coverage fades to 0.
-double coverage_of(double weight) noexcept {
+double coverage_of_weight(double weight) noexcept {
   constexpr double kLeast = 0.02;
   constexpr double kWhole = 0.30;
   return smooth_step(kLeast, kWhole, weight);
@@ -57,7 +57,7 @@ double coverage_of(double weight) noexcept {
 
 FieldSample sample_of(const Sums& sums) noexcept {
   FieldSample out;
-  out.coverage = coverage_of(sums.weight);
+  out.coverage = coverage_of_weight(sums.weight);
   const double length = sums.normal.norm();
   if (out.coverage <= 0.0 || length < 1e-3 * sums.weight) return {};
   const Vector3d n = sums.normal / length;

@@ -11,6 +11,8 @@ struct Neighbor {
   float squared_m2 = 0.0F;  ///< squared distance from the query
 };
 
+inline constexpr float kAnywhere_m = 1e6F;  ///< a radius within which all points of a cloud lie
+
 /// Interface of every index for neighbour queries over 3-D points. Immutable after construction.
 class NeighborIndex {
  public:

@@ -67,35 +67,33 @@ Closure closure_of(const models::PointModel& model) {
   return closure;
 }
 
-void say(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
-
 /// Drops normals that contradict the faces and adds the defects of `mesh` to `remarks`. Returns -1 if all normals must
 /// be reversed, else 1.
 float mended(models::PointModel& mesh, const Winding& winding, std::string& remarks) {
   if (winding.turned > 0)
-    say(remarks,
-        std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
-            (winding.turned == 1 ? " faces was oriented against its neighbours: telepalp has reversed it"
-                                 : " faces were oriented against their neighbours: telepalp has reversed them"));
-  if (mesh.normals.empty()) say(remarks, "the mesh has no normals: telepalp uses the normals of its faces");
+    add_remark(remarks,
+               std::to_string(winding.turned) + " of " + std::to_string(mesh.triangles.size()) +
+                   (winding.turned == 1 ? " faces was oriented against its neighbours: telepalp has reversed it"
+                                        : " faces were oriented against their neighbours: telepalp has reversed them"));
+  if (mesh.normals.empty()) add_remark(remarks, "the mesh has no normals: telepalp uses the normals of its faces");
   Closure closure = closure_of(mesh);
   constexpr double kLeastAgreement = 0.4;  // smooth shading over the edges of a cube gives 0.58
   if (!mesh.normals.empty() && std::abs(closure.agreement) < kLeastAgreement) {
-    say(remarks, "the mesh's normals contradict its faces: telepalp uses the normals of the faces");
+    add_remark(remarks, "the mesh's normals contradict its faces: telepalp uses the normals of the faces");
     mesh.normals.clear();
     closure.agreement = 0.0;
   }
   if (closure.without_place > 0)
-    say(remarks, counted(closure.without_place, "triangle with a corner that is not a finite number is left out",
-                         "triangles with a corner that is not a finite number are left out"));
+    add_remark(remarks, counted(closure.without_place, "triangle with a corner that is not a finite number is left out",
+                                "triangles with a corner that is not a finite number are left out"));
   if (winding.open_edges > 0) {
-    say(remarks, "the mesh is open (" + counted(winding.open_edges, "edge", "edges") +
-                     " with a face on one side only), so telepalp takes the side to which its " +
-                     (mesh.normals.empty() ? "faces" : "normals") + " point as its outside");
+    add_remark(remarks, "the mesh is open (" + counted(winding.open_edges, "edge", "edges") +
+                            " with a face on one side only), so telepalp takes the side to which its " +
+                            (mesh.normals.empty() ? "faces" : "normals") + " point as its outside");
     return 1.0F;
   }
   if ((closure.volume6 < 0.0) == (closure.agreement < 0.0)) return 1.0F;
-  say(remarks, "the mesh is inside out: telepalp has reversed its normals");
+  add_remark(remarks, "the mesh is inside out: telepalp has reversed its normals");
   return -1.0F;
 }
 
@@ -116,7 +114,7 @@ Result<StaticModel> touched_mesh(models::PointModel mesh, const StaticModelSetti
   const Winding winding = make_faces_agree(mesh);
   if (settings.flip_normals && winding.open_edges == 0) {
     if (!settings.anyway) return inside_out("mesh");
-    say(made.remarks, touched_from_inside("mesh"));
+    add_remark(made.remarks, touched_from_inside("mesh"));
   }
   const float side = mended(mesh, winding, made.remarks) * (settings.flip_normals ? -1.0F : 1.0F);
   const SampledMesh sampled = sample_mesh(mesh, settings, origin_m, side);
@@ -157,6 +155,8 @@ Error inside_out(const std::string& what) {
           .fix = "leave out --flip-normals (flip_normals in a scene); or touch the " + what +
                  " from inside, as a hollow, by --anyway"};
 }
+
+void add_remark(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
 
 std::string touched_from_inside(const std::string& what) {
   return "the " + what + " is closed and its normals are flipped: it is touched from inside, as a hollow";

@@ -44,6 +44,9 @@ struct StaticModel {
 [[nodiscard]] bool spans_a_surface(const models::PointModel& model);
 [[nodiscard]] Error no_surface();
 
+/// Adds `remark` to the remarks of a model, behind a semicolon if it is not the first.
+void add_remark(std::string& remarks, const std::string& remark);
+
 /// flip_normals of a closed model, whose outside is certain: the error, and the remark if `anyway` accepts it. `what`:
 /// "mesh" or "cloud".
 [[nodiscard]] Error inside_out(const std::string& what);

@@ -27,8 +27,6 @@ std::string text(const char* format, Values... values) {
   return line.data();
 }
 
-void say(std::string& remarks, const std::string& remark) { remarks += (remarks.empty() ? "" : "; ") + remark; }
-
 /// The finite points with their normals; zero where the file gives none.
 std::vector<CloudPoint> finite_points(const models::PointModel& cloud) {
   std::vector<CloudPoint> points;
@@ -38,12 +36,6 @@ std::vector<CloudPoint> finite_points(const models::PointModel& cloud) {
     points.push_back({cloud.points[i], cloud.normals.empty() ? Vector3f(Vector3f::Zero()) : cloud.normals[i]});
   }
   return points;
-}
-
-IndexedPoints positions(const std::vector<CloudPoint>& points) {
-  IndexedPoints out;
-  for (const CloudPoint& point : points) out.at_m.push_back(point.at_m);
-  return out;
 }
 
 /// The median angle between given normals and normals that are estimated from the points, at up to 1000 points.
@@ -95,10 +87,11 @@ struct Settling {
 
 void estimate_normals(Settling& cloud) {
   const int neighbors = std::max(cloud.settings.normal_neighbors, neighbors_in_support(cloud.noise));
-  say(cloud.remarks, text("each normal is estimated from %d neighbouring points and turned towards the origin of the "
-                          "file's frame, where the camera is assumed",
-                          neighbors));
-  cloud.points = with_normals(positions(cloud.points).at_m, neighbors, cloud.viewpoint);
+  add_remark(cloud.remarks,
+             text("each normal is estimated from %d neighbouring points and turned towards the origin of the "
+                  "file's frame, where the camera is assumed",
+                  neighbors));
+  cloud.points = with_normals(positions_of(cloud.points).at_m, neighbors, cloud.viewpoint);
 }
 
 double share_away(const Settling& cloud) {
@@ -116,8 +109,8 @@ void turn_outwards(Settling& cloud, const CloudOrientation& orientation, const c
     for (CloudPoint& point : cloud.points) point.normal = -point.normal;
   else
     orientation.apply(cloud.points);
-  say(cloud.remarks,
-      text("the cloud is closed and %.1f %% of %s normals pointed inwards: they are reversed", 100.0 * inwards, whose));
+  add_remark(cloud.remarks, text("the cloud is closed and %.1f %% of %s normals pointed inwards: they are reversed",
+                                 100.0 * inwards, whose));
 }
 
 /// Normals of the file that fit the points, of an open cloud.
@@ -128,22 +121,24 @@ Result<void> settle_open(Settling& cloud, const CloudOrientation& orientation) {
   if (against > kMostMended || (against > kFew && !orientation.is_consistent())) {
     const std::string what = text("%.0f %% of the normals contradict their neighbours", 100.0 * against);
     if (!cloud.settings.anyway) return no_side("has normals that point to different sides of the surface: " + what);
-    say(cloud.remarks, what);
+    add_remark(cloud.remarks, what);
     estimate_normals(cloud);
     return {};
   }
   if (against > kFew) {
     orientation.apply(cloud.points);
-    say(cloud.remarks,
-        text("%.1f %% of the normals contradicted their neighbours: they are reversed", 100.0 * against));
+    add_remark(cloud.remarks,
+               text("%.1f %% of the normals contradicted their neighbours: they are reversed", 100.0 * against));
   }
   if (orientation.turns() < kHollow && !cloud.settings.flip_normals)
-    say(cloud.remarks,
+    add_remark(
+        cloud.remarks,
         "the normals of the open cloud point to its concave side: if that is not the outside, give --flip-normals, or "
         "flip_normals in a scene");
   const double away = share_away(cloud);
   if (away > 0.9 && !cloud.settings.flip_normals)
-    say(cloud.remarks,
+    add_remark(
+        cloud.remarks,
         text("the cloud is open and %.0f %% of its normals point away from the origin of the file's frame: if the "
              "camera was at this origin, give --flip-normals, or flip_normals in a scene",
              100.0 * away));
@@ -157,8 +152,8 @@ Result<void> settle_normals(Settling& cloud, bool given, double misfit) {
       "has normals that do not fit its points: at the median they differ by %.0f degrees from normals that are "
       "estimated from the points",
       misfit);
-  if (given && !fit) say(cloud.remarks, "the cloud " + unfit);
-  if (!given) say(cloud.remarks, "the cloud has no normals");
+  if (given && !fit) add_remark(cloud.remarks, "the cloud " + unfit);
+  if (!given) add_remark(cloud.remarks, "the cloud has no normals");
   if (!fit) estimate_normals(cloud);
   using Signs = CloudOrientation::Signs;
   const CloudOrientation orientation(cloud.points, cloud.noise.noise_m, fit ? Signs::OfTheFile : Signs::Guessed);
@@ -191,7 +186,7 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
                                   const Vector3d& origin_m) {
   std::vector<CloudPoint> points = finite_points(cloud);
   if (points.empty()) return no_surface();
-  const IndexedPoints at = positions(points);
+  const IndexedPoints at = positions_of(points);
   const auto index = make_nanoflann_index(at);
   const CloudNoise noise = noise_of(at, *index, spacing_m(points, *index));
   const bool untouchable = !noise.is_surface || (noise.follows_noise() && noise.support_m > kWidestSupport_m);
@@ -203,7 +198,7 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   if (settling.points.empty()) return no_surface();
   if (settings.flip_normals && settling.closed) {
     if (!settings.anyway) return inside_out("cloud");
-    say(settling.remarks, touched_from_inside("cloud"));
+    add_remark(settling.remarks, touched_from_inside("cloud"));
   }
   if (settings.flip_normals)
     for (CloudPoint& point : settling.points) point.normal = -point.normal;
@@ -215,9 +210,10 @@ Result<StaticModel> touched_cloud(const models::PointModel& cloud, const StaticM
   const std::size_t given_points = settling.points.size();
   if (settings.support_m <= 0.0) thin_for(shape.support_m, noise.spacing_m, settling.points);
   if (settling.points.size() < given_points)
-    say(made.sampling, text("%zu of the points, chosen at random, are kept, so that the 2 kHz control loop has time to "
-                            "average the points around the device point",
-                            settling.points.size()));
+    add_remark(made.sampling,
+               text("%zu of the points, chosen at random, are kept, so that the 2 kHz control loop has time to "
+                    "average the points around the device point",
+                    settling.points.size()));
   made.snapshot = std::make_shared<const CloudSnapshot>(std::move(settling.points), shape, Index::Nanoflann);
   return made;
 }

@@ -6,7 +6,7 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kLately_s = 0.3;  // a shift of 0.2 to 0.9 s must be found while it lasts
+constexpr double kErredLately_s = 0.3;  // a shift of 0.2 to 0.9 s must be found while it lasts
 constexpr double kLong_s = 10.0;   // three breaths; a patient who coughs does so again within this time
 constexpr double kLatelyPower = 2.0;
 constexpr double kLongPower = 16.0;  // with 8, a cough errs by 1.06 times as much as the better prediction
@@ -15,7 +15,7 @@ constexpr double kNoise_m = 2e-5;    // adds to each error, so that a patient at
 // is shown with 1.4 instead of 1.15 times the error of an ideal display, at a delay of 50 ms.
 // With 2, it sufficed for coughs, but the skin after a gap or a shift was drawn back to where it had been.
 constexpr double kSwingHandicap = 5.0;
-constexpr double kFirst_m2_s = 9e-8;  // prior: all but the station's own have erred by 0.3 mm for 1 s
+constexpr double kFirstError_m2_s = 9e-8;  // prior: all but the station's own have erred by 0.3 mm for 1 s
 
 template <std::size_t kCount>
 std::array<double, kCount> inverse_powers(const std::array<double, kCount>& mean_square_m2, double power) noexcept {
@@ -34,7 +34,7 @@ OfThree inverse_power_weights(const OfThree& mean_square_m2, double power) noexc
 }
 
 void PredictionWeights::pass(double dt_s) noexcept {
-  for (double& sum : lately_m2_s_) sum *= std::exp(-dt_s / kLately_s);
+  for (double& sum : lately_m2_s_) sum *= std::exp(-dt_s / kErredLately_s);
   const double keep = std::exp(-dt_s / kLong_s);
   for (double& sum : long_m2_s_) sum *= keep;
   prior_ *= keep;
@@ -49,14 +49,14 @@ void PredictionWeights::add(const SquareErrors& errors, double dt_s) noexcept {
 
 OfThree PredictionWeights::short_term() const noexcept {
   OfThree sum = lately_m2_s_;
-  for (double& one : sum) one += kNoise_m * kNoise_m * kLately_s;
+  for (double& one : sum) one += kNoise_m * kNoise_m * kErredLately_s;
   return inverse_power_weights(sum, kLatelyPower);
 }
 
 OfFour PredictionWeights::weights() const noexcept {
   OfFour sum = long_m2_s_;
   for (double& one : sum) one += kNoise_m * kNoise_m * kLong_s;
-  for (std::size_t i = 1; i < sum.size(); ++i) sum[i] += prior_ * kFirst_m2_s;
+  for (std::size_t i = 1; i < sum.size(); ++i) sum[i] += prior_ * kFirstError_m2_s;
   sum[3] *= kSwingHandicap;
   const OfFour second = inverse_powers(sum, kLongPower);
   const OfThree first = short_term();

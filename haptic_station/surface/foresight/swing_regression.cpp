@@ -7,7 +7,7 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kMemory_s = 10.0;
-constexpr double kFirst_m2_s = 9e-8;  // prior: a way of 0.3 mm was not gone for 1 s
+constexpr double kFirstWay_m2_s = 9e-8;  // prior: a way of 0.3 mm was not gone for 1 s
 constexpr double kMostToMean = 2.0;   // skin that swings comes as far to the other side of its mean place
 constexpr double kMostStraight = 1.0;
 
@@ -27,8 +27,8 @@ void SwingRegression::add(const Ways& ways, double counts) noexcept {
 }
 
 SwingRegression::Shares SwingRegression::shares() const noexcept {
-  const double a = mean_mean_ + kFirst_m2_s, b = mean_straight_, c = straight_straight_ + kFirst_m2_s;
-  const double determinant = a * c - b * b;  // above kFirst_m2_s², by the inequality of Cauchy and Schwarz
+  const double a = mean_mean_ + kFirstWay_m2_s, b = mean_straight_, c = straight_straight_ + kFirstWay_m2_s;
+  const double determinant = a * c - b * b;  // above kFirstWay_m2_s², by the inequality of Cauchy and Schwarz
   return {std::clamp((went_mean_ * c - went_straight_ * b) / determinant, 0.0, kMostToMean),
           std::clamp((went_straight_ * a - went_mean_ * b) / determinant, 0.0, kMostStraight)};
 }

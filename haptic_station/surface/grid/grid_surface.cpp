@@ -55,13 +55,13 @@ double full_weight(double support_nodes) noexcept {
   return std::numbers::pi * support_nodes * support_nodes * kMeanWeight;
 }
 
-double coverage_of(double cover) noexcept { return smooth_step(kLeastCover, kWholeCover, cover); }
+double coverage_of_share(double share) noexcept { return smooth_step(kLeastCover, kWholeCover, share); }
 
 /// f and its gradient, from the sums by the quotient and product rules.
 FieldSample sample_of(const NodeSums& sums, const LatticePoint& at, double full_weight) noexcept {
   FieldSample out;
   const WeightedSums& sum = sums.value;
-  out.coverage = coverage_of(sum.weight / full_weight);
+  out.coverage = coverage_of_share(sum.weight / full_weight);
   const double length = sum.normal.norm();
   if (out.coverage <= 0.0 || length < 1e-3 * sum.weight) return {};
   const Vector3d n = sum.normal / length;

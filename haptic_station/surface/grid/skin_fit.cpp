@@ -56,9 +56,9 @@ struct HeightTerms {
 };
 
 /// The normal equations of u², uv, v², u, v and 1, with the right side as the seventh column.
-using Equations = std::array<std::array<double, 7>, 6>;
+using HeightEquations = std::array<std::array<double, 7>, 6>;
 
-Equations equations_of(const SkinMoments& sums) noexcept {
+HeightEquations equations_of(const SkinMoments& sums) noexcept {
   const auto& w = sums.weight;
   const auto& h = sums.height;
   return {{{w[10], w[11], w[12], w[6], w[7], w[3], h[3]},
@@ -72,7 +72,7 @@ Equations equations_of(const SkinMoments& sums) noexcept {
 /// Eliminates from the term `from` on, without pivoting, and solves for the last three terms alone: nobody needs the
 /// others, and a steep scene has thousands of nodes. `from` 0: a quadratic; 3: a plane. nullopt: the terms are not
 /// distinct, because too few pixels lie along the slant.
-std::optional<HeightTerms> solve_from(std::size_t from, Equations equations) noexcept {
+std::optional<HeightTerms> solve_from(std::size_t from, HeightEquations equations) noexcept {
   const double least = kLeastPivot * equations[5][5];
   for (std::size_t k = from; k < 6; ++k) {
     if (!(equations[k][k] > least)) return std::nullopt;
@@ -127,7 +127,7 @@ std::optional<SkinFit> fit_over(const InverseDepthView& view, const ViewCamera& 
   SkinMoments sums;
   sum_on_skin(window_of(view, from, mask, centre, radius, half_box(start, radius_px)), frame, sums);
   if (!(sums.weight[0] > kLeastWeight)) return std::nullopt;
-  const Equations equations = equations_of(sums);
+  const HeightEquations equations = equations_of(sums);
   std::optional<HeightTerms> terms = solve_from(0, equations);
   if (!terms) terms = solve_from(3, equations);
   if (!terms) return std::nullopt;

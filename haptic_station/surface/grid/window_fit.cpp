@@ -21,12 +21,12 @@ Clip clip_of(const InverseDepthView& view, int left, int side) noexcept {
 }
 
 /// The normal equations of 1, u, v, u², uv, v², lengths in radii.
-struct Equations {
+struct PlaneEquations {
   Eigen::Matrix<double, 6, 6> normal;
   Eigen::Matrix<double, 6, 1> right;
 };
 
-Equations equations_of(const MaskedColumns& sums, const AxisWeights& axis, Clip clip) {
+PlaneEquations equations_of(const MaskedColumns& sums, const AxisWeights& axis, Clip clip) {
   std::array<std::array<double, 5>, 5> moment{};  // [power of u][power of v]
   std::array<std::array<double, 3>, 3> value{};
   const double scale = 1.0 / axis.radius;
@@ -42,7 +42,7 @@ Equations equations_of(const MaskedColumns& sums, const AxisWeights& axis, Clip 
   constexpr std::array<std::array<std::size_t, 2>, 6> kPowers = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
   const std::array<double, 5> by_power = {1.0, scale, scale * scale, scale * scale * scale,
                                           scale * scale * scale * scale};
-  Equations out;
+  PlaneEquations out;
   for (std::size_t i = 0; i < 6; ++i) {
     const auto [a, b] = kPowers[i];
     out.right[static_cast<Eigen::Index>(i)] = value[a][b] * by_power[b];
@@ -56,7 +56,7 @@ Equations equations_of(const MaskedColumns& sums, const AxisWeights& axis, Clip 
 
 /// Weighted least squares with the first N terms: solves the leading N × N block of the normal equations.
 template <int N>
-std::optional<InverseDepthPlane> solve(const Equations& equations) {
+std::optional<InverseDepthPlane> solve(const PlaneEquations& equations) {
   const Eigen::LDLT<Eigen::Matrix<double, N, N>> factors(equations.normal.topLeftCorner<N, N>());
   const auto pivots = factors.vectorD();
   if (!(pivots.minCoeff() > 1e-9 * pivots.maxCoeff())) return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<WindowFit> fit_window(const InverseDepthView& view, int column, in
   MaskedColumns sums;
   const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(corner.row) * view.width + corner.column;
   sum_masked_columns(view.per_m.data(), first, view.width, mask->rows.data(), axis, clip.from, clip.to, sums);
-  const Equations equations = equations_of(sums, axis, clip);
+  const PlaneEquations equations = equations_of(sums, axis, clip);
   WindowFit fit{.plane = {}, .share = equations.normal(0, 0) / (axis.m0 * axis.m0)};
   const bool over_hole = mask->start.column != column || mask->start.row != row;
   if (fit.share < (over_hole ? kLeastShareOverHole : kLeastShare)) return std::nullopt;

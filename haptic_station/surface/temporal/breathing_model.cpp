@@ -10,7 +10,7 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
-constexpr double kWindow_s = 12.0;
+constexpr double kBreathsWindow_s = 12.0;
 constexpr double kKeepEvery_s = 0.09;  // sample period of the window; breathing has no higher frequencies
 constexpr double kSlowest_Hz = 0.10;
 constexpr double kFastest_Hz = 0.80;
@@ -39,7 +39,7 @@ BreathTerms terms_at(double phase) noexcept {
 
 void BreathingModel::remember(std::span<const float> displacement_m) {
   recent_.push_back({now_s_, {displacement_m.begin(), displacement_m.end()}});
-  while (now_s_ - recent_.front().at_s > kWindow_s) recent_.pop_front();
+  while (now_s_ - recent_.front().at_s > kBreathsWindow_s) recent_.pop_front();
 }
 
 double BreathingModel::signal_of(std::span<const float> displacement_m) const noexcept {

@@ -10,7 +10,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kFollows_m = 0.006;  // a cell that moved more beside the body does not count
-constexpr double kDoubt = 4.0;        // prior, in cells: with fewer, the body's shared motion alone counts
+constexpr double kShiftDoubt = 4.0;   // prior, in cells: with fewer, the body's shared motion alone counts
 constexpr double kTiltDoubt = 15.0;   // the same, against a tilt, which a few cells in a corner do not tell
 
 /// 1, column and row from the image's middle, in units of half the lattice.
@@ -26,7 +26,7 @@ Vector3d place_of(const CellLattice& lattice, std::size_t at) noexcept {
 void fill_hidden(const CellLattice& lattice, std::span<const std::uint8_t> hidden, std::span<const double> shared_m,
                  std::span<CellInnovation> seen) {
   if (hidden.empty()) return;
-  Matrix3d normal = Vector3d(kDoubt, kTiltDoubt, kTiltDoubt).asDiagonal();
+  Matrix3d normal = Vector3d(kShiftDoubt, kTiltDoubt, kTiltDoubt).asDiagonal();
   Vector3d right = Vector3d::Zero();
   double sigma_m = 0.0;
   double count = 1e-9;

@@ -8,7 +8,7 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr int kCell = CellLattice::kCell_px;
+constexpr int kCellSide = CellLattice::kCell_px;
 constexpr float kPatchOutlier = 4.5F;
 constexpr float kStartAnew_frames = 4.0F;
 constexpr double kNoiseGain = 0.05;
@@ -53,8 +53,8 @@ void TemporalFilter::find_hidden_cells(std::span<const std::uint8_t> hidden) {
   hidden_cells_.clear();
   if (hidden.empty()) return;
   const BlockLattice blocks = blocks_of(average_.width, average_.height);
-  constexpr int kAcross = kCell / kPatch_px;
-  constexpr double kSeen_px = 0.25 * kCell * kCell;  // with so many pixels, a cell's own innovation counts
+  constexpr int kAcross = kCellSide / kPatch_px;
+  constexpr double kSeen_px = 0.25 * kCellSide * kCellSide;  // with so many pixels, a cell's own innovation counts
   std::vector<int> count(seen_.size(), 0);
   for (int row = 0; row < blocks.rows; ++row)
     for (int column = 0; column < blocks.columns; ++column)
@@ -79,11 +79,11 @@ void TemporalFilter::observe(const DepthField& seen) {
   const ColumnSums sums{sums_.data(), &sums_[width], &sums_[2 * width], &sums_[3 * width]};
   noise_sum_ = noise_count_ = 0.0;
   for (int row = 0; row < seen.height; ++row) {
-    if (row % kCell == 0) std::fill(sums_.begin(), sums_.end(), 0.0F);
+    if (row % kCellSide == 0) std::fill(sums_.begin(), sums_.end(), 0.0F);
     spread_over_row(motion_.lattice(), motion_.change(), row, moved_at_);
     const std::size_t start = seen.index(0, row);
     observe_row(&seen.z_m[start], &average_.z_m[start], &moved_at_[kRowLead], seen.width, {noise_scale_}, sums);
-    if (row % kCell == kCell - 1 || row + 1 == seen.height) end_of_cells(row / kCell);
+    if (row % kCellSide == kCellSide - 1 || row + 1 == seen.height) end_of_cells(row / kCellSide);
   }
   if (noise_count_ > 100.0)
     noise_scale_ += static_cast<float>(
@@ -94,8 +94,8 @@ void TemporalFilter::observe(const DepthField& seen) {
 void TemporalFilter::end_of_cells(int cell_row) {
   const auto width = static_cast<std::size_t>(average_.width);
   for (int column = 0; column < motion_.lattice().columns; ++column) {
-    const auto from = static_cast<std::size_t>(column * kCell);
-    const std::size_t to = std::min(width, from + kCell);
+    const auto from = static_cast<std::size_t>(column * kCellSide);
+    const std::size_t to = std::min(width, from + kCellSide);
     CellInnovation cell;
     double unit = 0.0;
     for (std::size_t u = from; u < to; ++u) {

@@ -17,7 +17,7 @@ namespace {
 
 using RequestPtr = std::unique_ptr<X509_REQ, Freed<X509_REQ_free>>;
 
-Error refused(std::string what, const std::string& file, std::string fix) {
+Error request_refused(std::string what, const std::string& file, std::string fix) {
   return {.what = std::move(what), .where = file, .fix = std::move(fix)};
 }
 
@@ -79,28 +79,28 @@ Result<std::string> make_request(const std::string& name, EVP_PKEY& key) {
 Result<KeyRequest> read_request(std::string_view text, const std::string& file) {
   const std::string another = "ask for the file that `telepalp-keys request` wrote";
   if (text.size() > kMaxRequestBytes)
-    return refused("the request has more than " + std::to_string(kMaxRequestBytes) + " B", file, another);
+    return request_refused("the request has more than " + std::to_string(kMaxRequestBytes) + " B", file, another);
   const RequestPtr request = parsed(text);
   EVP_PKEY* const key = request ? X509_REQ_get0_pubkey(request.get()) : nullptr;
   if (key == nullptr) {
     ERR_clear_error();
-    return refused("this file does not hold exactly one request for a certificate", file, another);
+    return request_refused("this file does not hold exactly one request for a certificate", file, another);
   }
   if (!is_p256(*key)) {
     ERR_clear_error();
-    return refused("the key of this request is not on the curve P-256, which all telepalp keys use", file,
-                   "make the key by `telepalp-keys request`; in a hardware token, make a key EC prime256v1");
+    return request_refused("the key of this request is not on the curve P-256, which all telepalp keys use", file,
+                           "make the key by `telepalp-keys request`; in a hardware token, make a key EC prime256v1");
   }
   const bool proves =
       X509_REQ_get_signature_nid(request.get()) == NID_ecdsa_with_SHA256 && X509_REQ_verify(request.get(), key) == 1;
   ERR_clear_error();
   if (!proves)
-    return refused("the request is not signed with its own key, so its sender may not have the private key", file,
-                   another);
+    return request_refused("the request is not signed with its own key, so its sender may not have the private key",
+                           file, another);
   const std::optional<std::string> name = one_name(*request);
   if (!name || !check_name(*name).ok())
-    return refused("the request does not state exactly one name that a key may have", file,
-                   "make it by telepalp-keys request --name NAME");
+    return request_refused("the request does not state exactly one name that a key may have", file,
+                           "make it by telepalp-keys request --name NAME");
   EVP_PKEY_up_ref(key);
   return KeyRequest{.name = *name, .key = PublicKey(key, EVP_PKEY_free)};
 }

@@ -16,7 +16,7 @@
 namespace telepalp::keys {
 namespace {
 
-constexpr std::size_t kMostBytes = 256;
+constexpr std::size_t kMostPassphraseBytes = 256;
 constexpr std::size_t kLeastBytes = 12;  // of a new one: a stolen file can be attacked without a server that slows down
 constexpr int kAttempts = 3;
 
@@ -40,9 +40,9 @@ Result<std::string> first_line_of(const std::string& file, const std::string& wh
   if (::stat(file.c_str(), &status) == 0 && (status.st_mode & S_IRWXO) != 0)
     return Error{
         .what = "every user of this computer has access to this passphrase", .where = file, .fix = "chmod 600 " + file};
-  std::string text = read_small_file(file, kMostBytes + 1).value_or("");
+  std::string text = read_small_file(file, kMostPassphraseBytes + 1).value_or("");
   text.resize(std::min(text.size(), text.find_first_of("\r\n")));
-  if (!text.empty() && text.size() <= kMostBytes) return text;
+  if (!text.empty() && text.size() <= kMostPassphraseBytes) return text;
   return no_passphrase(
       what, variables,
       "the file " + file + ", which " + variables.file + " names, has no first line of 1 to 256 bytes");
@@ -67,9 +67,9 @@ bool has_terminal() {
 
 /// OpenSSL switches the echo off, and on again also after Ctrl-C.
 std::optional<std::string> typed(const std::string& prompt, std::size_t least, bool twice) {
-  std::array<char, kMostBytes + 1> text{};
+  std::array<char, kMostPassphraseBytes + 1> text{};
   const int failed =
-      EVP_read_pw_string_min(text.data(), static_cast<int>(least), kMostBytes, prompt.c_str(), twice ? 1 : 0);
+      EVP_read_pw_string_min(text.data(), static_cast<int>(least), kMostPassphraseBytes, prompt.c_str(), twice ? 1 : 0);
   ERR_clear_error();
   std::string passphrase(text.data());
   OPENSSL_cleanse(text.data(), text.size());

@@ -16,7 +16,7 @@ namespace telepalp::keys {
 namespace {
 
 constexpr std::string_view kScheme = "pkcs11:";
-constexpr std::size_t kMostBytes = 512;
+constexpr std::size_t kMostAddressBytes = 512;
 
 using EnginePtr = std::unique_ptr<ENGINE, Freed<ENGINE_free>>;
 
@@ -77,7 +77,7 @@ bool is_pkcs11(std::string_view text) noexcept { return text.starts_with(kScheme
 
 Result<Pkcs11Address> read_pkcs11(std::string_view text) {
   const auto is_odd = [](char letter) { return letter <= ' ' || letter > '~' || letter == '"'; };
-  if (!is_pkcs11(text) || text.size() > kMostBytes || std::any_of(text.begin(), text.end(), is_odd))
+  if (!is_pkcs11(text) || text.size() > kMostAddressBytes || std::any_of(text.begin(), text.end(), is_odd))
     return wrong_address(text, "this is not the address of a key in a token");
   const std::string_view key = text.substr(0, text.find('?'));
   const std::string_view query = text.substr(std::min(text.size(), key.size() + 1));

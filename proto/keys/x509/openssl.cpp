@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostCertificates = 8;
 constexpr std::size_t kSerialBytes = 10;
 
-std::vector<unsigned char> random_bytes(std::size_t count) {
+std::vector<unsigned char> demanded_random_bytes(std::size_t count) {
   std::vector<unsigned char> bytes(count);
   demand(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1, "OpenSSL generates random bytes");
   return bytes;
@@ -41,13 +41,13 @@ std::string in_hexadecimal(std::span<const unsigned char> bytes) {
 PrivateKeyPtr new_private_key() { return PrivateKeyPtr(EVP_EC_gen("P-256")); }
 
 std::string random_serial() {
-  std::vector<unsigned char> bytes = random_bytes(kSerialBytes);
+  std::vector<unsigned char> bytes = demanded_random_bytes(kSerialBytes);
   bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7f) | 0x40);  // positive, and of a fixed length
   return in_hexadecimal(bytes);
 }
 
 std::string random_hexadecimal(std::size_t bytes) {
-  const std::vector<unsigned char> made = random_bytes(bytes);
+  const std::vector<unsigned char> made = demanded_random_bytes(bytes);
   return in_hexadecimal(made);
 }
 

@@ -26,7 +26,7 @@ void multiply(std::size_t shard_bytes, Bytes& matrix, std::vector<unsigned char*
   ec_encode_data(static_cast<int>(shard_bytes), columns, rows, tables.data(), in.data(), out.data());
 }
 
-unsigned char* bytes(const std::byte* data) {  // ISA-L takes its inputs without const
+unsigned char* for_isa_l(const std::byte* data) {  // ISA-L takes its inputs without const
   return reinterpret_cast<unsigned char*>(const_cast<std::byte*>(data));
 }
 
@@ -41,8 +41,8 @@ void make_repair_shards(std::span<const std::byte* const> data, std::size_t shar
       matrix.push_back(coefficient(data.size(), row, column));
   std::vector<unsigned char*> in;
   std::vector<unsigned char*> results;
-  for (const std::byte* shard : data) in.push_back(bytes(shard));
-  for (std::byte* shard : out) results.push_back(bytes(shard));
+  for (const std::byte* shard : data) in.push_back(for_isa_l(shard));
+  for (std::byte* shard : out) results.push_back(for_isa_l(shard));
   multiply(shard_bytes, matrix, in, results);
 }
 
@@ -59,7 +59,7 @@ void restore_data_shards(std::span<std::byte* const> data, std::span<const std::
   std::vector<unsigned char*> remainder_at;
   for (Bytes& remainder : remainders) remainder_at.push_back(remainder.data());
   std::vector<unsigned char*> known;
-  for (std::byte* shard : data) known.push_back(bytes(shard));
+  for (std::byte* shard : data) known.push_back(for_isa_l(shard));
   Bytes matrix;
   for (std::size_t i = 0; i < unknowns; ++i)
     for (std::size_t column = 0; column < k; ++column) matrix.push_back(coefficient(k, repairs[i].row, column));
@@ -76,7 +76,7 @@ void restore_data_shards(std::span<std::byte* const> data, std::span<const std::
   demand(gf_invert_matrix(square.data(), inverse.data(), static_cast<int>(unknowns)) == 0,
          "the Cauchy matrix of the missing shards is invertible");
   std::vector<unsigned char*> restored;
-  for (const std::uint8_t shard : missing) restored.push_back(bytes(data[shard]));
+  for (const std::uint8_t shard : missing) restored.push_back(for_isa_l(data[shard]));
   multiply(shard_bytes, inverse, remainder_at, restored);
 }
 

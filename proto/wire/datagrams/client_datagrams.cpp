@@ -10,7 +10,7 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-constexpr int kBatch = 64;  // the most datagrams read in one go; then the thread serves its other sockets
+constexpr int kMostReadAtOnce = 64;  // the most datagrams read in one go; then the thread serves its other sockets
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void ClientDatagrams::wait() {
 }
 
 void ClientDatagrams::read_some() {
-  for (int i = 0; i < kBatch && !closed_; ++i) {
+  for (int i = 0; i < kMostReadAtOnce && !closed_; ++i) {
     error_code failed;
     const std::size_t bytes = socket_.receive(asio::buffer(buffer_), 0, failed);
     if (failed) break;  // no datagram waits, or the server's machine refused one (ICMP); its server may come back

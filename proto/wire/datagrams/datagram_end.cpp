@@ -15,7 +15,7 @@ constexpr Nanoseconds kReportEvery = 100ms;
 constexpr Nanoseconds kUntilClientBegins = 1500ms;
 constexpr Nanoseconds kFullSocket = 1ms;
 /// The most datagrams sent in one go; then the thread serves its other sockets. A depth image has about a hundred.
-constexpr int kBatch = 64;
+constexpr int kMostSentAtOnce = 64;
 /// Clients send poses and states of less than a kilobyte, and must not fill a server's memory with halves of frames.
 constexpr std::size_t kMostAssemblingAtServer_B = std::size_t{64} << 10U;
 
@@ -125,8 +125,8 @@ void DatagramEnd::pump() {
   if (closed_) return;  // the handler may have closed this end
   report_when_due(now);
   int sent = 0;
-  while (sent < kBatch && send_next(now)) ++sent;
-  if (sent == kBatch) return wake_at(now, now);
+  while (sent < kMostSentAtOnce && send_next(now)) ++sent;
+  if (sent == kMostSentAtOnce) return wake_at(now, now);
   if (has_unsent_) return wake_at(now + kFullSocket, now);
   SessionTime next = link_.due(now).value_or(now + kReportEvery);
   if (reports(now)) next = std::min(next, reported_at_ + kReportEvery);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "proto/wire/mcap/format/chunk.h"
+#include "proto/wire/mcap/format/stored_time.h"
 
 namespace telepalp::wire {
 
@@ -23,10 +24,6 @@ bool matches(const std::string& pattern, const std::string& topic) {
 bool matches_any(const std::vector<std::string>& patterns, const std::string& topic) {
   return patterns.empty() ||
          std::any_of(patterns.begin(), patterns.end(), [&](const auto& pattern) { return matches(pattern, topic); });
-}
-
-std::uint64_t stored_time(SessionTime at) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
 }
 
 }  // namespace
@@ -71,9 +68,9 @@ void McapReader::select(const McapSelection& selection) {
   topics_ = selection.topics;
   for (const auto& [id, stored] : summary_.channels.all())
     if (matches_any(topics_, stored.channel.topic)) channels_.insert(id);
-  from_ = selection.from ? stored_time(*selection.from) : 0;
-  const bool nothing = selection.until && stored_time(*selection.until) == 0;
-  last_ = selection.until && !nothing ? stored_time(*selection.until) - 1 : UINT64_MAX;
+  from_ = selection.from ? mcap::stored_time(*selection.from) : 0;
+  const bool nothing = selection.until && mcap::stored_time(*selection.until) == 0;
+  last_ = selection.until && !nothing ? mcap::stored_time(*selection.until) - 1 : UINT64_MAX;
   to_open_.clear();
   for (std::size_t chunk = 0; chunk < summary_.chunks.size() && !nothing; ++chunk)
     if (wanted(chunk)) to_open_.push_back(chunk);
@@ -83,7 +80,7 @@ void McapReader::select(const McapSelection& selection) {
 }
 
 std::optional<SessionTime> McapReader::last_key_frame(const Topic& topic, SessionTime at) {
-  const std::uint64_t before = stored_time(at);
+  const std::uint64_t before = mcap::stored_time(at);
   std::optional<std::uint64_t> last;
   for (const auto& [id, stored] : summary_.channels.all()) {
     if (!stored.topic || stored.topic->name != topic.name || stored.key_frames != true) continue;

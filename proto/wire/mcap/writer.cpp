@@ -1,17 +1,13 @@
 #include "proto/wire/mcap/writer.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "proto/wire/mcap/format/compression.h"
 #include "proto/wire/mcap/format/schemas.h"
+#include "proto/wire/mcap/format/stored_time.h"
 
 namespace telepalp::wire {
 namespace {
-
-std::uint64_t stored_time(SessionTime at) {
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(to_nanoseconds(at), 0));
-}
 
 /// A record's bytes with a fixed id, so that records with equal content are equal.
 template <class Record>
@@ -109,7 +105,7 @@ Result<void> McapWriter::write(const Message& message) {
     const mcap::Schema schema = mcap::schema_of(message.topic);
     id = add_channel(&schema, mcap::channel_for(message.topic, message.key_frame));
   }
-  const std::uint64_t time = stored_time(message.published);
+  const std::uint64_t time = mcap::stored_time(message.published);
   ++known.messages;
   const auto sequence = message.sequence == 0 ? known.messages : static_cast<std::uint32_t>(message.sequence);
   encoder_.add(ready_, mcap::MessageRecord{id, sequence, time, time, *message.payload});

@@ -32,7 +32,7 @@ std::string message(Status status, std::uint64_t time_ns, double speed, bool did
   return out + id;
 }
 
-Error refused(std::string what) {
+Error control_refused(std::string what) {
   return {.what = std::move(what),
           .where = "playback request",
           .fix =
@@ -45,19 +45,20 @@ Error refused(std::string what) {
 bool is_playback_request(std::string_view bytes) noexcept { return !bytes.empty() && bytes.front() == kRequestOpcode; }
 
 Result<PlaybackRequest> read_playback_request(std::string_view bytes, const msg::PlaybackState& state) {
-  if (bytes.size() < kRequestHeadBytes) return refused("is truncated");
+  if (bytes.size() < kRequestHeadBytes) return control_refused("is truncated");
   const std::size_t id_bytes = get_little_endian<std::uint32_t>(bytes.data() + 15);
-  if (id_bytes > kMaxIdBytes || id_bytes != bytes.size() - kRequestHeadBytes) return refused("has a wrong length");
-  if (bytes[1] != 0 && bytes[1] != 1) return refused("has an unknown command");
+  if (id_bytes > kMaxIdBytes || id_bytes != bytes.size() - kRequestHeadBytes)
+    return control_refused("has a wrong length");
+  if (bytes[1] != 0 && bytes[1] != 1) return control_refused("has an unknown command");
   PlaybackRequest request{.play = bytes[1] == 0,
                           .speed = double{get_little_endian<float>(bytes.data() + 2)},
                           .seek_ns = {},
                           .id = std::string(bytes.substr(kRequestHeadBytes))};
-  if (!std::isfinite(request.speed)) return refused("has a speed that is not a number");
+  if (!std::isfinite(request.speed)) return control_refused("has a speed that is not a number");
   if (bytes[6] == 0) return request;
   request.seek_ns = get_little_endian<std::uint64_t>(bytes.data() + 7);
   if (*request.seek_ns < state.begin_ns() || *request.seek_ns > end_ns(state))
-    return refused("seeks to a time outside of the session");
+    return control_refused("seeks to a time outside of the session");
   return request;
 }
 

@@ -19,7 +19,7 @@ std::string by_topic(const hub::Hub& hub, const std::string& name, const std::st
   return text;
 }
 
-std::string refused(const hub::DatagramCounts& datagrams) {
+std::string refused_datagrams(const hub::DatagramCounts& datagrams) {
   const std::string name = "telepalp_datagrams_refused_total";
   std::string text = metric_heading(
       name, "counter",
@@ -53,7 +53,7 @@ std::string metrics_text(const hub::Hub& hub, const access::Access::Counts& acce
                      static_cast<std::uint64_t>(by_datagram)) +
          metric_text("telepalp_datagrams_taken_total", "counter", "UDP datagrams that were accepted.",
                      datagrams.taken) +
-         refused(datagrams) +
+         refused_datagrams(datagrams) +
          metric_text("telepalp_browser_connections", "gauge", "Open connections of browsers to the web port.",
                      facts.browsers) +
          metric_text("telepalp_waiting_bytes", "gauge",

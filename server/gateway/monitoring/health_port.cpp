@@ -19,7 +19,7 @@ namespace http = beast::http;
 using asio::ip::tcp;
 
 constexpr std::chrono::seconds kTimeToAsk{2};  // and to take the reply
-constexpr std::size_t kMaxHeaderBytes = 4 * 1024;
+constexpr std::size_t kMaxHealthHeaderBytes = 4 * 1024;
 
 HttpReply answer_to(const HttpRequest& request, const HealthPort::Options& options) {
   const beast::string_view host = request[http::field::host];
@@ -53,7 +53,7 @@ class HealthPort::Check final : public std::enable_shared_from_this<Check> {
   Check(tcp::socket socket, std::shared_ptr<const Options> options)
       : stream_(std::move(socket)), options_(std::move(options)) {
     unproven_ = access::newcomer(stream_.socket());
-    parser_.header_limit(kMaxHeaderBytes);
+    parser_.header_limit(kMaxHealthHeaderBytes);
     parser_.body_limit(0);
   }
 
@@ -88,7 +88,7 @@ class HealthPort::Check final : public std::enable_shared_from_this<Check> {
 
   beast::tcp_stream stream_;
   std::shared_ptr<const Options> options_;
-  beast::flat_buffer buffer_{kMaxHeaderBytes};
+  beast::flat_buffer buffer_{kMaxHealthHeaderBytes};
   http::request_parser<http::string_body> parser_;
   HttpReply reply_;
   access::Unproven unproven_;

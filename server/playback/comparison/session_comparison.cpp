@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kWhere = "playback/comparison";
-constexpr const char* kExample =
+constexpr const char* kComparisonExample =
     "send JSON such as {\"with\": \"session.mcap\"}, with a session that GET /playback/comparison lists";
 
 msg::ComparisonState failed(const Error& error) {
@@ -61,13 +61,14 @@ std::vector<std::string> SessionComparison::sessions() const {
 
 Result<void> SessionComparison::apply(const std::string& json) {
   msg::ComparisonCommand command;
-  if (const Result<void> read = program::read_json(json, command, kWhere, kExample); !read) return read.error();
+  if (const Result<void> read = program::read_json(json, command, kWhere, kComparisonExample); !read)
+    return read.error();
   if (!command.has_with()) return {};
   const std::vector<std::string> known = sessions();
   if (!command.with().empty() && std::ranges::find(known, command.with()) == known.end())
     return Error{.what = "the folder of --compare-dir holds no session with the name that the request gives",
                  .where = kWhere,
-                 .fix = kExample};
+                 .fix = kComparisonExample};
   begin(command.with());
   return {};
 }

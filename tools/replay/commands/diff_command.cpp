@@ -11,7 +11,7 @@
 namespace telepalp::replay {
 namespace {
 
-program::Usage usage() {
+program::Usage diff_usage() {
   return {.program = "telepalp-replay diff",
           .purpose = "prints the first message in which two sessions differ",
           .positional = "A.mcap|DIR B.mcap|DIR",
@@ -38,6 +38,6 @@ int diff(const program::Arguments& arguments) {
 
 }  // namespace
 
-int diff_command(int argc, const char* const* argv) { return program::run_program(usage(), argc, argv, diff); }
+int diff_command(int argc, const char* const* argv) { return program::run_program(diff_usage(), argc, argv, diff); }
 
 }  // namespace telepalp::replay

@@ -6,6 +6,7 @@
 
 #include "proto/words/counted.h"
 #include "support/plot/svg.h"
+#include "support/program/files/whole_file.h"
 #include "support/program/json.h"
 #include "support/program/version.h"
 #include "tools/replay/commands/settings.h"
@@ -140,6 +141,11 @@ std::string report_json(const Request& request, const Scenario& scenario, const 
   json.end_list();
   json.end_object();
   return std::move(json).finish();
+}
+
+Result<void> write_junit(const Request& request, const std::vector<Judgement>& judgements) {
+  if (request.junit.empty()) return {};
+  return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
 }
 
 std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements) {

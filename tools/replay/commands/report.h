@@ -17,6 +17,9 @@ namespace telepalp::replay {
 [[nodiscard]] std::string report_json(const Request& request, const Scenario& scenario, const RunOptions& options,
                                       const RunResults& results, const std::vector<Judgement>& judgements);
 
+/// Writes junit_xml() to the file of --junit; without it nothing. Error: the file cannot be written.
+[[nodiscard]] Result<void> write_junit(const Request& request, const std::vector<Judgement>& judgements);
+
 /// The assertions in the form that continuous integration servers read (JUnit's XML). `suite`: name of the run.
 [[nodiscard]] std::string junit_xml(const std::string& suite, const std::vector<Judgement>& judgements);
 

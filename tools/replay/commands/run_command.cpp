@@ -9,15 +9,13 @@
 
 #include "haptic_station/core/built_effects.h"
 #include "support/program/files/whole_file.h"
-#include "support/program/log.h"
 #include "tools/replay/commands/report.h"
 #include "tools/replay/commands/station_file.h"
 #include "tools/replay/storm/invariants.h"
+#include "tools/replay/words/say.h"
 
 namespace telepalp::replay {
 namespace {
-
-constexpr const char* kName = "telepalp-replay";
 
 /// The two session files of --out.
 struct SessionFiles {
@@ -53,11 +51,6 @@ Result<void> write_reports(const std::filesystem::path& out, const std::string& 
     if (const Result<void> written = program::write_whole_file(out / name, *content, program::Readers::Group); !written)
       return written;
   return {};
-}
-
-Result<void> write_junit(const Request& request, const std::vector<Judgement>& judgements) {
-  if (request.junit.empty()) return {};
-  return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
 }
 
 /// The folder of the run's files: --out, or a temporary one for a run that is only compared with a baseline.
@@ -153,7 +146,7 @@ Result<bool> run_once(const Request& request) {
   const std::string json = report_json(request, request.scenario, request.options, *results, judgements);
   std::fputs((request.json ? json : text).c_str(), stdout);
   std::fflush(stdout);  // where both streams go to one file, the log line below must not cut the text
-  program::log(kName, cost_in_words(*results, wall_s));
+  say(cost_in_words(*results, wall_s));
   if (const Result<void> written = write_reports((*out)->path(), text, json); !written) return written.error();
   if (const Result<void> compared = judge_baseline(request, (*out)->path(), judgements); !compared)
     return compared.error();

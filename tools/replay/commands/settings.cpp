@@ -11,21 +11,22 @@
 namespace telepalp::replay {
 namespace {
 
-std::string number(double value) {
+std::string exact_number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.12g", value);
   return text.data();
 }
 
-std::string milliseconds(Nanoseconds span) { return number(to_milliseconds(span)); }
+std::string milliseconds(Nanoseconds span) { return exact_number(to_milliseconds(span)); }
 
 std::string direction(const impaired::Impairment& path) {
   std::string text = "delay " + milliseconds(path.delay) + " ms, jitter " + milliseconds(path.jitter) + " ms, loss " +
-                     number(100.0 * path.loss) + " % in bursts of " + number(path.burst_packets) + ", reordered " +
-                     number(100.0 * path.reorder) + " % by " + milliseconds(path.reorder_by) + " ms, twice " +
-                     number(100.0 * path.duplicate) + " %, damaged " + number(100.0 * path.corrupt) + " %";
+                     exact_number(100.0 * path.loss) + " % in bursts of " + exact_number(path.burst_packets) +
+                     ", reordered " + exact_number(100.0 * path.reorder) + " % by " + milliseconds(path.reorder_by) +
+                     " ms, twice " + exact_number(100.0 * path.duplicate) + " %, damaged " +
+                     exact_number(100.0 * path.corrupt) + " %";
   if (path.rate_B_per_s > 0.0)
-    text += ", at most " + number(path.rate_B_per_s / 125.0) + " kbit/s with a queue of " +
+    text += ", at most " + exact_number(path.rate_B_per_s / 125.0) + " kbit/s with a queue of " +
             std::to_string(path.queue_B) + " B";
   if (path.outage_every > Nanoseconds{0})
     text += ", every " + milliseconds(path.outage_every) + " ms an outage of " + milliseconds(path.outage_for) + " ms";
@@ -44,8 +45,8 @@ std::string depth_coding(const TapeSettings& tape) {
   const codec::DepthStreamSettings& depth = tape.depth;
   std::string text(codec::name(depth.mode));
   if (depth.mode == codec::DepthMode::Bounded)
-    text += ", depth within max(" + number(1e3 * depth.bound.least_m) + " mm, " + number(1e3 * depth.bound.per_m) +
-            " mm × (z / 1 m)²)";
+    text += ", depth within max(" + exact_number(1e3 * depth.bound.least_m) + " mm, " +
+            exact_number(1e3 * depth.bound.per_m) + " mm × (z / 1 m)²)";
   if (depth.mode == codec::DepthMode::Bounded || depth.mode == codec::DepthMode::Temporal)
     text += ", a key frame every " + std::to_string(depth.key_every) + " frames";
   return text;
@@ -70,9 +71,10 @@ std::map<std::string, std::string> settings_of(const Request& request, const Sce
           {"outage", faults(all.outages, window_in_words)},
           {"restart", faults(all.restarts, window_in_words)},
           {"tracker_lost", faults(all.tracker_lost, window_in_words)},
-          {"glitch",
-           faults(all.glitches,
-                  [](const EncoderGlitch& one) { return window_in_words(one.when) + ":" + number(1e3 * one.off_m); })},
+          {"glitch", faults(all.glitches,
+                            [](const EncoderGlitch& one) {
+                              return window_in_words(one.when) + ":" + exact_number(1e3 * one.off_m);
+                            })},
           {"clock_step", faults(all.clock_steps, [](const ClockStep& one) {
              return window_in_words(one.when) + ":" + span_in_words(one.by);
            })}};
@@ -82,8 +84,8 @@ namespace {
 
 std::string in_words(const Intrinsics& camera) {
   return std::to_string(camera.width) + "x" + std::to_string(camera.height) + " pixels, focal lengths in x and y " +
-         number(camera.fx) + " and " + number(camera.fy) + " px, principal point at " + number(camera.cx) + ", " +
-         number(camera.cy) + " px";
+         exact_number(camera.fx) + " and " + exact_number(camera.fy) + " px, principal point at " +
+         exact_number(camera.cx) + ", " + exact_number(camera.cy) + " px";
 }
 
 }  // namespace
@@ -108,7 +110,7 @@ std::string identity_of(const Request& request, const Scenario& scenario) {
   ContentDigest digest;
   for (const std::string& part :
        {std::string(program::version()), std::string(program::commit()), request.source, request.source_digest,
-        request.scene_text, number(request.seconds),
+        request.scene_text, exact_number(request.seconds),
         std::string(request.recorded.empty() ? name(scenario.hand) : "recorded"), std::to_string(scenario.seed)})
     digest.add(std::to_string(part.size()) + ":" + part);
   for (const auto& [name, text] : settings_of(request, scenario)) digest.add(name + "=" + text + ";");

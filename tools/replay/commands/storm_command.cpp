@@ -4,16 +4,14 @@
 #include <cstdio>
 #include <mutex>
 
-#include "support/program/log.h"
 #include "support/program/parallel.h"
 #include "tools/replay/commands/progress_bar.h"
 #include "tools/replay/commands/run_command.h"
 #include "tools/replay/storm/storm.h"
+#include "tools/replay/words/say.h"
 
 namespace telepalp::replay {
 namespace {
-
-constexpr const char* kName = "telepalp-replay";
 
 /// The results of a storm, written by its threads.
 class Findings {
@@ -68,8 +66,8 @@ class Findings {
   }
   void fail(std::uint64_t seed, const Invariants::Violation& violation) {
     failed_.push_back(seed);
-    program::log(kName, "seed " + std::to_string(seed) + " fails a check " + in_words(violation) +
-                            ". To repeat this run: telepalp-replay " + command_line(draw_case(seed)));
+    say("seed " + std::to_string(seed) + " fails a check " + in_words(violation) +
+        ". To repeat this run: telepalp-replay " + command_line(draw_case(seed)));
   }
 
   std::mutex mutex_;
@@ -118,7 +116,7 @@ Result<bool> run_storm(const Request& request) {
   const double wall_s = 1e-9 * static_cast<double>(steady_ns() - began_ns);
   char text[64];
   std::snprintf(text, sizeof text, "the random runs ran %.1f times as fast as real time", findings.seconds() / wall_s);
-  program::log(kName, text);
+  say(text);
   return failed.empty();
 }
 

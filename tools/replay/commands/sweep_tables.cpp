@@ -15,14 +15,16 @@ constexpr auto kShown =
     std::to_array<std::string_view>({"force_rmse_N", "true_force_rmse_N", "force_step_N", "contact_lost_pct",
                                      "surface_age_p50_s", "energy_J", "frames_in_time_pct", "frames_touched_pct"});
 
-std::string number(double value, const char* form = "%.6g") {
+std::string number_or_nothing(double value, const char* form = "%.6g") {
   if (!std::isfinite(value)) return "";
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), form, value);
   return text.data();
 }
 
-std::string number_or_unknown(double value) { return std::isfinite(value) ? number(value, "%.4g") : "unknown"; }
+std::string number_or_unknown(double value) {
+  return std::isfinite(value) ? number_or_nothing(value, "%.4g") : "unknown";
+}
 
 std::string left_padded(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, text.size()), ' ') + text;
@@ -36,7 +38,7 @@ std::string label(const SweepAxis& axis) {
 
 std::vector<std::string> labels(const std::vector<double>& values) {
   std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(number(value));
+  for (const double value : values) texts.push_back(number_or_nothing(value));
   return texts;
 }
 
@@ -48,7 +50,7 @@ std::string sweep_text(const SweepResult& result) {
   for (const std::string_view name : kShown) text += left_padded(std::string(name), width_of(name));
   text += "\n";
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
-    for (const double value : result.cells[i].values) text += left_padded(number(value), 14);
+    for (const double value : result.cells[i].values) text += left_padded(number_or_nothing(value), 14);
     for (const std::string_view name : kShown)
       text += left_padded(number_or_unknown(result.figures[i].*find_metric(name)->value), width_of(name));
     text += "\n";
@@ -61,9 +63,9 @@ std::string sweep_csv(const SweepResult& result) {
   for (const SweepAxis& axis : result.axes) text += std::string(axis.name) + ",";
   for (const Metric& metric : metrics()) text += std::string(metric.name) + (&metric == &metrics().back() ? "\n" : ",");
   for (std::size_t i = 0; i < result.cells.size(); ++i) {
-    for (const double value : result.cells[i].values) text += number(value) + ",";
+    for (const double value : result.cells[i].values) text += number_or_nothing(value) + ",";
     for (const Metric& metric : metrics())
-      text += number(result.figures[i].*metric.value, "%.9g") + (&metric == &metrics().back() ? "\n" : ",");
+      text += number_or_nothing(result.figures[i].*metric.value, "%.9g") + (&metric == &metrics().back() ? "\n" : ",");
   }
   return text;
 }

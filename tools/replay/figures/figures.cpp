@@ -21,10 +21,6 @@ double percent(std::uint64_t part, std::uint64_t of) {
   return of == 0 ? kNaN : 100.0 * static_cast<double>(part) / static_cast<double>(of);
 }
 
-float seconds(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<float>(1e-9 * static_cast<double>(to_ns - from_ns));
-}
-
 }  // namespace
 
 void FigureSum::add_force(const TickRecord& tick, const TickRecord& unimpaired) {
@@ -65,7 +61,7 @@ void FigureSum::add(std::span<const TickRecord> ticks, std::span<const TickRecor
 void FigureSum::add(const std::vector<FrameTimes>& touchable) {
   for (const FrameTimes& times : touchable) {
     latency_.add(times);
-    station_s_.push_back(seconds(times.received_ns, times.touchable_ns));
+    station_s_.push_back(seconds_between(times.received_ns, times.touchable_ns));
   }
 }
 

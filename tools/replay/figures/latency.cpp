@@ -9,10 +9,6 @@
 namespace telepalp::replay {
 namespace {
 
-float seconds(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<float>(1e-9 * static_cast<double>(to_ns - from_ns));
-}
-
 std::string cells(const StageLatency& stage) {
   std::string text;
   for (const double value_s : {stage.p50_s, stage.p99_s, stage.max_s}) {
@@ -32,8 +28,8 @@ void LatencySum::add(const FrameTimes& times) {
   const std::array instants_ns{times.captured_ns, times.encoded_ns, times.received_ns, times.decoded_ns,
                                times.touchable_ns};
   for (std::size_t stage = 0; stage + 1 < instants_ns.size(); ++stage)
-    stages_s_[stage].push_back(seconds(instants_ns[stage], instants_ns[stage + 1]));
-  stages_s_.back().push_back(seconds(times.captured_ns, times.touchable_ns));
+    stages_s_[stage].push_back(seconds_between(instants_ns[stage], instants_ns[stage + 1]));
+  stages_s_.back().push_back(seconds_between(times.captured_ns, times.touchable_ns));
 }
 
 LatencyBreakdown LatencySum::breakdown() const {

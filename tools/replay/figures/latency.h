@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct StageLatency {
   double max_s = 0.0;
 };
 using LatencyBreakdown = std::array<StageLatency, kStageCount>;  ///< in the order of kLatencyStages
+
+/// The time between two instants of the session clock [s].
+[[nodiscard]] inline float seconds_between(std::int64_t from_ns, std::int64_t to_ns) noexcept {
+  return static_cast<float>(1e-9 * static_cast<double>(to_ns - from_ns));
+}
 
 /// Collects the instants of a run's frames.
 class LatencySum {

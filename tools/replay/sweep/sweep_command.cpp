@@ -5,12 +5,12 @@
 
 #include "proto/words/counted.h"
 #include "support/program/files/whole_file.h"
-#include "support/program/log.h"
 #include "tools/replay/commands/progress_bar.h"
 #include "tools/replay/commands/report.h"
 #include "tools/replay/commands/run_command.h"
 #include "tools/replay/commands/sweep_cells.h"
 #include "tools/replay/commands/sweep_tables.h"
+#include "tools/replay/words/say.h"
 #include "tools/replay/workers/shared_sweep.h"
 
 namespace telepalp::replay {
@@ -53,11 +53,6 @@ Result<void> write_files(const Request& request, const SweepResult& result) {
   for (const auto& [name, content] : files)
     if (const Result<void> written = write(request, name, content); !written) return written;
   return {};
-}
-
-Result<void> write_junit(const Request& request, const std::vector<Judgement>& judgements) {
-  if (request.junit.empty()) return {};
-  return program::write_whole_file(request.junit, junit_xml(request.source, judgements), program::Readers::Anyone);
 }
 
 /// Makes the cells that are not finished, batch by batch, until all are finished or a signal comes. Each batch makes
@@ -128,8 +123,8 @@ Result<bool> run_sweep(const Request& request) {
   const StopOnSignal until_signalled;
   FinishedCells finished(request);
   if (finished.kept() > 0)
-    program::log("telepalp-replay", std::to_string(finished.kept()) + " of " + std::to_string(request.cells.size()) +
-                                        " runs of the sweep were finished before, and are not made again");
+    say(std::to_string(finished.kept()) + " of " + std::to_string(request.cells.size()) +
+        " runs of the sweep were finished before, and are not made again");
   const std::int64_t began_ns = steady_ns();
   const Result<RunResults> made =
       request.workers ? let_workers_make_cells(request, finished) : make_cells(request, finished);
@@ -148,7 +143,7 @@ Result<bool> run_sweep(const Request& request) {
     all_hold &= judgement.holds;
     if (!judgement.holds) std::printf("FAILS: %s  (%s)\n", judgement.text.c_str(), judgement.reason.c_str());
   }
-  if (!made->runs.empty()) program::log("telepalp-replay", cost_in_words(*made, wall_s));
+  if (!made->runs.empty()) say(cost_in_words(*made, wall_s));
   if (const Result<void> written = write_files(request, result); !written) return written.error();
   if (const Result<void> written = write_junit(request, judgements); !written) return written.error();
   return all_hold;

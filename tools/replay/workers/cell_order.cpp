@@ -20,7 +20,7 @@ constexpr std::size_t kIdentityDigits = 16;
 constexpr std::size_t kSha256Digits = 64;
 constexpr int kDeepestScene = 64;  // nested messages; the deepest scene of the library has 9
 
-Error refused(const std::string& what) {
+Error order_refused(const std::string& what) {
   return {.what = what,
           .where = "order of a cell",
           .fix = "give the sweep's command again, with the telepalp-replay that came with this telepalp-worker"};
@@ -51,28 +51,28 @@ std::optional<Recording::Kind> kind_of(msg::SweepRecording::Kind kind) noexcept 
 
 Result<Recording> recording_of(const msg::SweepRecording& message) {
   const auto kind = kind_of(message.kind());
-  if (!kind) return refused("a recording of an unknown kind");
-  if (!is_digest(message.sha256(), kSha256Digits)) return refused("a recording without its SHA-256");
+  if (!kind) return order_refused("a recording of an unknown kind");
+  if (!is_digest(message.sha256(), kSha256Digits)) return order_refused("a recording without its SHA-256");
   if (message.size_b() == 0 || message.size_b() > kMostRecording_B)
-    return refused("a recording of " + std::to_string(message.size_b()) + " B, where 1 to " +
-                   std::to_string(kMostRecording_B) + " are taken");
+    return order_refused("a recording of " + std::to_string(message.size_b()) + " B, where 1 to " +
+                         std::to_string(kMostRecording_B) + " are taken");
   if (message.chunk_b() < kLeastChunk_B || message.chunk_b() > kMostChunk_B)
-    return refused("a recording in chunks of " + std::to_string(message.chunk_b()) + " B");
+    return order_refused("a recording in chunks of " + std::to_string(message.chunk_b()) + " B");
   return Recording{.kind = *kind, .sha256 = message.sha256(), .size_B = message.size_b(), .chunk_B = message.chunk_b()};
 }
 
 Result<void> check_words(const msg::SweepOrder& message, const OrderRules& rules) {
   if (!is_digest(message.sweep(), kIdentityDigits) || !is_digest(message.cell(), kIdentityDigits))
-    return refused("a digest that is not 16 hexadecimal digits");
+    return order_refused("a digest that is not 16 hexadecimal digits");
   if (!is_word(message.source()) || message.source().empty() || !is_word(message.assertions()) ||
       !is_word(message.source_digest(), kIdentityDigits))
-    return refused("a source, digest or assertion that is empty, too long or has control characters");
-  if (message.scene_text().size() > kLongestScene) return refused("a scene above 256 KiB");
+    return order_refused("a source, digest or assertion that is empty, too long or has control characters");
+  if (message.scene_text().size() > kLongestScene) return order_refused("a scene above 256 KiB");
   for (const auto& [name, value] : message.options()) {
     if (std::ranges::find(rules.options, name) == rules.options.end())
-      return refused("the option '" + name.substr(0, 64) + "', which does not describe a run");
+      return order_refused("the option '" + name.substr(0, 64) + "', which does not describe a run");
     if (!is_word(value) || value.empty())
-      return refused("a value of --" + name + " that is empty, too long or has control characters");
+      return order_refused("a value of --" + name + " that is empty, too long or has control characters");
   }
   return {};
 }
@@ -153,12 +153,13 @@ std::string encode(const CellOrder& order) {
 }
 
 Result<CellOrder> parse_order(std::string_view bytes, const OrderRules& rules) {
-  if (bytes.size() > kMostOrder_B) return refused("it has " + std::to_string(bytes.size()) + " B");
+  if (bytes.size() > kMostOrder_B) return order_refused("it has " + std::to_string(bytes.size()) + " B");
   msg::SweepOrder message;
-  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return refused("its bytes are no order");
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
+    return order_refused("its bytes are no order");
   if (message.build() != rules.build)
-    return refused("it is of another build, '" + message.build().substr(0, 80) + "', than this program, '" +
-                   rules.build + "'");
+    return order_refused("it is of another build, '" + message.build().substr(0, 80) + "', than this program, '" +
+                         rules.build + "'");
   if (const Result<void> checked = check_words(message, rules); !checked) return checked.error();
   CellOrder order{.build = message.build(),
                   .sweep = message.sweep(),
@@ -173,12 +174,12 @@ Result<CellOrder> parse_order(std::string_view bytes, const OrderRules& rules) {
     if (!recording) return recording.error();
     order.recording = *std::move(recording);
   } else if (!is_plain_synthetic(order.source)) {
-    return refused("its source is neither a recording with a digest nor a synthetic patient without a file");
+    return order_refused("its source is neither a recording with a digest nor a synthetic patient without a file");
   }
-  if (message.at_size() == 0 || message.at_size() > kMostAxes) return refused("it has no axes, or more than 16");
+  if (message.at_size() == 0 || message.at_size() > kMostAxes) return order_refused("it has no axes, or more than 16");
   for (const msg::SweepValue& at : message.at()) {
     if (!is_axis_name(at.axis()) || !std::isfinite(at.value()))
-      return refused("an axis is misnamed, or its value is not finite");
+      return order_refused("an axis is misnamed, or its value is not finite");
     order.at.emplace_back(at.axis(), at.value());
   }
   return order;

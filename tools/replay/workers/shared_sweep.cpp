@@ -10,9 +10,9 @@
 
 #include "proto/words/counted.h"
 #include "proto/words/repeats/repeated_errors.h"
-#include "support/program/log.h"
 #include "tools/replay/commands/progress_bar.h"
 #include "tools/replay/commands/settings.h"
+#include "tools/replay/words/say.h"
 #include "tools/replay/workers/cell_answer.h"
 #include "tools/replay/workers/cell_maker.h"
 #include "tools/replay/workers/recordings.h"
@@ -32,8 +32,6 @@ constexpr std::size_t kHeader_B = 4096;  // for subject and headers, within the 
 constexpr auto kPollsEvery = 100ms;
 constexpr auto kChecksEvery = 10s;
 constexpr auto kLogsEvery = 30s;  // where no progress bar can be drawn
-
-void log(const std::string& text) { program::log("telepalp-replay", text); }
 
 double now_s() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 
@@ -125,14 +123,14 @@ Result<void> SharedSweep::take_answer(const std::string& subject, const std::str
   if (cells == cells_.end()) return {};  // of another grid of the same source
   const Result<CellAnswer> answer = parse_answer(payload, this_build(), place->cell);
   const auto ignored = [&](const Error& error) {
-    if (const auto line = errors_.line("answer ignored", error, Clock::now())) log(*line);
+    if (const auto line = errors_.line("answer ignored", error, Clock::now())) say(*line);
     return Result<void>();
   };
   if (!answer) return ignored(answer.error());
   if (!answer->refused.empty()) {
     if (board_.on(place->cell, CellEvent::Refusal)) {
       reasons_[place->cell] = answer->refused;
-      log("workers have given up " + in_words(cells->second.front()) + ": " + answer->refused);
+      say("workers have given up " + in_words(cells->second.front()) + ": " + answer->refused);
     }
     return {};
   }
@@ -246,12 +244,12 @@ Result<void> SharedSweep::wait() {
     if ((now >= checks || answers_missed_) && cluster_.connection->is_connected()) {
       answers_missed_ = false;
       if (const Result<void> checked = check(); !checked)
-        if (const auto line = errors_.line("the cluster cannot be asked for answers", checked.error(), now)) log(*line);
+        if (const auto line = errors_.line("the cluster cannot be asked for answers", checked.error(), now)) say(*line);
       checks = now + kChecksEvery;
     }
     bar.show(static_cast<double>(finished_.count()), progress().c_str());
     if (!is_drawn && now >= logs) {
-      log(std::to_string(finished_.count()) + " of " + std::to_string(request_.cells.size()) + " " + progress());
+      say(std::to_string(finished_.count()) + " of " + std::to_string(request_.cells.size()) + " " + progress());
       logs = now + kLogsEvery;
     }
     std::this_thread::sleep_for(kPollsEvery);
@@ -282,7 +280,7 @@ Result<SharedOutcome> SharedSweep::run() {
   recording_ = *std::move(recording);
   if (const Result<void> taken = take_stored(true); !taken) return taken.error();
   if (board_.count(CellPhase::Finished) > 0)
-    log(counted(board_.count(CellPhase::Finished), "run was", "runs were") +
+    say(counted(board_.count(CellPhase::Finished), "run was", "runs were") +
         " finished by workers before, and not made again");
   if (board_.count(CellPhase::Missing) > 0) {
     if (const Result<void> sent = send_source(); !sent) return sent.error();
@@ -296,10 +294,10 @@ Result<SharedOutcome> SharedSweep::run() {
     outcome.refused.push_back(in_words(cells_.at(cell).front()) + ": " + reasons_[cell]);
   if (stop_ || !outcome.refused.empty()) return outcome;
   if (!served_by_.empty())
-    log(counted(board_.size(), "run", "runs") + " by " + counted(served_by_.size(), "worker", "workers") + " in " +
+    say(counted(board_.size(), "run", "runs") + " by " + counted(served_by_.size(), "worker", "workers") + " in " +
         span_of_time(std::chrono::duration<double>(Clock::now() - began_).count()));
   if (const Result<void> forgotten = forget_answers(); !forgotten)
-    log("the cluster keeps the results for seven days: " + to_string(forgotten.error()));
+    say("the cluster keeps the results for seven days: " + to_string(forgotten.error()));
   return outcome;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMoves = 6;          // S3 8.3
 constexpr int kTrainingMoves = 2;  // not compared, as in S3
 
-enum Value : std::size_t { kToBlue, kSeconds, kPath_m, kDone };  // of a row, in the order of its columns
+enum PushValue : std::size_t { kToBlue, kPushSeconds, kPushPath_m, kDone };  // of a row, in the order of its columns
 
 constexpr Drawn<Pusher> kPushers[] = {
     {"speed of the hand", "m/s", &Pusher::hand_m_per_s, 0.02, 0.045,
@@ -25,13 +25,13 @@ constexpr Drawn<Pusher> kPushers[] = {
      "assumed; S3 saw a clear training effect in the first two moves"},
 };
 
-constexpr Drawn<Desk> kDesks[] = {
-    {"distance of the pockets", "m", &Desk::pockets_m, 0.14, 0.2, "not in S3; the Omni's workspace is 160 mm wide"},
-    {"radius of a pocket", "m", &Desk::pocket_m, 0.015, 0.025, "not in S3"},
-    {"radius of the ball", "m", &Desk::ball_m, 0.01, 0.015, "not in S3"},
-    {"half of the device's width", "m", &Desk::body_m, 0.0175, 0.08,
+constexpr Drawn<PushDesk> kDesks[] = {
+    {"distance of the pockets", "m", &PushDesk::pockets_m, 0.14, 0.2, "not in S3; the Omni's workspace is 160 mm wide"},
+    {"radius of a pocket", "m", &PushDesk::pocket_m, 0.015, 0.025, "not in S3"},
+    {"radius of the ball", "m", &PushDesk::ball_m, 0.01, 0.015, "not in S3"},
+    {"half of the device's width", "m", &PushDesk::body_m, 0.0175, 0.08,
      "from the Omni's upper arm to its base, as telepalp-mixed draws them; the stick crosses either"},
-    {"middle of the device beside the straight way", "m", &Desk::beside_m, 0.0, 0.03,
+    {"middle of the device beside the straight way", "m", &PushDesk::beside_m, 0.0, 0.03,
      "not in S3: the stick crosses the device in the image, the handle does not"},
 };
 
@@ -39,7 +39,7 @@ std::vector<Row> run_observer(std::uint64_t seed, std::size_t number) {
   const std::size_t condition = order_of(seed, number, 2)[0];
   device::Random self(seed_of(seed, kObserver, number));
   const Pusher person = draw(pusher_ranges(), self);
-  const Desk desk = draw(desk_ranges(), self);
+  const PushDesk desk = draw(desk_ranges(), self);
   device::Random random(seed_of(seed, kTask, number));
   Pushed at{.ball_m = {desk.pockets_m, 0.0}, .stick_m = {desk.pockets_m + 0.03, 0.0}};
   std::vector<Row> rows;
@@ -52,7 +52,7 @@ std::vector<Row> run_observer(std::uint64_t seed, std::size_t number) {
 }
 
 /// The mean of `value` over an observer's compared moves to the blue pocket or away from it; nullopt: over both.
-Measure measure_of(const std::vector<Row>& rows, const std::string& name, const std::string& unit, Value value,
+Measure measure_of(const std::vector<Row>& rows, const std::string& name, const std::string& unit, PushValue value,
                    double scale, std::optional<bool> to_blue) {
   Measure out{.name = name, .unit = unit, .first = {}, .second = {}};
   for (std::size_t i = 0; i < rows.size(); i += kMoves) {
@@ -67,25 +67,25 @@ Measure measure_of(const std::vector<Row>& rows, const std::string& name, const 
   return out;
 }
 
-std::vector<Measure> measures_of(const std::vector<Row>& rows) {
-  Measure green_to_blue = measure_of(rows, "time, green to blue", "s", kSeconds, 1.0, true);
+std::vector<Measure> push_measures(const std::vector<Row>& rows) {
+  Measure green_to_blue = measure_of(rows, "time, green to blue", "s", kPushSeconds, 1.0, true);
   green_to_blue.paper = {{10.34, 3.57, 15}, {6.96, 1.43, 15}};
   green_to_blue.paper_says = "Welch t = 3.49, p = 0.003, power 0.96";
-  Measure blue_to_green = measure_of(rows, "time, blue to green", "s", kSeconds, 1.0, false);
+  Measure blue_to_green = measure_of(rows, "time, blue to green", "s", kPushSeconds, 1.0, false);
   blue_to_green.paper = {{8.68, 3.3, 15}, {6.94, 1.65, 15}};
   blue_to_green.paper_says = "Welch t = 1.82, p = 0.084, power 0.55";
-  Measure path = measure_of(rows, "path of the stick", "mm", kPath_m, 1e3, std::nullopt);
+  Measure path = measure_of(rows, "path of the stick", "mm", kPushPath_m, 1e3, std::nullopt);
   path.paper_says = "\"exactly the same trend as for completion times\"; no length is printed";
   return {std::move(green_to_blue), std::move(blue_to_green), std::move(path)};
 }
 
-std::vector<std::string> findings_of(const std::vector<Row>& rows) {
+std::vector<std::string> push_findings(const std::vector<Row>& rows) {
   int given_up = 0;
   std::array<double, 2> path_m{}, time_s{};
   for (const Row& row : rows) {
     given_up += row.values[kDone] == 0.0 ? 1 : 0;
-    time_s[row.condition] += row.values[kSeconds];
-    path_m[row.condition] += row.values[kPath_m];
+    time_s[row.condition] += row.values[kPushSeconds];
+    path_m[row.condition] += row.values[kPushPath_m];
   }
   const auto speed = [&](std::size_t condition) { return fixed_text(1e3 * path_m[condition] / time_s[condition]); };
   return {"Mean speeds: " + speed(0) + " mm/s with the device in sight, " + speed(1) +
@@ -94,13 +94,13 @@ std::vector<std::string> findings_of(const std::vector<Row>& rows) {
               fixed_text(kLongestPush_s, 0) + " s."};
 }
 
-std::vector<Curves> curves_of(const std::vector<std::string>& conditions, const std::vector<Row>& rows) {
+std::vector<Curves> push_curves(const std::vector<std::string>& conditions, const std::vector<Row>& rows) {
   Curves curves{.title = "Mean time of each move", .x_label = "move", .y_label = "time [s]", .curves = {}};
   for (std::size_t c = 0; c < conditions.size(); ++c) {
     std::array<double, kMoves> sums{}, counts{};
     for (const Row& row : rows)
       if (row.condition == c) {
-        sums[static_cast<std::size_t>(row.trial)] += row.values[kSeconds];
+        sums[static_cast<std::size_t>(row.trial)] += row.values[kPushSeconds];
         counts[static_cast<std::size_t>(row.trial)] += 1.0;
       }
     curves.curves.push_back({conditions[c], {}, {}});
@@ -115,7 +115,7 @@ std::vector<Curves> curves_of(const std::vector<std::string>& conditions, const 
 }  // namespace
 
 std::span<const Drawn<Pusher>> pusher_ranges() noexcept { return kPushers; }
-std::span<const Drawn<Desk>> desk_ranges() noexcept { return kDesks; }
+std::span<const Drawn<PushDesk>> desk_ranges() noexcept { return kDesks; }
 
 Experiment obstruction_experiment() {
   Experiment out;
@@ -140,9 +140,9 @@ Experiment obstruction_experiment() {
       "back. S3 suspects the place of the pockets and the hand's own shadow on them; neither is simulated.",
       "No observer gets used to the device. S3 saw no such effect in six moves."};
   out.run = run_observer;
-  out.measures = measures_of;
-  out.findings = findings_of;
-  out.curves = [conditions = out.conditions](const std::vector<Row>& rows) { return curves_of(conditions, rows); };
+  out.measures = push_measures;
+  out.findings = push_findings;
+  out.curves = [conditions = out.conditions](const std::vector<Row>& rows) { return push_curves(conditions, rows); };
   return out;
 }
 

@@ -13,9 +13,15 @@ namespace {
 constexpr std::array kPresses_N{kLightPress_N, kFirmPress_N};
 constexpr int kSlides = 4;  // with each press in each condition
 
-enum Value : std::size_t { kPlace, kPress_N, kRibs, kCounted, kSeconds };  // of a row, in the order of its columns
+enum SlideValue : std::size_t {
+  kSlidePlace,
+  kPress_N,
+  kRibs,
+  kCounted,
+  kSlideSeconds
+};  // of a row, in the order of its columns
 
-constexpr Drawn<RibCounter> kRanges[] = {
+constexpr Drawn<RibCounter> kRibCounterRanges[] = {
     {"speed of the slide", "m/s", &RibCounter::speed_m_per_s, 0.03, 0.08, "assumed: no source was found"},
     {"tremor, RMS", "m", &RibCounter::tremor_m, 49e-6, 133e-6, "Riviere 1997"},
     {"noise of the felt force", "of the press", &RibCounter::force_jnd, 0.07, 0.2,
@@ -87,7 +93,7 @@ Measure measure_of(const std::vector<Row>& rows, const std::string& name, const 
   return out;
 }
 
-std::vector<Measure> measures_of(const std::vector<Row>& rows) {
+std::vector<Measure> slide_measures(const std::vector<Row>& rows) {
   std::vector<Measure> out;
   for (const double press_N : {kFirmPress_N, kLightPress_N}) {
     out.push_back(measure_of(rows, "ribs counted too many or too few", "ribs", press_N,
@@ -98,7 +104,7 @@ std::vector<Measure> measures_of(const std::vector<Row>& rows) {
   return out;
 }
 
-std::vector<std::string> findings_of(const std::vector<Row>& rows) {
+std::vector<std::string> slide_findings(const std::vector<Row>& rows) {
   double missed = 0.0, invented = 0.0, ribs = 0.0;
   for (const Row& row : rows) {
     missed += std::max(0.0, row.values[kRibs] - row.values[kCounted]);
@@ -109,7 +115,7 @@ std::vector<std::string> findings_of(const std::vector<Row>& rows) {
           fixed_text(100.0 * invented / ribs) + " % were counted that are not there."};
 }
 
-std::vector<Curves> curves_of(const Chest& chest) {
+std::vector<Curves> slide_curves(const Chest& chest) {
   std::vector<Curves> out{{.title = "The finger's height under the skin",
                            .x_label = "along the chest [mm]",
                            .y_label = "height [mm]",
@@ -133,7 +139,7 @@ std::vector<Curves> curves_of(const Chest& chest) {
 
 }  // namespace
 
-std::span<const Drawn<RibCounter>> rib_counter_ranges() noexcept { return kRanges; }
+std::span<const Drawn<RibCounter>> rib_counter_ranges() noexcept { return kRibCounterRanges; }
 
 Experiment rib_experiment(Chest chest) {
   const auto shared = std::make_shared<const Chest>(std::move(chest));  // shared: the experiment's functions read it
@@ -156,9 +162,9 @@ Experiment rib_experiment(Chest chest) {
       "unsure. These observers slide once.",
       "The skin is flat and at rest. A patient breathes."};
   out.run = [shared](std::uint64_t seed, std::size_t observer) { return run_observer(*shared, seed, observer); };
-  out.measures = measures_of;
-  out.findings = findings_of;
-  out.curves = [shared](const std::vector<Row>&) { return curves_of(*shared); };
+  out.measures = slide_measures;
+  out.findings = slide_findings;
+  out.curves = [shared](const std::vector<Row>&) { return slide_curves(*shared); };
   return out;
 }
 

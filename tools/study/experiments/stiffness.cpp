@@ -14,9 +14,9 @@ constexpr int kMostTrials = 400;    // of one staircase, for an observer at chan
 constexpr double kNearMost = 0.99;  // a difference from this share of kMostDifference on counts as the largest
 constexpr std::size_t kSights = 3;  // conditions
 
-enum Value : std::size_t { kPlace, kDifference, kRight };  // of a row, in the order of its columns
+enum AnswerValue : std::size_t { kAnswerPlace, kDifference, kRight };  // of a row, in the order of its columns
 
-constexpr Drawn<StiffnessObserver> kRanges[] = {
+constexpr Drawn<StiffnessObserver> kStiffnessRanges[] = {
     {"force of a push", "N", &StiffnessObserver::push_N, 1.0, 3.0, "the Omni gives at most 3.3 N (its data sheet)"},
     {"spread of the push", "of the force", &StiffnessObserver::push_spread, 0.1, 0.25, "assumed: no source was found"},
     {"noise of the felt force", "of the force", &StiffnessObserver::force_noise, 0.07, 0.15,
@@ -113,7 +113,7 @@ std::vector<std::vector<double>> thresholds_of(ThresholdRule rule, const std::ve
   return thresholds;
 }
 
-std::vector<Measure> measures_of(ThresholdRule rule, const std::vector<Row>& rows) {
+std::vector<Measure> answer_measures(ThresholdRule rule, const std::vector<Row>& rows) {
   const auto thresholds = thresholds_of(rule, rows);
   Measure fraction{.name = "Weber fraction", .unit = "", .first = thresholds[0], .second = thresholds[1]};
   Measure jnd{.name = "just noticeable difference", .unit = "N/m", .first = thresholds[0], .second = thresholds[1]};
@@ -128,7 +128,7 @@ std::vector<Measure> measures_of(ThresholdRule rule, const std::vector<Row>& row
   return {std::move(jnd), std::move(fraction)};
 }
 
-std::vector<std::string> findings_of(const std::vector<Row>& rows) {
+std::vector<std::string> answer_findings(const std::vector<Row>& rows) {
   std::array<std::vector<bool>, kSights> at_the_end;  // observers who were shown the largest difference
   for (const Row& row : rows) {
     std::vector<bool>& of_condition = at_the_end[row.condition];
@@ -152,7 +152,7 @@ std::vector<std::string> findings_of(const std::vector<Row>& rows) {
               ", corrected " + count(1) + ". So what the seen conditions tell comes from sight."};
 }
 
-std::vector<Curves> curves_of(const std::vector<std::string>& conditions, const std::vector<Row>& rows) {
+std::vector<Curves> answer_curves(const std::vector<std::string>& conditions, const std::vector<Row>& rows) {
   Curves curves{
       .title = "The trials of observer 1", .x_label = "trial", .y_label = "difference shown [%]", .curves = {}};
   for (const std::string& condition : conditions) curves.curves.push_back({condition, {}, {}});
@@ -180,7 +180,7 @@ std::string task_words(ThresholdRule rule) {
 
 }  // namespace
 
-std::span<const Drawn<StiffnessObserver>> stiffness_ranges() noexcept { return kRanges; }
+std::span<const Drawn<StiffnessObserver>> stiffness_ranges() noexcept { return kStiffnessRanges; }
 
 bool answers_right(const StiffnessObserver& person, Sight sight, double difference, double noise_scale,
                    device::Random& random) noexcept {
@@ -209,9 +209,9 @@ Experiment stiffness_experiment(ThresholdRule rule) {
       "Nothing is shown of how people move: an observer pushes once, with one force.",
       "No observer notices that the hand is drawn elsewhere than it is felt. S3 reports that nobody did."};
   out.run = [rule](std::uint64_t seed, std::size_t observer) { return run_observer(rule, seed, observer); };
-  out.measures = [rule](const std::vector<Row>& rows) { return measures_of(rule, rows); };
-  out.findings = findings_of;
-  out.curves = [conditions = out.conditions](const std::vector<Row>& rows) { return curves_of(conditions, rows); };
+  out.measures = [rule](const std::vector<Row>& rows) { return answer_measures(rule, rows); };
+  out.findings = answer_findings;
+  out.curves = [conditions = out.conditions](const std::vector<Row>& rows) { return answer_curves(conditions, rows); };
   return out;
 }
 

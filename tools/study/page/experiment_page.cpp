@@ -13,8 +13,8 @@
 namespace telepalp::study {
 namespace {
 
-using Cells = std::vector<std::vector<std::string>>;
-constexpr std::string_view kColors[] = {plot::kVermilion, plot::kBlue, plot::kGrey};
+using TableCells = std::vector<std::vector<std::string>>;
+constexpr std::string_view kCurveColors[] = {plot::kVermilion, plot::kBlue, plot::kGrey};
 
 std::string p_text(double p) { return p < 0.001 ? "< 0.001" : fixed_text(p, 3); }
 
@@ -58,8 +58,8 @@ std::string sentence(const Experiment& experiment, const Compared& one) {
          test_text(test) + ".";
 }
 
-Cells result_rows(const Experiment& experiment, const ExperimentResult& result) {
-  Cells rows;
+TableCells result_rows(const Experiment& experiment, const ExperimentResult& result) {
+  TableCells rows;
   for (const Compared& one : result.compared)
     rows.push_back({one.measure.name + unit_of(one.measure), spread(one.first), spread(one.second),
                     plot::readable(one.test.difference) + " (" + plot::readable(one.test.low) + " to " +
@@ -84,8 +84,8 @@ std::vector<std::string> result_head(const Experiment& experiment) {
           "people for power 0.8"};
 }
 
-Cells paper_rows(const Experiment& experiment, const ExperimentResult& result) {
-  Cells rows;
+TableCells paper_rows(const Experiment& experiment, const ExperimentResult& result) {
+  TableCells rows;
   for (const Compared& one : result.compared) {
     if (!one.measure.paper && one.measure.paper_says.empty()) continue;
     const auto& paper = one.measure.paper;
@@ -111,7 +111,7 @@ std::string distribution_chart(const Experiment& experiment, const Compared& one
     plot::Series series{.name = experiment.conditions[c],
                         .x = {},
                         .y = {},
-                        .color = std::string(kColors[c]),
+                        .color = std::string(kCurveColors[c]),
                         .style = plot::Style::Path};
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (const std::size_t share : {i, i + 1}) {
@@ -123,7 +123,7 @@ std::string distribution_chart(const Experiment& experiment, const Compared& one
     if (one.measure.paper)
       chart.rules.push_back({.at = c == 0 ? one.measure.paper->first.mean : one.measure.paper->second.mean,
                              .label = "S3",
-                             .color = std::string(kColors[c]),
+                             .color = std::string(kCurveColors[c]),
                              .vertical = true});
   }
   return plot::to_svg(chart);
@@ -136,7 +136,7 @@ std::string curves_chart(const Curves& curves) {
     chart.series.push_back({.name = curves.curves[i].name,
                             .x = curves.curves[i].x,
                             .y = curves.curves[i].y,
-                            .color = std::string(kColors[i]),
+                            .color = std::string(kCurveColors[i]),
                             .style = plot::Style::Line});
   return plot::to_svg(chart);
 }
@@ -158,7 +158,7 @@ std::string rules_text(const Experiment& experiment) {
 }
 
 std::string range_section(const Experiment& experiment) {
-  Cells rows;
+  TableCells rows;
   for (const RangeWords& one : experiment.ranges) rows.push_back({one.name, one.range, one.source});
   return report::section("Observers and task", "Each value is drawn evenly from its range, once for each observer.",
                          report::table({"parameter", "range", "source"}, rows, report::Cells::Words));
@@ -273,7 +273,7 @@ std::string experiment_html(const Experiment& experiment, const ExperimentSettin
       report::section("Result", plot::escaped(experiment.task),
                       "<div class=\"scroll\">" +
                           report::table(result_head(experiment), result_rows(experiment, result)) + "</div>" + charts);
-  if (const Cells paper = paper_rows(experiment, result); !paper.empty())
+  if (const TableCells paper = paper_rows(experiment, result); !paper.empty())
     page += report::section("Beside S3", "The paper's printed figures, from people. No range was fitted to them.",
                             report::table({"", "S3, " + experiment.conditions[0], "S3, " + experiment.conditions[1],
                                            "change, S3", "change, here", "S3 says"},

@@ -17,12 +17,12 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-constexpr std::string_view kColors[] = {plot::kBlue, plot::kGreen, plot::kVermilion, plot::kGrey};
+constexpr std::string_view kConditionColors[] = {plot::kBlue, plot::kGreen, plot::kVermilion, plot::kGrey};
 
 std::string overshoots(const StudySettings& settings, const StudyResult& result) {
   plot::Chart chart = overshoot_chart(settings.design.configurations.size());
   for (const std::size_t c : {1, 2})
-    add_overshoots(chart, name(result.conditions[c].condition), result.conditions[c].cells, kColors[c]);
+    add_overshoots(chart, name(result.conditions[c].condition), result.conditions[c].cells, kConditionColors[c]);
   if (settings.design.of_the_paper) add_paper(chart);
   return plot::to_svg(chart);
 }

@@ -21,10 +21,11 @@ struct Sum {
 };
 
 /// Penetrations of one operator with one mechanism, in one condition.
-using Cells = std::vector<std::vector<Sum>>;
+using OvershootCells = std::vector<std::vector<Sum>>;
 
-Cells cells_of(const StudySettings& settings, const std::vector<Trial>& trials, Condition condition) {
-  Cells cells(static_cast<std::size_t>(settings.operators), std::vector<Sum>(settings.design.configurations.size()));
+OvershootCells cells_of(const StudySettings& settings, const std::vector<Trial>& trials, Condition condition) {
+  OvershootCells cells(static_cast<std::size_t>(settings.operators),
+                       std::vector<Sum>(settings.design.configurations.size()));
   for (const Trial& trial : trials)
     if (trial.condition == condition && trial.outcome.through)
       cells[trial.person][trial.configuration].add(1e3 * trial.outcome.overshoot_m);
@@ -32,9 +33,9 @@ Cells cells_of(const StudySettings& settings, const std::vector<Trial>& trials, 
 }
 
 /// Operators who came through with each mechanism in each condition.
-std::vector<bool> complete_operators(const std::array<Cells, kStudied.size()>& all) {
+std::vector<bool> complete_operators(const std::array<OvershootCells, kStudied.size()>& all) {
   std::vector<bool> complete(all[0].size(), true);
-  for (const Cells& cells : all)
+  for (const OvershootCells& cells : all)
     for (std::size_t person = 0; person < cells.size(); ++person)
       for (const Sum& sum : cells[person]) complete[person] = complete[person] && sum.count > 0;
   return complete;
@@ -51,7 +52,7 @@ void count(const std::vector<Trial>& trials, ConditionResult& out) {
   out.noticed_share = noticed.mean();
 }
 
-void summarise(const StudySettings& settings, const Cells& cells, const std::vector<bool>& complete,
+void summarise(const StudySettings& settings, const OvershootCells& cells, const std::vector<bool>& complete,
                ConditionResult& out) {
   std::vector<double> of_operators;
   for (std::size_t person = 0; person < cells.size(); ++person) {
@@ -104,7 +105,7 @@ void compare_with_paper(const StudySettings& settings, StudyResult& out) {
 Result<StudyResult> result_of(const StudySettings& settings, const std::vector<Trial>& trials, const Check& check) {
   StudyResult out;
   out.check = check;
-  std::array<Cells, kStudied.size()> cells;
+  std::array<OvershootCells, kStudied.size()> cells;
   for (std::size_t i = 0; i < kStudied.size(); ++i) cells[i] = cells_of(settings, trials, kStudied[i]);
   const std::vector<bool> complete = complete_operators(cells);
   out.left_out = static_cast<int>(std::count(complete.begin(), complete.end(), false));

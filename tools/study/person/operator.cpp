@@ -7,7 +7,7 @@
 namespace telepalp::study {
 namespace {
 
-constexpr Drawn<Operator> kRanges[] = {
+constexpr Drawn<Operator> kOperatorRanges[] = {
     {"reaction time", "s", &Operator::reaction_s, 0.12, 0.25,
      "Chernikoff 1952: 0.119 s, kinaesthetic; usual visual values to 0.25 s. One range for all senses: an exact "
      "apparatus found no difference between them"},
@@ -41,7 +41,7 @@ constexpr double kBlind_s = 0.2;       // Condition::NoReflexes goes on for this
 
 }  // namespace
 
-std::span<const Drawn<Operator>> operator_ranges() noexcept { return kRanges; }
+std::span<const Drawn<Operator>> operator_ranges() noexcept { return kOperatorRanges; }
 
 Decisions::Decisions(const Operator& person, Condition condition, const Learned& learned,
                      device::Random& random) noexcept

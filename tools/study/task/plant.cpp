@@ -3,7 +3,7 @@
 namespace telepalp::study {
 namespace {
 
-constexpr Drawn<Plant> kRanges[] = {
+constexpr Drawn<Plant> kPlantRanges[] = {
     {"l4, of l2", "", &Plant::l4_of_l2, 0.75, 1.0, "S4 does not give l4. With 0.867, its needle is parallel to link 4"},
     {"length of the needle", "m", &Plant::needle_m, 0.08, 0.15, "not in S4; usual needles"},
     {"angle of link 3 at the sac", "rad", &Plant::link3_rad, 1.42, 1.72, "not in S4: a right angle within 0.15 rad"},
@@ -25,7 +25,7 @@ constexpr Drawn<Plant> kRanges[] = {
 
 }  // namespace
 
-std::span<const Drawn<Plant>> plant_ranges() noexcept { return kRanges; }
+std::span<const Drawn<Plant>> plant_ranges() noexcept { return kPlantRanges; }
 
 tissue::TissueSettings tissue_of(const Plant& plant) {
   tissue::LayerSettings skin;

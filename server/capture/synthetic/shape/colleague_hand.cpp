@@ -60,7 +60,7 @@ std::optional<double> enters(const Vector3d& ray, const Capsule& capsule) {
   return z;
 }
 
-constexpr double kNearest_m = 0.1;  // what is nearer to the camera is not drawn
+constexpr double kNearestHand_m = 0.1;  // what is nearer to the camera is not drawn
 
 /// The first and the last pixel along one axis that the capsule may cover.
 std::array<int, 2> covered(double from_m, double to_m, double radius_m, double nearest_m, double focal_px,
@@ -76,7 +76,7 @@ std::array<int, 2> covered(double from_m, double to_m, double radius_m, double n
 }
 
 void draw(const Capsule& capsule, const Intrinsics& camera, std::vector<float>& depth_m) {
-  const double nearest_m = std::max(kNearest_m, std::min(capsule.from_m.z(), capsule.to_m.z()) - capsule.radius_m);
+  const double nearest_m = std::max(kNearestHand_m, std::min(capsule.from_m.z(), capsule.to_m.z()) - capsule.radius_m);
   const auto columns =
       covered(capsule.from_m.x(), capsule.to_m.x(), capsule.radius_m, nearest_m, camera.fx, camera.cx, camera.width);
   const auto rows =
@@ -85,7 +85,7 @@ void draw(const Capsule& capsule, const Intrinsics& camera, std::vector<float>& 
     for (int u = columns[0]; u <= columns[1]; ++u) {
       const auto z = enters({(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0}, capsule);
       float& seen = depth_m[static_cast<std::size_t>(v * camera.width + u)];
-      if (z && *z > kNearest_m && *z < static_cast<double>(seen)) seen = static_cast<float>(*z);
+      if (z && *z > kNearestHand_m && *z < static_cast<double>(seen)) seen = static_cast<float>(*z);
     }
 }
 

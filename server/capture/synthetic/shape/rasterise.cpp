@@ -6,7 +6,7 @@ namespace telepalp::capture {
 namespace {
 
 constexpr float kShapeFactor = 0.75F;
-constexpr float kNearest_m = 0.05F;  // a triangle that is nearer than this is not drawn
+constexpr float kNearestCorner_m = 0.05F;  // a triangle that is nearer than this is not drawn
 
 struct Corner {
   Eigen::Vector3f at;
@@ -47,7 +47,7 @@ std::vector<float> rasterise(const TriangleMesh& mesh, const Intrinsics& camera)
     bool in_front = true;
     for (std::size_t i = 0; i < 3; ++i) {
       const Eigen::Vector3f& at = mesh.vertices[triangle[i]];
-      in_front = in_front && at.z() > kNearest_m;
+      in_front = in_front && at.z() > kNearestCorner_m;
       corners[i] = {at,
                     normals[triangle[i]],
                     {static_cast<float>(camera.fx) * at.x() / at.z() + static_cast<float>(camera.cx),
