@@ -79,7 +79,7 @@ TEST(Orders, EachIsEquallyFrequentAndDependsOnTheSeed) {
 }
 
 /// The shortest way from pocket to pocket that stays `clear_m` away from the device's middle [m].
-double shortest_way_m(const Desk& desk, double clear_m) noexcept {
+double shortest_way_m(const PushDesk& desk, double clear_m) noexcept {
   const double half_m = 0.5 * desk.pockets_m;
   const double away_m = std::hypot(half_m, desk.beside_m);
   if (clear_m <= desk.beside_m) return desk.pockets_m;
@@ -90,7 +90,7 @@ double shortest_way_m(const Desk& desk, double clear_m) noexcept {
 }
 
 TEST(PushTask, TheStraightWayIsTakenUnlessADeviceInSightIsInIt) {
-  const Desk desk;
+  const PushDesk desk;
   Pusher steady;
   steady.unsteady = 0.0;
   steady.heeds = 1.0;
@@ -109,7 +109,7 @@ TEST(PushTask, TheStraightWayIsTakenUnlessADeviceInSightIsInIt) {
 }
 
 TEST(PushTask, TheShortestWayGrowsWithTheClearanceAndIsNeverShorterThanTheStraightOne) {
-  const Desk desk;
+  const PushDesk desk;
   double before = 0.0;
   for (double clear_m = 0.0; clear_m < 0.12; clear_m += 0.001) {
     const double way_m = shortest_way_m(desk, clear_m);

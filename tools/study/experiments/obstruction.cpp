@@ -25,13 +25,13 @@ constexpr Drawn<Pusher> kPushers[] = {
      "assumed; S3 saw a clear training effect in the first two moves"},
 };
 
-constexpr Drawn<Desk> kDesks[] = {
-    {"distance of the pockets", "m", &Desk::pockets_m, 0.14, 0.2, "not in S3; the Omni's workspace is 160 mm wide"},
-    {"radius of a pocket", "m", &Desk::pocket_m, 0.015, 0.025, "not in S3"},
-    {"radius of the ball", "m", &Desk::ball_m, 0.01, 0.015, "not in S3"},
-    {"half of the device's width", "m", &Desk::body_m, 0.0175, 0.08,
+constexpr Drawn<PushDesk> kDesks[] = {
+    {"distance of the pockets", "m", &PushDesk::pockets_m, 0.14, 0.2, "not in S3; the Omni's workspace is 160 mm wide"},
+    {"radius of a pocket", "m", &PushDesk::pocket_m, 0.015, 0.025, "not in S3"},
+    {"radius of the ball", "m", &PushDesk::ball_m, 0.01, 0.015, "not in S3"},
+    {"half of the device's width", "m", &PushDesk::body_m, 0.0175, 0.08,
      "from the Omni's upper arm to its base, as telepalp-mixed draws them; the stick crosses either"},
-    {"middle of the device beside the straight way", "m", &Desk::beside_m, 0.0, 0.03,
+    {"middle of the device beside the straight way", "m", &PushDesk::beside_m, 0.0, 0.03,
      "not in S3: the stick crosses the device in the image, the handle does not"},
 };
 
@@ -39,7 +39,7 @@ std::vector<Row> run_observer(std::uint64_t seed, std::size_t number) {
   const std::size_t condition = order_of(seed, number, 2)[0];
   device::Random self(seed_of(seed, kObserver, number));
   const Pusher person = draw(pusher_ranges(), self);
-  const Desk desk = draw(desk_ranges(), self);
+  const PushDesk desk = draw(desk_ranges(), self);
   device::Random random(seed_of(seed, kTask, number));
   Pushed at{.ball_m = {desk.pockets_m, 0.0}, .stick_m = {desk.pockets_m + 0.03, 0.0}};
   std::vector<Row> rows;
@@ -115,7 +115,7 @@ std::vector<Curves> curves_of(const std::vector<std::string>& conditions, const 
 }  // namespace
 
 std::span<const Drawn<Pusher>> pusher_ranges() noexcept { return kPushers; }
-std::span<const Drawn<Desk>> desk_ranges() noexcept { return kDesks; }
+std::span<const Drawn<PushDesk>> desk_ranges() noexcept { return kDesks; }
 
 Experiment obstruction_experiment() {
   Experiment out;

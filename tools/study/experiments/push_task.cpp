@@ -21,7 +21,7 @@ constexpr double kPractice = 1.2;   // after so many moves the slowness of the f
 /// The ball's intended path: straight to the pocket, or around a circle about the device.
 class Way {
  public:
-  Way(const Desk& desk, double clear_m, bool to_blue) noexcept
+  Way(const PushDesk& desk, double clear_m, bool to_blue) noexcept
       : middle_(0.5 * desk.pockets_m, desk.beside_m), clear_m_(clear_m), goal_(to_blue ? desk.pockets_m : 0.0, 0.0) {}
 
   /// Unit direction in which a ball at `from` should move. While the straight line to the goal crosses the circle, the
@@ -64,14 +64,14 @@ Vector2d stick_goal(const Vector2d& stick, const Vector2d& ball, const Vector2d&
 }
 
 /// Radius of the circle about the device that the person keeps the ball out of [m]; 0: the device is not in sight.
-double clear_of(const Pusher& person, const Desk& desk, bool sees_device) noexcept {
+double clear_of(const Pusher& person, const PushDesk& desk, bool sees_device) noexcept {
   if (!sees_device) return 0.0;
   return person.heeds * (desk.body_m + person.clearance_m);
 }
 
 }  // namespace
 
-Push push_ball(const Pusher& person, const Desk& desk, bool to_blue, int move, bool sees_device, Pushed& at,
+Push push_ball(const Pusher& person, const PushDesk& desk, bool to_blue, int move, bool sees_device, Pushed& at,
                device::Random& random) noexcept {
   const Way way(desk, clear_of(person, desk, sees_device), to_blue);
   const double touch_m = desk.ball_m + kStick_m;

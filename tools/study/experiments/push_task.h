@@ -8,7 +8,7 @@ namespace telepalp::study {
 
 /// The desk of paper S3 (docs/sources.md) 8.3, seen from above. The pockets lie at x = 0 (green) and x = pockets_m
 /// (blue). S3 gives no lengths.
-struct Desk {
+struct PushDesk {
   double pockets_m = 0.18;  ///< distance of the pockets
   double pocket_m = 0.02;   ///< radius of a pocket
   double ball_m = 0.012;    ///< radius of the ball
@@ -43,7 +43,7 @@ struct Pushed {
 /// Pushes the ball from the pocket in which it lies to the other one, at 100 Hz. `move`: number of moves so far; the
 /// person gets faster with them. `sees_device`: the person goes around the device. `at`: changed to where ball and
 /// stick are at the end.
-[[nodiscard]] Push push_ball(const Pusher& person, const Desk& desk, bool to_blue, int move, bool sees_device,
+[[nodiscard]] Push push_ball(const Pusher& person, const PushDesk& desk, bool to_blue, int move, bool sees_device,
                              Pushed& at, device::Random& random) noexcept;
 
 }  // namespace telepalp::study
