@@ -143,10 +143,10 @@ PathForces forces_of(const std::shared_ptr<const tissue::TissueModel>& model, in
   tissue.begin(needle);
   PathForces forces;
   const double before_us = thread_us();
-  const int ticks = static_cast<int>(kPath_s / tissue::kTick_s);
+  const int ticks = static_cast<int>(kPath_s / kTick_s);
   for (int i = 1; i <= ticks * parts; ++i) {
-    needle.tip_m = tip_m(i * tissue::kTick_s / parts);
-    const double force_N = tissue.step(needle, tissue::kTick_s / parts).force_N.y();
+    needle.tip_m = tip_m(i * kTick_s / parts);
+    const double force_N = tissue.step(needle, kTick_s / parts).force_N.y();
     if (i % parts == 0) forces.N.push_back(force_N);
   }
   forces.step_us = (thread_us() - before_us) / (ticks * parts);
@@ -188,8 +188,8 @@ Result<PageTable> steps_table(const TissueSettings& settings, std::vector<Row>& 
     if (bristle_N.empty()) bristle_N = fine_N;
     for (const int parts : {1, 2, 5}) {
       const PathForces shown = forces_of(*model, parts);
-      const double step_ms = 1e3 * tissue::kTick_s / parts;
-      const double share = cost->share() + 1e-4 * shown.step_us * (parts - 1) / tissue::kTick_s;
+      const double step_ms = 1e3 * kTick_s / parts;
+      const double share = cost->share() + 1e-4 * shown.step_us * (parts - 1) / kTick_s;
       const std::string row = std::string(name) + ", steps of " + cell(step_ms) + " ms";
       rows.push_back(measured(row + ": force error, RMS", apart_mN(shown.N, fine_N), "mN"));
       rows.push_back(measured(row + ": time of a step", shown.step_us, "us"));

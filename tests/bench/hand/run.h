@@ -8,10 +8,10 @@
 #include "tests/bench/hand/feed.h"
 #include "tests/bench/hand/patient.h"
 #include "tests/bench/hand/person.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench::hand {
 
-inline constexpr double kTick_s = 0.0005;
 inline constexpr double kSkin_N_per_m = 500.0;
 
 /// Settings of the station's loop with a linear skin, and faults other than the surface's.

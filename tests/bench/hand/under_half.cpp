@@ -19,7 +19,6 @@ constexpr double kArrived_s = 1.6;  // the hand is at its place by then
 constexpr double kShift_s = 2.2;    // the shift begins at most one frame period later
 constexpr double kJudged_s = 1.5;
 constexpr double kLeastLaw_N = 0.2;
-constexpr double kFrame_s = 1.0 / 30.0;
 
 struct Case {
   const char* name;
