@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using tissue::TissueSettings;
 
-constexpr std::string_view kScene = "amniocentesis";
+constexpr std::string_view kNeedleScene = "amniocentesis";
 
 /// Says on stderr what is measured next.
 void tell(const std::string& what) { std::fprintf(stderr, "telepalp-bench accuracy: needle: %s\n", what.c_str()); }
@@ -34,7 +34,7 @@ Result<std::shared_ptr<const tissue::TissueModel>> tissue_with(TissueSettings se
 }
 
 scenes::Scene scene_of(const std::shared_ptr<const tissue::TissueModel>& model) {
-  scenes::Scene scene = library_scene(kScene);
+  scenes::Scene scene = library_scene(kNeedleScene);
   for (effects::Recipe& recipe : scene.effects)
     if (auto* needle = std::get_if<effects::LayeredTissueSettings>(&recipe)) needle->model = model;
   return scene;
@@ -98,7 +98,7 @@ Result<PageTable> nets_table(const TissueSettings& settings, std::vector<Row>& r
       if (!model) return model.error();
       const double read_ms = 1e-3 * (thread_us() - before_us);
       const Distribution errors = errors_of(**model, places, finest);
-      const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kScene));
+      const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kNeedleScene));
       if (!cost) return cost.error();
       rows.push_back(measured("net of " + name + ": force error, p99", 100.0 * errors.p99(), "%"));
       rows.push_back(measured("net of " + name + ": time to read", read_ms, "ms"));
@@ -182,7 +182,7 @@ Result<PageTable> steps_table(const TissueSettings& settings, std::vector<Row>& 
     tell(name);
     const auto model = tissue_with(settings, law);
     if (!model) return model.error();
-    const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kScene));
+    const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kNeedleScene));
     if (!cost) return cost.error();
     const std::vector<double> fine_N = forces_of(*model, kFine).N;
     if (bristle_N.empty()) bristle_N = fine_N;
@@ -222,7 +222,7 @@ PageTable contact_table() {
 
 Result<Section> needle_section() {
   Section section;
-  const scenes::Scene scene = library_scene(kScene);
+  const scenes::Scene scene = library_scene(kNeedleScene);
   const Result<PageTable> nets = nets_table(tissue_of(scene), section.rows);
   if (!nets) return nets.error();
   const Result<PageTable> steps = steps_table(tissue_of(scene), section.rows);

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "proto/words/rgbd_frame.h"
 #include "tests/bench/report.h"
 
 namespace telepalp::bench {

@@ -13,6 +13,7 @@
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
 #include "tests/bench/thin/live_rows.h"
+#include "tests/bench/thin/recorded_room.h"
 #include "tests/bench/thin/ssim.h"
 #include "tests/bench/thin/voice_rows.h"
 #include "tests/bench/thin/window_rows.h"
@@ -21,7 +22,6 @@
 namespace telepalp::bench {
 namespace {
 
-constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr std::size_t kFrames = 120;
 constexpr std::size_t kCompareEvery = 3;  // similarity is measured on each third image
 constexpr int kLeastRate_kbit_per_s = 50;
@@ -63,7 +63,7 @@ Result<Film> film_of(const std::string& spec) {
 }
 
 /// Bytes, similarity and times of one coding of a film.
-struct Outcome {
+struct CodedFilm {
   double bytes = 0.0;  ///< mean, of an image
   double ssim = 0.0;   ///< mean
   Distribution encode_ms;
@@ -72,8 +72,8 @@ struct Outcome {
 
 /// Codes each image of `film`. `encode(index)` returns its bytes, and `decode(bytes)` the image.
 template <class Encode, class Decode>
-Result<Outcome> coded(const Film& film, const Encode& encode, const Decode& decode) {
-  Outcome outcome;
+Result<CodedFilm> coded(const Film& film, const Encode& encode, const Decode& decode) {
+  CodedFilm outcome;
   double compared = 0.0;
   for (std::size_t i = 0; i < film.images.size(); ++i) {
     const double begun_us = thread_us();
@@ -92,13 +92,13 @@ Result<Outcome> coded(const Film& film, const Encode& encode, const Decode& deco
   return outcome;
 }
 
-Result<Outcome> as_pictures(const Film& film, int quality) {
+Result<CodedFilm> as_pictures(const Film& film, int quality) {
   return coded(
       film, [&](std::size_t i) { return codec::encode_color(film.images[i], quality); },
       [](std::span<const std::byte> bytes) { return codec::decode_color(bytes); });
 }
 
-Result<Outcome> as_video(const Film& film, int kbit_per_s) {
+Result<CodedFilm> as_video(const Film& film, int kbit_per_s) {
   codec::ColorVideoEncoder encoder({.kbit_per_s = kbit_per_s});
   codec::ColorVideoDecoder decoder;
   return coded(
@@ -107,14 +107,14 @@ Result<Outcome> as_video(const Film& film, int kbit_per_s) {
 }
 
 /// The video of the lowest rate whose similarity is at least `wanted`; that of the highest rate if there is none.
-Result<Outcome> video_as_similar(const Film& film, double wanted) {
+Result<CodedFilm> video_as_similar(const Film& film, double wanted) {
   double least = kLeastRate_kbit_per_s;
   double most = kMostRate_kbit_per_s;
-  Result<Outcome> best = as_video(film, kMostRate_kbit_per_s);
+  Result<CodedFilm> best = as_video(film, kMostRate_kbit_per_s);
   for (int step = 0; step < kSteps; ++step) {
     if (!best) return best;
     const double rate = std::sqrt(least * most);
-    Result<Outcome> tried = as_video(film, static_cast<int>(rate));
+    Result<CodedFilm> tried = as_video(film, static_cast<int>(rate));
     if (!tried) return tried;
     const bool enough = tried->ssim >= wanted;
     (enough ? most : least) = rate;
@@ -125,9 +125,9 @@ Result<Outcome> video_as_similar(const Film& film, double wanted) {
 
 /// Figures of VP8 against JPEG of one quality.
 Result<void> add_rows(Report& report, const Film& film, const std::string& name, int quality) {
-  const Result<Outcome> pictures = as_pictures(film, quality);
+  const Result<CodedFilm> pictures = as_pictures(film, quality);
   if (!pictures) return pictures.error();
-  const Result<Outcome> video = video_as_similar(film, pictures->ssim);
+  const Result<CodedFilm> video = video_as_similar(film, pictures->ssim);
   if (!video) return video.error();
   const std::string beside = name + ", JPEG " + std::to_string(quality) + ": ";
   const std::string share = beside + "bytes of VP8 at equal SSIM, divided by JPEG's";
@@ -147,7 +147,7 @@ Result<void> add_rows(Report& report, const Film& film, const std::string& name,
 /// Figures of the rate that the server uses by default.
 Result<void> add_default_rows(Report& report, const Film& film, const std::string& name) {
   const int kbit_per_s = pipeline::EncodeOptions{}.video_kbit_per_s;
-  const Result<Outcome> video = as_video(film, kbit_per_s);
+  const Result<CodedFilm> video = as_video(film, kbit_per_s);
   if (!video) return video.error();
   const std::string at_rate = name + ", VP8 at " + std::to_string(kbit_per_s) + " kbit/s: ";
   report.rows.push_back(measured(at_rate + "rate at 30 Hz", 8e-3 * kFrames_per_s * video->bytes, "kbit/s"));
