@@ -14,9 +14,9 @@ inline constexpr std::uint64_t kMostCaughtUp = 20;
 
 /// Time of a tick at `now`, before which `missed` ticks were missed.
 [[nodiscard]] inline TickIn due_at(SessionTime now, std::uint64_t missed) noexcept {
-  constexpr double kTick_s = std::chrono::duration<double>(kTickPeriod).count();
-  const double missed_s = kTick_s * static_cast<double>(std::min(missed, kMostCaughtUp));
-  return {.now = now, .dt_s = kTick_s + missed_s, .missed_s = missed_s};
+  constexpr double kPeriod_s = std::chrono::duration<double>(kTickPeriod).count();
+  const double missed_s = kPeriod_s * static_cast<double>(std::min(missed, kMostCaughtUp));
+  return {.now = now, .dt_s = kPeriod_s + missed_s, .missed_s = missed_s};
 }
 
 /// The sequence of one tick at a rig: sample, decide, apply. `due`: the tick's time, surface and re-arm; the rig adds

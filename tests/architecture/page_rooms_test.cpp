@@ -30,7 +30,7 @@ TEST(PageRooms, ImportOnlyWhatTheirLinesName) {
 }
 
 /// A defect that somebody could commit, and the sentence that must name it.
-struct Planted {
+struct PlantedImport {
   const char* law;
   std::function<void(PageRooms&, PageImports&)> plant;
   std::string sentence;
@@ -40,7 +40,7 @@ Allowed& room_named(PageRooms& rooms, const std::string& name) {
   return *std::find_if(rooms.rooms.begin(), rooms.rooms.end(), [&](const Allowed& room) { return room.name == name; });
 }
 
-const std::vector<Planted> kPlanted{
+const std::vector<PlantedImport> kPlantedImports{
     {"no room imports one above it",
      [](PageRooms&, PageImports& imports) {
        imports["link/stream"].push_back({"panel/banner_look", false, true});
@@ -76,7 +76,7 @@ const std::vector<Planted> kPlanted{
 
 /// Plants each defect in a copy of the true imports. The check must then find this defect and no other.
 TEST(PageRooms, EachPlantedViolationIsFoundAlone) {
-  for (const Planted& planted : kPlanted) {
+  for (const PlantedImport& planted : kPlantedImports) {
     PageRooms rooms = the_rooms();
     PageImports imports = the_imports();
     planted.plant(rooms, imports);

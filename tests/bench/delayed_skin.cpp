@@ -6,10 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::bench {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 30.0;
 constexpr double kBurst_frames = 4.0;
 constexpr double kTau = 2.0 * std::numbers::pi;
 

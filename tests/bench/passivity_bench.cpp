@@ -7,11 +7,11 @@
 #include "haptic_station/trials/virtual_station.h"
 #include "tests/bench/delayed_skin.h"
 #include "tests/bench/distribution.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench {
 namespace {
 
-constexpr double kTick_s = 0.0005;
 constexpr int kRuns = 1000;
 
 struct RunSettings {

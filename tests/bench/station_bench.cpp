@@ -119,9 +119,9 @@ Result<void> measure_jitter(double seconds, Report& report) {
 
 void measure_calibration(Report& report) {
   using namespace calibration;
-  constexpr int kRuns = 2000;
-  const auto by_covariance = registration_errors({}, RotationBy::Covariance, kRuns, 1);
-  const auto as_printed = registration_errors({}, RotationBy::AffinePolar, kRuns, 1);
+  constexpr int kRegistrations = 2000;
+  const auto by_covariance = registration_errors({}, RotationBy::Covariance, kRegistrations, 1);
+  const auto as_printed = registration_errors({}, RotationBy::AffinePolar, kRegistrations, 1);
   report.rows.push_back(measured("calibration: error of one click, mean", by_covariance.noise.mean_m() * 1e3, "mm"));
   report.rows.push_back(
       measured("calibration: error of one click, standard deviation", by_covariance.noise.deviation_m() * 1e3, "mm"));

@@ -18,8 +18,6 @@ using surface::Reach;
 using surface::SurfaceSettings;
 using surface::SurfaceSnapshot;
 using testing::Captured;
-using testing::kFrame_s;
-using testing::kTick_s;
 using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 

@@ -8,11 +8,10 @@
 #include "haptic_station/loop/simulated_rig.h"
 #include "haptic_station/surface/build/surface_builder.h"
 #include "tests/bench/effects/thread_time.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench {
 namespace {
-
-constexpr int kTicksPerFrame = 67;  // 30 Hz
 
 /// A level skin 0.8 m under a Kinect-like camera, with 1 mm of noise.
 DepthImage noisy_plane() {

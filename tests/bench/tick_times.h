@@ -4,10 +4,9 @@
 #include "haptic_station/effects/effect_bank.h"
 #include "haptic_station/loop/tick.h"
 #include "tests/bench/distribution.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench {
-
-inline constexpr double kTick_s = std::chrono::duration<double>(loop::kTickPeriod).count();
 
 /// Times of ticks [us].
 struct TickTimes {

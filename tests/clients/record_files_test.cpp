@@ -20,6 +20,8 @@
 namespace telepalp::record {
 namespace {
 
+using wire::samples::kStart_ns;
+
 class Files : public Recorder {
  protected:
   std::filesystem::path write(const std::string& name, const std::vector<wire::Message>& messages,
@@ -40,8 +42,6 @@ class Files : public Recorder {
   }
   mutable int exit_code_ = -1;
 };
-
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
 
 SessionTime at_ms(std::int64_t ms) { return session_time(kStart_ns + ms * 1'000'000); }
 

@@ -25,6 +25,8 @@
 namespace telepalp::record {
 namespace {
 
+using wire::samples::kStart_ns;
+
 class LiveRecorder : public Recorder {
  protected:
   std::vector<std::filesystem::path> files_named(const char* extension) const {
@@ -47,8 +49,6 @@ class LiveRecorder : public Recorder {
     return recorder.wait(20s).value_or(-1);
   }
 };
-
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
 
 /// Depth in groups of twelve frames at 30 Hz, and one camera model at the beginning.
 std::vector<wire::Message> depth_in_groups(int frames) {

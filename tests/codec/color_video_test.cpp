@@ -11,11 +11,8 @@
 namespace telepalp::codec {
 namespace {
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
-
 /// A bright disc that moves to the right over a slope of colour.
-ColorImage scene(int frame, int width = kWidth, int height = kHeight) {
+ColorImage scene(int frame, int width = 64, int height = 48) {
   ColorImage color{.width = width, .height = height, .rgb = {}};
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {

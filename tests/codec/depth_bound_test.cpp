@@ -16,15 +16,12 @@
 namespace telepalp::codec {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 200;
-
 TEST(DepthBound, HoldsForEveryPossibleSample) {
   DepthImage all{.width = 256, .height = 256, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(65536)};
   std::iota(all.samples.begin(), all.samples.end(), std::uint16_t{0});
   for (const DepthErrorBound& bound :
        {kOneDisparityStep, DepthErrorBound{.least_m = 0.0, .per_m = 0.0}, DepthErrorBound{.least_m = 100.0}}) {
-    for (const DepthImage& key : {kinect_like(kWidth, kHeight, 1), all, filled(8, 8, 0)}) {
+    for (const DepthImage& key : {kinect_like(96, 200, 1), all, filled(8, 8, 0)}) {
       ReconstructionLevels reconstruction = reconstruction_levels_for(key, palette_of(key.samples), bound);
       const RankedFrame frame = within_bounds(all, palette_of(all.samples), reconstruction);
       EXPECT_EQ(frame.ranks[0], 0);

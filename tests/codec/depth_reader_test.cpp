@@ -7,10 +7,7 @@
 namespace telepalp::codec {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 80;
-
-DepthImage frame(unsigned number) { return kinect_like(kWidth, kHeight, number, static_cast<int>(number)); }
+DepthImage frame(unsigned number) { return kinect_like(96, 80, number, static_cast<int>(number)); }
 
 std::vector<std::string> stream_of(DepthMode mode, unsigned frames, int key_every) {
   DepthEncoder encoder({.mode = mode, .key_every = key_every});

@@ -15,8 +15,8 @@
 namespace telepalp::codec {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 200;
+constexpr int kImageWidth_px = 96;
+constexpr int kImageHeight_px = 200;
 
 struct WindowCase {
   std::string name;
@@ -24,14 +24,15 @@ struct WindowCase {
 };
 
 const std::vector<WindowCase>& window_cases() {
-  static const std::vector<WindowCase> cases{{"in the middle", {30, 60, 40, 70}},
-                                             {"in the corner at the origin", {0, 0, 40, 70}},
-                                             {"in the other corner", {kWidth - 40, kHeight - 70, 40, 70}},
-                                             {"one pixel from the border", {1, 1, kWidth - 2, kHeight - 2}},
-                                             {"the whole image", {0, 0, kWidth, kHeight}},
-                                             {"one pixel", {50, 100, 1, 1}},
-                                             {"one column", {50, 0, 1, kHeight}},
-                                             {"one row", {0, 100, kWidth, 1}}};
+  static const std::vector<WindowCase> cases{
+      {"in the middle", {30, 60, 40, 70}},
+      {"in the corner at the origin", {0, 0, 40, 70}},
+      {"in the other corner", {kImageWidth_px - 40, kImageHeight_px - 70, 40, 70}},
+      {"one pixel from the border", {1, 1, kImageWidth_px - 2, kImageHeight_px - 2}},
+      {"the whole image", {0, 0, kImageWidth_px, kImageHeight_px}},
+      {"one pixel", {50, 100, 1, 1}},
+      {"one column", {50, 0, 1, kImageHeight_px}},
+      {"one row", {0, 100, kImageWidth_px, 1}}};
   return cases;
 }
 
@@ -43,7 +44,7 @@ TEST_P(DepthWindowMode, IsExactInsideAndWithinItsBoundOutside) {
       DepthEncoder encoder({.mode = GetParam(), .key_every = 4});
       DepthReader reader;
       for (unsigned i = 0; i < 6; ++i) {
-        DepthImage depth = kinect_like(kWidth, kHeight, i, static_cast<int>(3 * i));
+        DepthImage depth = kinect_like(kImageWidth_px, kImageHeight_px, i, static_cast<int>(3 * i));
         depth.unit_m = growth == WindowGrowth::Flat ? 0.001 : 0.000125;
         const DepthWindow stated = window_around(window.exact, growth);
         const EncodedDepth encoded = encoder.encode(depth, stated);
@@ -62,7 +63,7 @@ TEST_P(DepthWindowMode, MayMoveFromFrameToFrameAndComeAndGo) {
   DepthEncoder encoder({.mode = GetParam(), .key_every = 12});
   DepthDecoder decoder;
   for (int i = 0; i < 24; ++i) {
-    const DepthImage depth = kinect_like(kWidth, kHeight, static_cast<unsigned>(i), i);
+    const DepthImage depth = kinect_like(kImageWidth_px, kImageHeight_px, static_cast<unsigned>(i), i);
     std::optional<DepthWindow> window;
     if (i % 5 != 4) window = window_around({2 * i, 5 * i, 20 + i, 30 + 2 * i}, static_cast<WindowGrowth>(i / 3 % 2));
     const Result<DepthImage> back = decoder.decode(bytes_of(encoder.encode(depth, window).bytes));

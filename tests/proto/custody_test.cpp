@@ -25,7 +25,7 @@ namespace telepalp::keys {
 namespace {
 
 using std::chrono::days;
-const WallTime kNow = std::chrono::system_clock::now();
+const WallTime kToday = std::chrono::system_clock::now();
 
 // --- requests ---
 
@@ -129,12 +129,12 @@ TEST(KeyRequests, NoAlteredByteMakesAnotherRequest) {
 
 TEST(KeyRequests, RolesAndHostsThatTheyAskForAreIgnored) {
   const PrivateKeyPtr key = key_on("P-256");
-  const Authority by = *Authority::create("test", kNow, days(30), {"10.0.0.5"});
+  const Authority by = *Authority::create("test", kToday, days(30), {"10.0.0.5"});
   const auto request =
       read_request(forge(*key, {.alt_names = "URI:telepalp:role:technician,DNS:bank.example,IP:10.0.0.5"}), "r");
   ASSERT_TRUE(request.ok());
   const std::string answer =
-      *by.client_key({.name = request->name, .role = Role::Viewer, .now = kNow, .key = request->key});
+      *by.client_key({.name = request->name, .role = Role::Viewer, .now = kToday, .key = request->key});
   const Result<KeyFile> signed_key = read_public_part(answer, "anna.crt");
   ASSERT_TRUE(signed_key.ok());
   EXPECT_EQ(describe(signed_key->identity), "viewer anna");
@@ -157,23 +157,23 @@ struct Folder {
 
 TEST(KeyFiles, APrivateKeyIsUsedWithTheCertificateBesideItAndNoOther) {
   const Folder folder;
-  const Authority by = *Authority::create("test", kNow, days(30));
+  const Authority by = *Authority::create("test", kToday, days(30));
   const OwnKey anna = *make_private_key(""), bert = *make_private_key("");
   const auto answer = [&](const OwnKey& key) {
-    return *by.client_key({.name = "anna", .role = Role::Doctor, .now = kNow, .key = key.key});
+    return *by.client_key({.name = "anna", .role = Role::Doctor, .now = kToday, .key = key.key});
   };
   const auto file = folder.write("anna.key", anna.text);
-  const Result<KeyFile> waits = load_key(file, kNow);
+  const Result<KeyFile> waits = load_key(file, kToday);
   ASSERT_FALSE(waits.ok());
   EXPECT_NE(waits.error().what.find("has no certificate yet"), std::string::npos) << waits.error().what;
   folder.write("anna.crt", answer(anna));
-  const Result<KeyFile> key = load_key(file, kNow);
+  const Result<KeyFile> key = load_key(file, kToday);
   ASSERT_TRUE(key.ok()) << key.error().what;
   EXPECT_EQ(describe(key->identity), "doctor anna");
-  const KeyFile server = *read_key(*by.server_key({.name = "s", .now = kNow}, {"10.0.0.5"}), "server.key");
+  const KeyFile server = *read_key(*by.server_key({.name = "s", .now = kToday}, {"10.0.0.5"}), "server.key");
   EXPECT_TRUE(shake_hands(server, *key, "10.0.0.5"));
   folder.write("anna.crt", answer(bert));
-  const Result<KeyFile> mixed = load_key(file, kNow);
+  const Result<KeyFile> mixed = load_key(file, kToday);
   ASSERT_FALSE(mixed.ok());
   EXPECT_NE(mixed.error().what.find("do not belong together"), std::string::npos) << mixed.error().what;
 }
@@ -189,9 +189,9 @@ AskPassphrase typing(std::vector<std::string> typed, int* asked = nullptr) {
 }
 
 TEST(Passphrases, OpenAKeyAndNothingElseDoes) {
-  const Authority by = *Authority::create("test", kNow, days(30));
+  const Authority by = *Authority::create("test", kToday, days(30));
   const OwnKey own = *make_private_key("correct horse battery");
-  const std::string text = *by.client_key({.name = "anna", .role = Role::Doctor, .now = kNow, .own = own});
+  const std::string text = *by.client_key({.name = "anna", .role = Role::Doctor, .now = kToday, .own = own});
   EXPECT_NE(text.find("BEGIN ENCRYPTED PRIVATE KEY"), std::string::npos);
   EXPECT_FALSE(read_key(text, "anna.key").ok());
   EXPECT_EQ(read_key(text, "anna.key", typing({"wrong", "Correct horse battery"})).error().what, "no more");
@@ -206,7 +206,7 @@ TEST(Passphrases, OpenAKeyAndNothingElseDoes) {
 }
 
 TEST(Passphrases, AnAuthoritysFileIsOpenedByItsOwn) {
-  const Authority by = *Authority::create("test", kNow, days(30), {"10.0.0.5"}, *make_private_key("correct horse"));
+  const Authority by = *Authority::create("test", kToday, days(30), {"10.0.0.5"}, *make_private_key("correct horse"));
   EXPECT_FALSE(Authority::read(by.file_text(), "authority.key").ok());
   EXPECT_FALSE(Authority::read(by.file_text(), "authority.key", typing({"wrong"})).ok());
   const Result<Authority> read = Authority::read(by.file_text(), "authority.key", typing({"correct horse"}));
@@ -249,17 +249,17 @@ KeyFile forged_server(const Authority& by, const std::string& names, const std::
                                                  .alt_names = names,
                                                  .usage = usage,
                                                  .serial = random_serial(),
-                                                 .from = kNow - days(1),
-                                                 .until = kNow + days(1)},
+                                                 .from = kToday - days(1),
+                                                 .until = kToday + days(1)},
                                                 *own.key, authority.get(), *thief.key);
   return *read_key(to_pem(*made) + own.text + by.certificate(), "bank");
 }
 
 TEST(LimitedAuthority, IsNotBelievedForAnotherName) {
-  const Authority by = *Authority::create("test", kNow, days(30), {"hospital.example", "10.0.0.0/8", "fd00::/8"});
+  const Authority by = *Authority::create("test", kToday, days(30), {"hospital.example", "10.0.0.0/8", "fd00::/8"});
   EXPECT_EQ(by.hosts(),
             (std::vector<std::string>{"hospital.example", "10.0.0.0/8", "fd00::/8", "localhost", "127.0.0.1", "::1"}));
-  const KeyFile client = *read_key(*by.client_key({.name = "anna.huber", .role = Role::Viewer, .now = kNow}), "a");
+  const KeyFile client = *read_key(*by.client_key({.name = "anna.huber", .role = Role::Viewer, .now = kToday}), "a");
   struct Row {
     const char* names;
     const char* host;
@@ -277,37 +277,37 @@ TEST(LimitedAuthority, IsNotBelievedForAnotherName) {
 }
 
 TEST(LimitedAuthority, RefusesToSignForAnotherNameAndSaysItsLimits) {
-  const Authority by = *Authority::create("test", kNow, days(30), {"10.0.0.5"});
-  const Result<std::string> refused = by.server_key({.name = "s", .now = kNow}, {"bank.example"});
+  const Authority by = *Authority::create("test", kToday, days(30), {"10.0.0.5"});
+  const Result<std::string> refused = by.server_key({.name = "s", .now = kToday}, {"bank.example"});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().what.find("limited to 10.0.0.5, localhost, 127.0.0.1, ::1"), std::string::npos)
       << refused.error().what;
-  EXPECT_TRUE(by.server_key({.name = "s", .now = kNow}, {"10.0.0.5"}).ok());
+  EXPECT_TRUE(by.server_key({.name = "s", .now = kToday}, {"10.0.0.5"}).ok());
 }
 
 TEST(LimitedAuthority, TakesNoLimitThatIsNone) {
   for (const char* wrong : {"", "*", "*.example", ".example", "10.0.0.0/0", "10.0.0.0/33", "10.0.0.0/", "::/0", "a/8",
                             "10.0.0.5,DNS:bank.example", "10.0.0.0/8/8", "::1/129"})
-    EXPECT_FALSE(Authority::create("test", kNow, days(30), {wrong}).ok()) << wrong;
+    EXPECT_FALSE(Authority::create("test", kToday, days(30), {wrong}).ok()) << wrong;
 }
 
 TEST(LimitedAuthority, APersonsNameWithADotIsNoHost) {
-  const Authority by = *Authority::create("test", kNow, days(30), {"10.0.0.5"});
-  const KeyFile server = *read_key(*by.server_key({.name = "s.t", .now = kNow}, {"10.0.0.5"}), "server.key");
-  const KeyFile anna = *read_key(*by.client_key({.name = "anna.huber", .role = Role::Doctor, .now = kNow}), "a");
+  const Authority by = *Authority::create("test", kToday, days(30), {"10.0.0.5"});
+  const KeyFile server = *read_key(*by.server_key({.name = "s.t", .now = kToday}, {"10.0.0.5"}), "server.key");
+  const KeyFile anna = *read_key(*by.client_key({.name = "anna.huber", .role = Role::Doctor, .now = kToday}), "a");
   EXPECT_TRUE(shake_hands(server, anna, "10.0.0.5"));
 }
 
 TEST(LimitedAuthority, AnOlderOneIsLimitedByRenewalAndItsKeysStayValid) {
-  const Authority before = *Authority::create("test", kNow, days(30));
+  const Authority before = *Authority::create("test", kToday, days(30));
   EXPECT_TRUE(before.hosts().empty());
-  const KeyFile server = *read_key(*before.server_key({.name = "s", .now = kNow}, {"10.0.0.5"}), "server.key");
-  const KeyFile anna = *read_key(*before.client_key({.name = "anna", .role = Role::Doctor, .now = kNow}), "a");
-  const Authority after = *before.renewed(kNow, days(30), {"10.0.0.5"});
+  const KeyFile server = *read_key(*before.server_key({.name = "s", .now = kToday}, {"10.0.0.5"}), "server.key");
+  const KeyFile anna = *read_key(*before.client_key({.name = "anna", .role = Role::Doctor, .now = kToday}), "a");
+  const Authority after = *before.renewed(kToday, days(30), {"10.0.0.5"});
   EXPECT_TRUE(after.has_signed(server) && after.has_signed(anna));
-  const KeyFile bert = *read_key(*after.client_key({.name = "bert", .role = Role::Doctor, .now = kNow}), "b");
+  const KeyFile bert = *read_key(*after.client_key({.name = "bert", .role = Role::Doctor, .now = kToday}), "b");
   EXPECT_TRUE(shake_hands(server, bert, "10.0.0.5")) << "an older server and a newer client";
-  const KeyFile newer = *read_key(*after.server_key({.name = "s", .now = kNow}, {"10.0.0.5"}), "server.key");
+  const KeyFile newer = *read_key(*after.server_key({.name = "s", .now = kToday}, {"10.0.0.5"}), "server.key");
   EXPECT_TRUE(shake_hands(newer, anna, "10.0.0.5"));
   const KeyFile bank = forged_server(before, "DNS:bank.example");
   EXPECT_TRUE(shake_hands(bank, anna, "bank.example")) << "this is why it must be renewed";
@@ -317,21 +317,21 @@ TEST(LimitedAuthority, AnOlderOneIsLimitedByRenewalAndItsKeysStayValid) {
 // --- the certificate that browsers see ---
 
 std::string web_refusal(const std::filesystem::path& certificate, const std::filesystem::path& key) {
-  const Result<WebCertificate> read = load_web_certificate(certificate, key, kNow);
+  const Result<WebCertificate> read = load_web_certificate(certificate, key, kToday);
   return read ? "" : read.error().what;
 }
 
 TEST(WebCertificates, AreThoseOfAServerWithItsKeyAndNothingElse) {
   const Folder folder;
-  const Authority hospital = *Authority::create("hospital", kNow, days(30));
-  const KeyFile good = *read_key(*hospital.server_key({.name = "w", .now = kNow}, {"tele.hospital.example"}), "w");
+  const Authority hospital = *Authority::create("hospital", kToday, days(30));
+  const KeyFile good = *read_key(*hospital.server_key({.name = "w", .now = kToday}, {"tele.hospital.example"}), "w");
   const KeyFile old = *read_key(
-      *hospital.server_key({.name = "w", .now = kNow - days(60), .valid = days(30)}, {"tele.hospital.example"}), "w");
-  const KeyFile person = *read_key(*hospital.client_key({.name = "p", .role = Role::Viewer, .now = kNow}), "p");
+      *hospital.server_key({.name = "w", .now = kToday - days(60), .valid = days(30)}, {"tele.hospital.example"}), "w");
+  const KeyFile person = *read_key(*hospital.client_key({.name = "p", .role = Role::Viewer, .now = kToday}), "p");
   const auto certificate = folder.write("web.crt", good.certificate + good.authority, 0644);
   const auto key = folder.write("web.pem", to_pem(*good.private_key));
   EXPECT_EQ(web_refusal(certificate, key), "");
-  EXPECT_EQ(load_web_certificate(certificate, key, kNow)->hosts.front(), "tele.hospital.example");
+  EXPECT_EQ(load_web_certificate(certificate, key, kToday)->hosts.front(), "tele.hospital.example");
   const auto refused = [&](const std::filesystem::path& c, const std::filesystem::path& k, const char* why) {
     EXPECT_NE(web_refusal(c, k).find(why), std::string::npos) << why << ": " << web_refusal(c, k);
   };

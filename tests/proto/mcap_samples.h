@@ -21,6 +21,10 @@ namespace telepalp::wire::samples {
 inline const SessionInfo kInfo{
     .program = "telepalp-test", .version = "0.1.0", .commit = "abc1234", .source = "synthetic", .scene = "skin { }"};
 
+/// Session time at which the tests' sessions begin [ns].
+inline constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
+inline constexpr std::int64_t kFrame_ns = 33'333'333;  ///< period of a camera's images
+
 /// `seconds` of depth and colour at 30 Hz and station states at 100 Hz, in order of time. Payloads are noise of a
 /// camera's sizes, divided by `thinner`.
 inline std::vector<Message> session(double seconds, std::size_t thinner = 50, unsigned seed = 1) {
@@ -30,11 +34,10 @@ inline std::vector<Message> session(double seconds, std::size_t thinner = 50, un
     for (char& letter : text) letter = static_cast<char>(random() & 0xff);
     return text;
   };
-  constexpr std::int64_t start_ns = 1'700'000'000'000'000'000;
   std::vector<Message> messages;
   const auto centiseconds = static_cast<std::int64_t>(seconds * 100);
   for (std::int64_t cs = 0; cs < centiseconds; ++cs) {
-    const std::int64_t now = start_ns + cs * 10'000'000;
+    const std::int64_t now = kStart_ns + cs * 10'000'000;
     if (cs * 30 / 100 != (cs - 1) * 30 / 100 || cs == 0) {
       msg::DepthImage depth;
       depth.set_captured_ns(static_cast<std::uint64_t>(now - 9'000'000));

@@ -11,13 +11,13 @@
 namespace telepalp::wire {
 namespace {
 
-struct Outcome {
+struct StreamOutcome {
   std::size_t messages = 0;
   std::vector<std::string> errors;
 };
 
-Outcome read_to_end(Result<McapStreamReader> reader) {
-  Outcome outcome;
+StreamOutcome read_to_end(Result<McapStreamReader> reader) {
+  StreamOutcome outcome;
   if (!reader) return {0, {to_string(reader.error())}};
   for (;;) {
     const auto next = reader->next();
@@ -27,28 +27,28 @@ Outcome read_to_end(Result<McapStreamReader> reader) {
   }
 }
 
-Outcome read_bytes(std::string bytes) {
+StreamOutcome read_bytes(std::string bytes) {
   return read_to_end(McapStreamReader::open(mcap::in_memory(std::move(bytes), "session.mcap")));
 }
 
 /// A session in chunks of about 2000 bytes.
-struct Sample {
+struct ChunkedSample {
   std::string bytes;
   std::vector<mcap::ChunkIndex> chunks;
   std::size_t messages = 0;
 };
 
-Sample sample() {
+ChunkedSample sample() {
   const auto file = samples::fresh_file("search_" + std::to_string(::getpid()) + ".mcap");
   EXPECT_TRUE(samples::write_file(file, samples::session(1, 1000), {.bytes = 2000}));
   auto reader = McapReader::open(file);
-  Sample made{samples::bytes_of(file), reader->summary().chunks, reader->summary().statistics.message_count};
+  ChunkedSample made{samples::bytes_of(file), reader->summary().chunks, reader->summary().statistics.message_count};
   std::filesystem::remove(file);
   return made;
 }
 
 TEST(McapSearch, FindsEachChunkFromAnyByteBeforeIt) {
-  const Sample whole = sample();
+  const ChunkedSample whole = sample();
   const auto source = mcap::in_memory(whole.bytes, "session.mcap");
   std::uint64_t from = 0;
   for (const mcap::ChunkIndex& chunk : whole.chunks)
@@ -58,11 +58,11 @@ TEST(McapSearch, FindsEachChunkFromAnyByteBeforeIt) {
 }
 
 TEST(McapSearch, ADamagedLengthOfAnyRecordLosesThatRecordAloneAndNamesTheOffset) {
-  const Sample whole = sample();
+  const ChunkedSample whole = sample();
   for (std::size_t number = 1; number + 1 < whole.chunks.size(); ++number) {
     std::string hurt = whole.bytes;
     hurt[whole.chunks[number].chunk_start_offset + 6] = '\x7f';  // of the eight bytes that hold the record's length
-    const Outcome outcome = read_bytes(hurt);
+    const StreamOutcome outcome = read_bytes(hurt);
     ASSERT_EQ(outcome.errors.size(), 1u) << number;
     EXPECT_NE(outcome.errors[0].find("damaged bytes are skipped, and reading continues at byte " +
                                      std::to_string(whole.chunks[number + 1].chunk_start_offset) +
@@ -76,33 +76,33 @@ TEST(McapSearch, ADamagedLengthOfAnyRecordLosesThatRecordAloneAndNamesTheOffset)
 }
 
 TEST(McapSearch, EveryHundredthByteSetToZeroNeverLosesMoreThanItsNeighbourhood) {
-  const Sample whole = sample();
+  const ChunkedSample whole = sample();
   const std::size_t per_chunk = whole.messages / whole.chunks.size() + 8;
   for (std::size_t at = mcap::kMagic.size(); at < whole.bytes.size(); at += 100) {
     std::string hurt = whole.bytes;
     hurt[at] = '\0';
-    const Outcome outcome = read_bytes(hurt);
+    const StreamOutcome outcome = read_bytes(hurt);
     ASSERT_GE(outcome.messages + 2 * per_chunk, whole.messages) << "byte " << at;
     for (const std::string& error : outcome.errors) ASSERT_NE(error.find("(at byte "), std::string::npos) << error;
   }
 }
 
 TEST(McapSearch, ADefinitionLostWithTheDamageIsLearntFromTheSummary) {
-  const Sample whole = sample();
+  const ChunkedSample whole = sample();
   std::string hurt = whole.bytes;
   const std::size_t first = whole.chunks.front().chunk_start_offset;
   std::fill(hurt.begin() + mcap::kMagic.size(), hurt.begin() + static_cast<std::ptrdiff_t>(first), '\0');
-  const Outcome outcome = read_bytes(hurt);
+  const StreamOutcome outcome = read_bytes(hurt);
   EXPECT_EQ(outcome.messages, whole.messages);
   EXPECT_EQ(outcome.errors.size(), 1u);
 }
 
 TEST(McapSearch, AFalseEndOfTheDataDoesNotHideTheChunksBehindIt) {
-  const Sample whole = sample();
+  const ChunkedSample whole = sample();
   for (const char end : {'\x02', '\x0f'}) {
     std::string hurt = whole.bytes;
     hurt[whole.chunks[3].chunk_start_offset] = end;
-    const Outcome outcome = read_bytes(hurt);
+    const StreamOutcome outcome = read_bytes(hurt);
     EXPECT_EQ(outcome.errors.size(), 1u);
     EXPECT_GT(outcome.messages, whole.messages * 3 / 4);
   }
@@ -139,7 +139,8 @@ TEST(McapSearch, ManyDamagedPlacesDoNotMultiplyWhatIsRead) {
   }
   std::uint64_t read = 0;
   const std::uint64_t size = bytes.size();
-  const Outcome outcome = read_to_end(McapStreamReader::open(std::make_unique<CountingSource>(std::move(bytes), read)));
+  const StreamOutcome outcome =
+      read_to_end(McapStreamReader::open(std::make_unique<CountingSource>(std::move(bytes), read)));
   EXPECT_EQ(outcome.messages, kPlaces);
   EXPECT_GE(outcome.errors.size(), kPlaces - 1);
   EXPECT_LT(read, 64 * size);
@@ -148,14 +149,14 @@ TEST(McapSearch, ManyDamagedPlacesDoNotMultiplyWhatIsRead) {
 TEST(McapSearch, AnotherVersionOfMcapIsNamed) {
   std::string other = sample().bytes;
   other[5] = '1';
-  const Outcome outcome = read_bytes(other);
+  const StreamOutcome outcome = read_bytes(other);
   ASSERT_EQ(outcome.errors.size(), 1u);
   EXPECT_NE(outcome.errors[0].find("is of MCAP version 1; only version 0 can be read"), std::string::npos)
       << outcome.errors[0];
 }
 
 TEST(McapSearch, ASparseFileOfAHundredGigabytesIsReadToItsLastChunkInBoundedTime) {
-  const Sample whole = sample();
+  const ChunkedSample whole = sample();
   const auto file = samples::fresh_file("sparse_" + std::to_string(::getpid()) + ".mcap");
   constexpr std::uint64_t kHuge = std::uint64_t{100} << 30;
   const std::uint64_t half = whole.chunks[whole.chunks.size() / 2].chunk_start_offset;
@@ -167,7 +168,7 @@ TEST(McapSearch, ASparseFileOfAHundredGigabytesIsReadToItsLastChunkInBoundedTime
   }
   if (std::filesystem::file_size(file) < kHuge) GTEST_SKIP() << "this file system has no sparse files";
   const auto started = std::chrono::steady_clock::now();
-  const Outcome outcome = read_to_end(McapStreamReader::open(file));
+  const StreamOutcome outcome = read_to_end(McapStreamReader::open(file));
   EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(20));
   EXPECT_EQ(outcome.messages, whole.messages);
   ASSERT_EQ(outcome.errors.size(), 1u);

@@ -29,7 +29,7 @@ msg::VoiceFrame frame(std::uint32_t number, int earlier = 0) {
   return made;
 }
 
-std::string data(const std::string& payload) { return std::string("\x01\x05\0\0\0", 5) + payload; }
+std::string voice_data(const std::string& payload) { return std::string("\x01\x05\0\0\0", 5) + payload; }
 
 SessionTime at(Nanoseconds since) { return session_time(1'000'000'000) + since; }
 
@@ -135,7 +135,7 @@ TEST(ViewerCommands, WordsAndHandsAreToldApartByTheirChannels) {
   gateway::ViewerCommands viewer;
   ASSERT_TRUE(viewer.advertise({5, "/doctor/voice", "protobuf"}));
   ASSERT_TRUE(viewer.advertise({6, "/viewer/hand", "protobuf"}));
-  const std::string words = data(frame(10).SerializeAsString());
+  const std::string words = voice_data(frame(10).SerializeAsString());
   ASSERT_TRUE(viewer.spoken(words));
   EXPECT_EQ(viewer.spoken(words)->topic.name, "/doctor/voice");
   EXPECT_FALSE(viewer.hear(words, 1, at(0ms))) << "not a hand";

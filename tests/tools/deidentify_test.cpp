@@ -31,9 +31,9 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using namespace std::chrono_literals;
+using wire::samples::kFrame_ns;
+using wire::samples::kStart_ns;
 
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
-constexpr std::int64_t kFrame_ns = 33'333'333;
 constexpr const char* kPerson = "Annabel Bergström";  ///< planted in each text of the session
 constexpr std::array kPlanted{"Annabel", "Bergstr", "ward7.hospital.example", "10.4.7.11", "secret-token", "diabetes"};
 
@@ -65,7 +65,7 @@ std::unique_ptr<Message> empty_message(const wire::Topic& topic) {
       google::protobuf::MessageFactory::generated_factory()->GetPrototype(wire::descriptor_of(topic))->New());
 }
 
-DepthImage depth_image(int frame) {
+DepthImage noisy_depth(int frame) {
   DepthImage image{.width = 32, .height = 24, .unit_m = 0.001, .samples = std::vector<std::uint16_t>(32 * 24)};
   std::mt19937 noise(static_cast<unsigned>(frame));
   for (std::uint16_t& sample : image.samples) sample = static_cast<std::uint16_t>(700 + noise() % 80);
@@ -145,7 +145,7 @@ class Deidentify : public testing::Test {
       depth.clear_bound();
       depth.set_frame_id("camera_depth");
       depth.set_captured_ns(static_cast<std::uint64_t>(to_nanoseconds(now)));
-      const codec::EncodedDepth encoded = encoder.encode(depth_image(frame));
+      const codec::EncodedDepth encoded = encoder.encode(noisy_depth(frame));
       depth.set_data(encoded.bytes);
       all.push_back(wire::make_message(wire::kCameraDepth, now, depth, encoded.key_frame));
       foxglove::CompressedImage color;
@@ -280,7 +280,7 @@ TEST_F(Deidentify, AllNumbersDepthForcesAndTimesAreAsRecorded) {
     if (const auto* const depth = dynamic_cast<msg::DepthImage*>(other.get())) {
       const auto decoded = depths.read(std::as_bytes(std::span(depth->data())));
       ASSERT_TRUE(decoded) << to_string(decoded.error());
-      EXPECT_EQ(decoded->image.samples, depth_image(frame++).samples);
+      EXPECT_EQ(decoded->image.samples, noisy_depth(frame++).samples);
     }
     clear_texts(*one);
     clear_texts(*other);

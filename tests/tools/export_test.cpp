@@ -33,9 +33,9 @@ namespace telepalp::export_tool {
 namespace {
 
 using namespace std::chrono_literals;
+using wire::samples::kFrame_ns;
+using wire::samples::kStart_ns;
 
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
-constexpr std::int64_t kFrame_ns = 33'333'333;
 constexpr int kFrames = 20;
 
 DepthImage depth_image(int frame, int width = 32, int height = 24) {

@@ -18,7 +18,7 @@ DepthErrorBound scaled(double scale) {
   return {.least_m = scale * usual.least_m, .per_m = scale * usual.per_m};
 }
 
-struct Priced {
+struct PricedDepth {
   std::string name;
   DepthErrorBound bound;
   DepthPrice price;
@@ -28,11 +28,11 @@ std::string bound_text(const DepthErrorBound& bound) {
   return "max(" + cell(1e3 * bound.least_m) + ", " + cell(1e3 * bound.per_m) + " z²)";
 }
 
-PageTable bounded_table(const std::vector<Priced>& all, double near_m) {
+PageTable bounded_table(const std::vector<PricedDepth>& all, double near_m) {
   PageTable table{.head = {"bound, mm (z in m)", "at " + cell(near_m) + " m, mm", "bits per pixel", "ratio",
                            "depth error mm, RMS / max", "force error mN, RMS", "p99", "max"},
                   .rows = {}};
-  for (const Priced& one : all)
+  for (const PricedDepth& one : all)
     table.rows.push_back({one.name.empty() ? bound_text(one.bound) : one.name,
                           one.name.empty() ? cell(1e3 * one.bound.at(near_m)) : "0", cell(one.price.bits_per_pixel),
                           cell(one.price.ratio), cell(one.price.rms_mm) + " / " + cell(one.price.worst_mm),
@@ -47,7 +47,7 @@ double felt_mN(double force_N) {
   return force_N < kUnfelt_N ? std::nan("") : 1e3 * force_N;
 }
 
-plot::Series curve(const std::vector<Priced>& all, const std::string& name, std::string_view color, bool rare) {
+plot::Series curve(const std::vector<PricedDepth>& all, const std::string& name, std::string_view color, bool rare) {
   plot::Series series{name, {}, {}, std::string(color), rare ? plot::Style::Dashed : plot::Style::Line};
   for (auto one = all.rbegin(); one != all.rend(); ++one) {
     if (!one->name.empty()) continue;  // lossless: no error, which a logarithmic axis cannot show
@@ -57,14 +57,14 @@ plot::Series curve(const std::vector<Priced>& all, const std::string& name, std:
   return series;
 }
 
-PageTable mode_table(const std::vector<std::vector<Priced>>& by_sequence, const std::vector<std::string>& names) {
+PageTable mode_table(const std::vector<std::vector<PricedDepth>>& by_sequence, const std::vector<std::string>& names) {
   PageTable table{.head = {"mode"}, .rows = {}};
   for (const std::string& name : names)
     for (const char* what : {"ratio", "error mm, RMS / max", "encode / decode ms", "force error mN, RMS"})
       table.head.push_back(name + ": " + what);
   for (std::size_t mode = 0; mode < by_sequence.front().size(); ++mode) {
     table.rows.push_back({"`" + by_sequence.front()[mode].name + "`"});
-    for (const std::vector<Priced>& sequence : by_sequence) {
+    for (const std::vector<PricedDepth>& sequence : by_sequence) {
       const DepthPrice& p = sequence[mode].price;
       table.rows.back().push_back(cell(p.ratio));
       table.rows.back().push_back(cell(p.rms_mm) + " / " + cell(p.worst_mm));
@@ -88,8 +88,8 @@ void add_rows(const std::string& name, const DepthPrice& price, bool lossless, s
   rows.push_back(measured(name + ": number of places pressed", price.places, ""));
 }
 
-Result<std::vector<Priced>> bounds_of(const DepthSequence& sequence, std::vector<Row>& rows) {
-  std::vector<Priced> all;
+Result<std::vector<PricedDepth>> bounds_of(const DepthSequence& sequence, std::vector<Row>& rows) {
+  std::vector<PricedDepth> all;
   const Result<DepthPrice> lossless = price_of(sequence, DepthMode::Temporal, {});
   if (!lossless) return lossless.error();
   all.push_back({"without loss (`temporal`)", {}, *lossless});
@@ -102,8 +102,8 @@ Result<std::vector<Priced>> bounds_of(const DepthSequence& sequence, std::vector
   return all;
 }
 
-Result<std::vector<Priced>> modes_of(const DepthSequence& sequence, std::vector<Row>& rows) {
-  std::vector<Priced> all;
+Result<std::vector<PricedDepth>> modes_of(const DepthSequence& sequence, std::vector<Row>& rows) {
+  std::vector<PricedDepth> all;
   for (const DepthMode mode : {DepthMode::Fast, DepthMode::Intra, DepthMode::Temporal, DepthMode::Bounded}) {
     const Result<DepthPrice> price = price_of(sequence, mode, codec::kOneDisparityStep);  // the bound of `bounded`
     if (!price) return price.error();
@@ -127,7 +127,7 @@ Result<Section> depth_section() {
   chart.height_px = 400.0;
   constexpr std::string_view kColors[] = {plot::kBlue, plot::kVermilion};
   std::string text;
-  std::vector<std::vector<Priced>> modes;
+  std::vector<std::vector<PricedDepth>> modes;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < sequences->size(); ++i) {
     const DepthSequence& sequence = (*sequences)[i];

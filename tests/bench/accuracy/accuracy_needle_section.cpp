@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 using tissue::TissueSettings;
 
-constexpr std::string_view kScene = "amniocentesis";
+constexpr std::string_view kNeedleScene = "amniocentesis";
 
 /// Says on stderr what is measured next.
 void tell(const std::string& what) { std::fprintf(stderr, "telepalp-bench accuracy: needle: %s\n", what.c_str()); }
@@ -34,7 +34,7 @@ Result<std::shared_ptr<const tissue::TissueModel>> tissue_with(TissueSettings se
 }
 
 scenes::Scene scene_of(const std::shared_ptr<const tissue::TissueModel>& model) {
-  scenes::Scene scene = library_scene(kScene);
+  scenes::Scene scene = library_scene(kNeedleScene);
   for (effects::Recipe& recipe : scene.effects)
     if (auto* needle = std::get_if<effects::LayeredTissueSettings>(&recipe)) needle->model = model;
   return scene;
@@ -98,7 +98,7 @@ Result<PageTable> nets_table(const TissueSettings& settings, std::vector<Row>& r
       if (!model) return model.error();
       const double read_ms = 1e-3 * (thread_us() - before_us);
       const Distribution errors = errors_of(**model, places, finest);
-      const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kScene));
+      const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kNeedleScene));
       if (!cost) return cost.error();
       rows.push_back(measured("net of " + name + ": force error, p99", 100.0 * errors.p99(), "%"));
       rows.push_back(measured("net of " + name + ": time to read", read_ms, "ms"));
@@ -143,10 +143,10 @@ PathForces forces_of(const std::shared_ptr<const tissue::TissueModel>& model, in
   tissue.begin(needle);
   PathForces forces;
   const double before_us = thread_us();
-  const int ticks = static_cast<int>(kPath_s / tissue::kTick_s);
+  const int ticks = static_cast<int>(kPath_s / kTick_s);
   for (int i = 1; i <= ticks * parts; ++i) {
-    needle.tip_m = tip_m(i * tissue::kTick_s / parts);
-    const double force_N = tissue.step(needle, tissue::kTick_s / parts).force_N.y();
+    needle.tip_m = tip_m(i * kTick_s / parts);
+    const double force_N = tissue.step(needle, kTick_s / parts).force_N.y();
     if (i % parts == 0) forces.N.push_back(force_N);
   }
   forces.step_us = (thread_us() - before_us) / (ticks * parts);
@@ -182,14 +182,14 @@ Result<PageTable> steps_table(const TissueSettings& settings, std::vector<Row>& 
     tell(name);
     const auto model = tissue_with(settings, law);
     if (!model) return model.error();
-    const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kScene));
+    const Result<station::StationCost> cost = cost_of_station(scene_of(*model), std::string(kNeedleScene));
     if (!cost) return cost.error();
     const std::vector<double> fine_N = forces_of(*model, kFine).N;
     if (bristle_N.empty()) bristle_N = fine_N;
     for (const int parts : {1, 2, 5}) {
       const PathForces shown = forces_of(*model, parts);
-      const double step_ms = 1e3 * tissue::kTick_s / parts;
-      const double share = cost->share() + 1e-4 * shown.step_us * (parts - 1) / tissue::kTick_s;
+      const double step_ms = 1e3 * kTick_s / parts;
+      const double share = cost->share() + 1e-4 * shown.step_us * (parts - 1) / kTick_s;
       const std::string row = std::string(name) + ", steps of " + cell(step_ms) + " ms";
       rows.push_back(measured(row + ": force error, RMS", apart_mN(shown.N, fine_N), "mN"));
       rows.push_back(measured(row + ": time of a step", shown.step_us, "us"));
@@ -222,7 +222,7 @@ PageTable contact_table() {
 
 Result<Section> needle_section() {
   Section section;
-  const scenes::Scene scene = library_scene(kScene);
+  const scenes::Scene scene = library_scene(kNeedleScene);
   const Result<PageTable> nets = nets_table(tissue_of(scene), section.rows);
   if (!nets) return nets.error();
   const Result<PageTable> steps = steps_table(tissue_of(scene), section.rows);

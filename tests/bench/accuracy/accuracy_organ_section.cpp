@@ -5,6 +5,7 @@
 #include "haptic_station/organs/organ_shape.h"
 #include "proto/words/numbers/quantile.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/accuracy/ms_since.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -26,10 +27,6 @@ struct OrganPrice {
   double megabytes;
   double step_us;
 };
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 Result<std::shared_ptr<const solids::DistanceLattice>> liver(double cell_m) {
   return organs::read_organ_shape(TELEPALP_SOURCE_DIR "/deploy/demo_data/organs/visible_human_liver.ply",

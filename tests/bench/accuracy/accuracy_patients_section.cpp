@@ -15,7 +15,7 @@
 namespace telepalp::bench {
 namespace {
 
-constexpr double kLasts_s = 24.0;
+constexpr double kPatientLasts_s = 24.0;
 constexpr double kFrom_s = 12.0;  // the breathing model has locked on by then
 constexpr int kEvery_frames = 10;
 constexpr double kAge_s = 0.1;    // age of the snapshot when the hand touches it
@@ -77,7 +77,7 @@ Watched watch_on(const SurfaceVariant& variant, const Column& column) {
   VariantStream stream(variant);
   RootMeanSquare error_m;
   Distribution build_ms;
-  for (int n = 0; n / 30.0 < kLasts_s; ++n) {
+  for (int n = 0; n / 30.0 < kPatientLasts_s; ++n) {
     const double t = 100.0 + n / 30.0;
     const bool judged = n / 30.0 >= kFrom_s && n % kEvery_frames == 0;
     if (!judged && !variant.settings.temporal) continue;

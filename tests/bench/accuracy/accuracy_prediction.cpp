@@ -17,7 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 using surface::SurfaceSettings;
-using testing::kFrame_s;
 using testing::scene_time;
 
 constexpr Eigen::Index kHeight = 1;  // the tracker's y

@@ -7,6 +7,7 @@
 #include "haptic_station/surface/build/hidden_skin.h"
 #include "server/capture/synthetic/source/patient_model.h"
 #include "tests/bench/accuracy/accuracy_sections.h"
+#include "tests/bench/accuracy/ms_since.h"
 #include "tests/bench/effects/thread_time.h"
 #include "where.h"
 
@@ -14,17 +15,16 @@ namespace telepalp::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using station::Part;
 
 constexpr double kSeconds = 8.0;
 
 /// An effect of a shipped scene, and its name in the table.
-struct Priced {
+struct PricedEffect {
   const char* scene;
   const char* effect;
   const char* name;
 };
-constexpr Priced kPriced[] = {
+constexpr PricedEffect kPriced[] = {
     {"skin", "skin", "`skin`"},
     {"palpation", "cylinder", "`cylinder`, of `palpation`"},
     {"sphere", "sphere", "`sphere`"},
@@ -42,11 +42,7 @@ constexpr Priced kPriced[] = {
     {"ribs-ultrasound", "ultrasound probe", "`probe`, its image of 256 x 256 pixels at 25 Hz"},
 };
 
-double ms_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string quantiles(const station::StationCost& cost, Part part, double unit_ns) {
+std::string quantiles(const station::StationCost& cost, station::Part part, double unit_ns) {
   const core::DurationHistogram& steps = cost.steps[static_cast<std::size_t>(part)];
   if (steps.total() == 0) return "–";
   return cell(steps.quantile_ns(0.5) / unit_ns) + " / " + cell(steps.quantile_ns(0.999) / unit_ns);
@@ -65,20 +61,21 @@ void add_scene(const std::string& name, const station::SceneBill& bill, PageTabl
   const station::Price& all = bill.prices.back();
   rows.push_back(measured("scene " + name + ": the station", share, "% of a core"));
   rows.push_back(measured("scene " + name + ": what its effects add", all.total_share, "% of a core"));
-  scenes.rows.push_back({"`" + name + "`", cell(share), cell(all.total_share), quantiles(bill.live, Part::Loop, 1e3),
-                         quantiles(bill.live, Part::Surface, 1e6), quantiles(bill.live, Part::Inside, 1e6),
-                         cell(bill.start_ms)});
+  scenes.rows.push_back({"`" + name + "`", cell(share), cell(all.total_share),
+                         quantiles(bill.live, station::Part::Loop, 1e3),
+                         quantiles(bill.live, station::Part::Surface, 1e6),
+                         quantiles(bill.live, station::Part::Inside, 1e6), cell(bill.start_ms)});
 }
 
 void add_effects(const std::string& scene, const station::SceneBill& bill, double read_ms, PageTable& prices,
                  std::vector<Row>& rows) {
-  for (const Priced& priced : kPriced) {
+  for (const PricedEffect& priced : kPriced) {
     const auto price = std::ranges::find(bill.prices, priced.effect, &station::Price::name);
     if (scene != priced.scene || price == bill.prices.end()) continue;
     rows.push_back(measured(std::string("time in a tick: ") + priced.name, price->tick_us, "us"));
     rows.push_back(measured(std::string("whole station: ") + priced.name, price->total_share, "% of a core"));
     prices.rows.push_back({priced.name, cell(price->total_share),
-                           cell(price->share[static_cast<std::size_t>(Part::Surface)]), cell(price->tick_us),
+                           cell(price->share[static_cast<std::size_t>(station::Part::Surface)]), cell(price->tick_us),
                            cell(1e-3 * static_cast<double>(price->bytes)), cell(read_ms), errors_of(*price, false),
                            errors_of(*price, true)});
   }
@@ -87,7 +84,7 @@ void add_effects(const std::string& scene, const station::SceneBill& bill, doubl
 /// Processor time with which the station tells the patient's skin from objects over it (HiddenSkin), at 30 images of
 /// 640x480 pixels per second [% of a core]. A colleague's hand comes, stays and leaves in the measured time.
 Result<double> skin_from_objects_share() {
-  constexpr double kRate_hz = 30.0;
+  constexpr double kImages_hz = 30.0;
   constexpr int kImages = 150;
   const auto mesh = capture::shipped_torso();
   if (!mesh) return mesh.error();
@@ -102,15 +99,15 @@ Result<double> skin_from_objects_share() {
   surface::HiddenSkin skin;
   double spent_us = 0.0;
   for (int i = 0; i < kImages; ++i) {
-    const double t = i / kRate_hz;
+    const double t = i / kImages_hz;
     capture::PatientPose pose = patient->pose(at(t));
     pose.colleague = visit.at(t, patient->surface_of({}), patient->surface_of(pose));
     const surface::DepthField field = surface::to_depth_field(patient->depth_of(pose, at(t)));
     const double start_us = thread_us();
-    (void)skin.add(field, camera, 1.0 / kRate_hz, visit.place);
+    (void)skin.add(field, camera, 1.0 / kImages_hz, visit.place);
     spent_us += thread_us() - start_us;
   }
-  return 1e-4 * kRate_hz * spent_us / kImages;
+  return 1e-4 * kImages_hz * spent_us / kImages;
 }
 
 Result<void> add_skin_from_objects(PageTable& prices, std::vector<Row>& rows) {
@@ -142,7 +139,7 @@ Result<Section> price_section() {
     const auto scene = scenes::read_scene(file);
     if (!scene) return scene.error();
     const double read_ms = ms_since(start);
-    const bool each = std::ranges::any_of(kPriced, [&](const Priced& one) { return scene->name == one.scene; });
+    const bool each = std::ranges::any_of(kPriced, [&](const PricedEffect& one) { return scene->name == one.scene; });
     const Result<station::SceneBill> bill =
         station::bill_of(*scene, file, kSeconds, each ? station::Detail::EachEffect : station::Detail::Together);
     if (!bill) return bill.error();

@@ -16,12 +16,12 @@ namespace {
 using tissue::ElementOrder;
 using tissue::PrismGrid;
 
-constexpr const char* kScene = "prisms_to_compare";
+constexpr const char* kPrismScene = "prisms_to_compare";
 constexpr double kPoisson = 0.45;  // of this scene's prisms
 
 /// The scene's two prisms with another mesh.
 Result<scenes::Scene> scene_with(const PrismGrid& grid) {
-  scenes::Scene scene = library_scene(kScene);
+  scenes::Scene scene = library_scene(kPrismScene);
   for (effects::Recipe& recipe : scene.effects) {
     auto* prism = std::get_if<effects::FemPrismSettings>(&recipe);
     if (prism == nullptr) continue;
@@ -73,7 +73,7 @@ Result<PageTable> prism_meshes_table(std::vector<Row>& rows) {
     const double off = 100.0 * (1.0 / (compliance.top * converged) - 1.0);
     const Result<scenes::Scene> scene = scene_with(mesh.grid);
     if (!scene) return scene.error();
-    const Result<station::StationCost> cost = cost_of_station(*scene, kScene);
+    const Result<station::StationCost> cost = cost_of_station(*scene, kPrismScene);
     if (!cost) return cost.error();
     const double prisms = cost->share(station::Part::Effects);
     const std::string row = std::string("prism, ") + mesh.name;
@@ -91,7 +91,7 @@ Result<PageTable> prism_meshes_table(std::vector<Row>& rows) {
 Result<PageTable> prism_rates_table(std::vector<Row>& rows) {
   using std::chrono::milliseconds;
   std::fprintf(stderr, "telepalp-bench accuracy: needle: rates of the prism's local models\n");
-  const Result<station::StationCost> cost = cost_of_station(library_scene(kScene), kScene);
+  const Result<station::StationCost> cost = cost_of_station(library_scene(kPrismScene), kPrismScene);
   if (!cost) return cost.error();
   constexpr double kFull_per_s = 62.5;
   const double prisms = cost->share(station::Part::Effects);

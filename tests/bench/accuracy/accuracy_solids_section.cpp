@@ -21,7 +21,7 @@ using solids::SolidTree;
 
 constexpr ProxySettings kFinest{.rounds = 60, .tolerance_m = 1e-10, .remembers = false};
 constexpr double kTip_m = 0.006;
-constexpr double kStiffness_N_per_m = 1200.0;
+constexpr double kSolid_N_per_m = 1200.0;
 
 /// Places of a device that slides at up to 0.2 m/s over a solid and presses up to 8 mm into it.
 struct Path {
@@ -57,7 +57,7 @@ ProxyPrice price_of(const SolidTree& tree, const Path& path, const ProxySettings
     const solids::ProxyAt at = proxy.step(tree, device, tip_m);
     price.step_us.add(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
     const solids::ProxyAt best = truth.step(tree, device, tip_m);
-    const Vector3d force_N = kStiffness_N_per_m * at.depth_m * at.outwards;
+    const Vector3d force_N = kSolid_N_per_m * at.depth_m * at.outwards;
     jumps_N.add((force_N - last_N).norm());
     last_N = force_N;
     if (best.depth_m <= 0.0 && at.depth_m <= 0.0) continue;
@@ -77,29 +77,29 @@ std::shared_ptr<const SolidTree> tree_of(const std::string& polish) {
   return *solids::build_tree(*solids::parse_polish(polish, "bench"));
 }
 
-struct Tried {
+struct TriedSettings {
   std::string name;
   ProxySettings settings;
   ProxyPrice price;
 };
 
 /// Rounds and tolerance on the shipped ribs.
-std::vector<Tried> settings_tried(const SolidTree& ribs) {
+std::vector<TriedSettings> settings_tried(const SolidTree& ribs) {
   const Path path{.middle = {0.05, -0.027, 0.0}, .swing = {0.02, 0.005, 0.1}};
-  std::vector<Tried> all;
+  std::vector<TriedSettings> all;
   for (const int rounds : {1, 2, 3, 4, 6, 10, 20})
     all.push_back({std::to_string(rounds) + " rounds", {.rounds = rounds}, {}});
   for (const double tolerance_m : {1e-3, 1e-4, 1e-5, 1e-7, 1e-8})
     all.push_back({"within " + cell(1e6 * tolerance_m) + " µm", {.tolerance_m = tolerance_m}, {}});
   all.push_back({"the whole tree each time", {.remembers = false}, {}});
-  for (Tried& one : all) one.price = price_of(ribs, path, one.settings);
+  for (TriedSettings& one : all) one.price = price_of(ribs, path, one.settings);
   return all;
 }
 
-PageTable settings_table(const std::vector<Tried>& all) {
+PageTable settings_table(const std::vector<TriedSettings>& all) {
   PageTable table{.head = {"setting", "proxy error µm, p50", "p99", "over 1 mm, % of contact", "step µs, p50", "p99"},
                   .rows = {}};
-  for (const Tried& one : all) {
+  for (const TriedSettings& one : all) {
     const bool usual = one.settings.rounds == ProxySettings{}.rounds && one.settings.remembers &&
                        one.settings.tolerance_m == ProxySettings{}.tolerance_m;
     table.rows.push_back({usual ? "**" + one.name + "** (default)" : one.name, cell(1e6 * one.price.p50_m),
@@ -109,13 +109,13 @@ PageTable settings_table(const std::vector<Tried>& all) {
   return table;
 }
 
-plot::Chart chart_of(const std::vector<Tried>& all) {
+plot::Chart chart_of(const std::vector<TriedSettings>& all) {
   plot::Chart chart{.title = "Proxy error against time of a step, on 24 ribs with a fingertip of 6 mm",
                     .x = {.label = "step, p50 [µs]", .logarithmic = true},
                     .y = {.label = "error, p99 [µm]", .logarithmic = true},
                     .height_px = 420.0};
   plot::Series dots{.name = {}, .x = {}, .y = {}, .color = std::string(plot::kBlue), .style = plot::Style::Dots};
-  for (const Tried& one : all) {
+  for (const TriedSettings& one : all) {
     const double p99_um = std::max(1e-4, 1e6 * one.price.p99_m);
     dots.x.push_back(one.price.step_us.p50());
     dots.y.push_back(p99_um);
@@ -184,9 +184,9 @@ Result<Section> solids_section() {
   const auto scene = scenes::read_scene(TELEPALP_SOURCE_DIR "/haptic_station/scenes/ribs-ultrasound.scene.textproto");
   if (!scene) return scene.error();
   const SolidTree& ribs = *scene->layers().front().solid->tree;
-  const std::vector<Tried> all = settings_tried(ribs);
+  const std::vector<TriedSettings> all = settings_tried(ribs);
   Section section;
-  for (const Tried& one : all) {
+  for (const TriedSettings& one : all) {
     section.rows.push_back(
         measured("proxy on 24 ribs, " + one.name + ": proxy error, p99", 1e6 * one.price.p99_m, "um"));
     section.rows.push_back(

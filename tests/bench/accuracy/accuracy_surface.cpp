@@ -22,8 +22,6 @@ using surface::Reach;
 using surface::SurfaceSnapshot;
 using surface::Touch;
 using surface::TouchSample;
-using testing::kFrame_s;
-using testing::kTick_s;
 using testing::scene_time;
 using Clock = std::chrono::steady_clock;
 

@@ -12,7 +12,7 @@
 namespace telepalp::bench {
 namespace {
 
-struct Tried {
+struct TriedVariant {
   SurfaceVariant variant;
   SurfaceFigures figures;
 };
@@ -21,7 +21,7 @@ std::string percent(double share) { return cell(100.0 * share); }
 
 std::string with_mark(double value, bool holds) { return cell(value) + (holds ? "" : " ✗"); }
 
-PageTable surface_table(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
+PageTable surface_table(const std::vector<TriedVariant>& all, const std::vector<std::size_t>& front, std::size_t knee) {
   PageTable table{.head = {"setting", "neighbours by", "support", "normals", "shapes µm", "shapes °", "torso mm",
                            "torso °", "jump µm", "build ms p50 / p99", "step µs p50 / p99", "load %", ""},
                   .rows = {}};
@@ -43,7 +43,7 @@ PageTable surface_table(const std::vector<Tried>& all, const std::vector<std::si
 }
 
 /// Labels of the plot: the knee and the default, then the named settings whose labels do not overlap.
-std::vector<plot::Mark> marks_of(const std::vector<Tried>& all, std::size_t knee) {
+std::vector<plot::Mark> marks_of(const std::vector<TriedVariant>& all, std::size_t knee) {
   std::vector<std::size_t> order;
   if (knee < all.size()) order.push_back(knee);
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -70,7 +70,8 @@ std::vector<plot::Tick> ticks(std::initializer_list<double> at) {
   return all;
 }
 
-plot::Chart pareto_chart(const std::vector<Tried>& all, const std::vector<std::size_t>& front, std::size_t knee) {
+plot::Chart pareto_chart(const std::vector<TriedVariant>& all, const std::vector<std::size_t>& front,
+                         std::size_t knee) {
   plot::Chart chart{.title = "Position error against computing time, torso with 1 mm noise after one second",
                     .x = {.label = "share of one core for live touch [%]",
                           .include = plot::Range{3.0, 500.0},
@@ -91,7 +92,7 @@ plot::Chart pareto_chart(const std::vector<Tried>& all, const std::vector<std::s
   chart.series.push_back(std::move(line));
   for (const auto& [family, color] : families) {
     plot::Series dots{family, {}, {}, std::string(color), plot::Style::Dots};
-    for (const Tried& tried : all)
+    for (const TriedVariant& tried : all)
       if (tried.variant.family == family) {
         dots.x.push_back(100.0 * tried.figures.load());
         dots.y.push_back(1e3 * tried.figures.torso.position_m);
@@ -103,20 +104,20 @@ plot::Chart pareto_chart(const std::vector<Tried>& all, const std::vector<std::s
   return chart;
 }
 
-const Tried& named(const std::vector<Tried>& all, const std::string& name) {
-  return *std::find_if(all.begin(), all.end(), [&](const Tried& tried) { return tried.variant.name == name; });
+const TriedVariant& named(const std::vector<TriedVariant>& all, const std::string& name) {
+  return *std::find_if(all.begin(), all.end(), [&](const TriedVariant& tried) { return tried.variant.name == name; });
 }
 
 std::string ratio(double a, double b) { return cell(a / b); }
 
 /// The reason for the default setting, with figures of this run.
-std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
+std::string knee_text(const std::vector<TriedVariant>& all, std::size_t knee) {
   const std::string name = surface::SurfaceSettings{}.name;
-  const Tried& usual = named(all, name);
-  const Tried& paper = named(all, "paper");
+  const TriedVariant& usual = named(all, name);
+  const TriedVariant& paper = named(all, "paper");
   if (knee == all.size()) return "No setting meets every requirement in this run, so there is no knee.\n";
-  const Tried& best = all[knee];
-  const auto product = [](const Tried& tried) { return tried.figures.torso.position_m * tried.figures.load(); };
+  const TriedVariant& best = all[knee];
+  const auto product = [](const TriedVariant& tried) { return tried.figures.torso.position_m * tried.figures.load(); };
   std::string text = "**The knee is `" + best.variant.name +
                      "`**: of the settings that meet every requirement above, it has the "
                      "least product of position error on the torso and load. ";
@@ -141,7 +142,7 @@ std::string knee_text(const std::vector<Tried>& all, std::size_t knee) {
   return text;
 }
 
-void add_rows(const Tried& tried, bool is_default, std::vector<Row>& rows) {
+void add_rows(const TriedVariant& tried, bool is_default, std::vector<Row>& rows) {
   const SurfaceFigures& f = tried.figures;
   const std::string name = tried.variant.name + ": ";
   const auto row = [&](const std::string& what, double value, const char* unit, double reach) {
@@ -214,20 +215,20 @@ Result<Section> surface_section() {
   const std::vector<RenderedShape> shapes = rendered_shapes(0.0015);
   const Result<FilmedTorso> torso = filmed_torso(0.001);
   if (!torso) return torso.error();
-  std::vector<Tried> all;
+  std::vector<TriedVariant> all;
   std::vector<Tradeoff> tradeoffs;
   Section section;
   for (const SurfaceVariant& variant : surface_variants())
     all.push_back({variant, measure_surface(variant, shapes, *torso)});
-  for (Tried& tried : all) measure_cost_again(tried.variant, *torso, tried.figures);
-  for (const Tried& tried : all) {
+  for (TriedVariant& tried : all) measure_cost_again(tried.variant, *torso, tried.figures);
+  for (const TriedVariant& tried : all) {
     tradeoffs.push_back({tried.figures.torso.position_m, tried.figures.load(), tried.figures.right_enough()});
     add_rows(tried, tried.variant.name == surface::SurfaceSettings{}.name, section.rows);
   }
   const std::vector<std::size_t> front = pareto_front(tradeoffs);
   const std::size_t knee = knee_of(tradeoffs);
   if (knee < all.size()) {
-    const Tried& usual = named(all, surface::SurfaceSettings{}.name);
+    const TriedVariant& usual = named(all, surface::SurfaceSettings{}.name);
     section.rows.push_back(measured(
         "product of error and load: default, divided by the knee (" + all[knee].variant.name + ")",
         usual.figures.torso.position_m * usual.figures.load() / (tradeoffs[knee].error * tradeoffs[knee].cost), "x"));

@@ -23,8 +23,10 @@ std::string free_port() {
 }
 
 /// Waits for at most 10 s until the server writes to its log that it is ready.
-bool is_ready(const std::filesystem::path& log) {
-  for (const auto end = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < end;
+}  // namespace
+
+bool nats_is_ready(const std::filesystem::path& log, std::chrono::seconds patience) {
+  for (const auto end = std::chrono::steady_clock::now() + patience; std::chrono::steady_clock::now() < end;
        std::this_thread::sleep_for(50ms)) {
     std::ifstream file(log);
     for (std::string line; std::getline(file, line);)
@@ -32,8 +34,6 @@ bool is_ready(const std::filesystem::path& log) {
   }
   return false;
 }
-
-}  // namespace
 
 Result<NatsCluster> NatsCluster::start(std::size_t nodes, const std::filesystem::path& scratch, Stores stores) {
   if (::access(kServer, X_OK) != 0)
@@ -58,7 +58,7 @@ Result<NatsCluster> NatsCluster::start(std::size_t nodes, const std::filesystem:
                                       "nats://127.0.0.1:" + among[i], std::string("--routes"), routes})
         arguments.push_back(more);
     cluster.nodes_.push_back(std::make_unique<support::ChildProcess>(kServer, arguments, log));
-    if (!is_ready(log))
+    if (!nats_is_ready(log, 10s))
       return Error{.what = "nats-server does not start", .where = log.string(), .fix = "read this file"};
   }
   std::this_thread::sleep_for(1s);  // until the nodes have found each other

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +10,9 @@
 #include "tests/support/child_process.h"
 
 namespace telepalp::bench {
+
+/// True as soon as the nats-server that writes `log` is ready; false: not within `patience`.
+[[nodiscard]] bool nats_is_ready(const std::filesystem::path& log, std::chrono::seconds patience);
 
 /// A cluster of real NATS servers on loopback. They end with this object.
 class NatsCluster {

@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr std::size_t kNodes = 3;
-constexpr double kLeast_s = 8.0;
+constexpr std::size_t kClusterNodes = 3;
+constexpr double kLeastSession_s = 8.0;
 constexpr auto kEndsWithin = 60s;
 constexpr const char* kRecorder = TELEPALP_BINARY_DIR "/bin/telepalp-record";
 
@@ -62,7 +62,7 @@ Error failed(const std::string& what, const fs::path& log) {
 Result<Kept> record_through_a_kill(const fs::path& scratch, std::size_t killed, double seconds) {
   const fs::path folder = scratch / ("kill" + std::to_string(killed));
   fs::create_directory(folder);
-  Result<NatsCluster> cluster = NatsCluster::start(kNodes, folder, NatsCluster::Stores::Files);
+  Result<NatsCluster> cluster = NatsCluster::start(kClusterNodes, folder, NatsCluster::Stores::Files);
   if (!cluster) return cluster.error();
   const Result<RunningServer> site = start_server(folder, "site", {"--source", "synthetic"});
   if (!site) return site.error();
@@ -77,10 +77,10 @@ Result<Kept> record_through_a_kill(const fs::path& scratch, std::size_t killed, 
   if (recorder.wait(std::chrono::seconds(static_cast<int>(seconds)) + kEndsWithin) != 0)
     return failed("the recording failed", folder / "record.log");
   // Read from the nodes that are left, as one that looks for the session later.
-  return kept_in(cluster->urls_from((killed + 1) % kNodes) + "/bench/session.mcap");
+  return kept_in(cluster->urls_from((killed + 1) % kClusterNodes) + "/bench/session.mcap");
 }
 
-std::string bytes_of(const std::string& session) {
+std::string bytes_of_session(const std::string& session) {
   const auto source = wire::mcap::open_session(session);
   std::string all;
   if (!source || !(*source)->read(0, static_cast<std::size_t>((*source)->size()), all)) all.clear();
@@ -103,7 +103,7 @@ Result<void> add_copies(const fs::path& scratch, double seconds, std::vector<Row
             "--seconds", std::to_string(seconds)}) ||
       !run({"copy", file, "--keep-days", "1", "--out", stored}) || !run({"copy", stored, "--out", back}))
     return failed("a copy failed", log);
-  const std::string one = bytes_of(file), other = bytes_of(back);
+  const std::string one = bytes_of_session(file), other = bytes_of_session(back);
   const auto differs = [&] {
     std::size_t count = std::max(one.size(), other.size()) - std::min(one.size(), other.size());
     for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) count += one[i] != other[i] ? 1 : 0;
@@ -120,8 +120,8 @@ Result<void> add_copies(const fs::path& scratch, double seconds, std::vector<Row
 Result<void> add_session_rows(const fs::path& scratch, double seconds, std::vector<Row>& rows) {
   session_store::use_cluster_sessions();
   std::uint64_t messages = 0, missing = 0;
-  for (std::size_t killed = 0; killed < kNodes; ++killed) {
-    const Result<Kept> kept = record_through_a_kill(scratch, killed, std::max(seconds, kLeast_s));
+  for (std::size_t killed = 0; killed < kClusterNodes; ++killed) {
+    const Result<Kept> kept = record_through_a_kill(scratch, killed, std::max(seconds, kLeastSession_s));
     if (!kept) return kept.error();
     messages += kept->messages;
     missing += kept->missing;
@@ -129,7 +129,7 @@ Result<void> add_session_rows(const fs::path& scratch, double seconds, std::vect
   rows.push_back(at_most("session recorded in a cluster, each of three nodes killed in turn: messages lost",
                          static_cast<double>(missing), "", 0.0));
   rows.push_back(measured("session recorded in a cluster: messages", static_cast<double>(messages), ""));
-  return add_copies(scratch, std::max(seconds, kLeast_s), rows);
+  return add_copies(scratch, std::max(seconds, kLeastSession_s), rows);
 }
 
 }  // namespace telepalp::bench

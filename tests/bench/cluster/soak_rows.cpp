@@ -17,10 +17,10 @@
 namespace telepalp::bench {
 namespace {
 
-constexpr double kLeast_s = 60.0;
+constexpr double kLeastSoak_s = 60.0;
 constexpr double kWarm_s = 15.0;                                    // until a program has made what it keeps
 constexpr double kWindow_s = 10.0;                                  // memory is the median of so many seconds
-constexpr SiteLine kWide{.Mbit_per_s = 1000.0, .buffer_ms = 30.0};  // the profile lte is telepalp-link's
+constexpr SiteLine kSoakedLine{.Mbit_per_s = 1000.0, .buffer_ms = 30.0};  // the profile lte is telepalp-link's
 
 /// What a program has.
 struct Load {
@@ -105,12 +105,12 @@ void add_force(const ForceFacts& force, std::vector<Row>& rows) {
 }  // namespace
 
 Result<void> add_soak_rows(const std::filesystem::path& scratch, double seconds, std::vector<Row>& rows) {
-  const auto networks = TwoNetworks::make(kWide);
+  const auto networks = TwoNetworks::make(kSoakedLine);
   if (!networks) return networks.error();
   std::optional<Result<Soaked>> soaked;
   (*networks)
       ->run(TwoNetworks::Side::Doctor,
-            [&](const std::stop_token&) { soaked.emplace(soak(**networks, scratch, std::max(seconds, kLeast_s))); })
+            [&](const std::stop_token&) { soaked.emplace(soak(**networks, scratch, std::max(seconds, kLeastSoak_s))); })
       .join();
   if (!*soaked) return soaked->error();
   const Result<ForceFacts> force = force_facts((*soaked)->session);

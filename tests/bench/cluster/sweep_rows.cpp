@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kCells = 64;
-constexpr auto kPatience = 540s;
+constexpr auto kSweepPatience = 540s;
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -70,10 +70,10 @@ class SweepRun {
     const Clock::time_point began = Clock::now();
     support::ChildProcess sweep(TELEPALP_BINARY_DIR "/bin/telepalp-replay", words, log());
     if (meanwhile) {
-      while (finished() < kCells / 4 && Clock::now() < began + kPatience) std::this_thread::sleep_for(20ms);
+      while (finished() < kCells / 4 && Clock::now() < began + kSweepPatience) std::this_thread::sleep_for(20ms);
       meanwhile();
     }
-    if (sweep.wait(kPatience) != 0) return std::nullopt;
+    if (sweep.wait(kSweepPatience) != 0) return std::nullopt;
     return std::chrono::duration<double>(Clock::now() - began).count();
   }
   [[nodiscard]] fs::path log() const { return folder_ / "sweep.log"; }

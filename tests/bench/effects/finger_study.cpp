@@ -12,13 +12,13 @@
 #include "haptic_station/effects/presets/tissue_presets.h"
 #include "haptic_station/solids/polish.h"
 #include "proto/words/numbers/quantile.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
 constexpr double kNoise_N = 0.02;
 
 /// The sum of two slow sines: a hand's tremor, 0.3 mm.

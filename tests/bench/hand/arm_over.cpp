@@ -12,25 +12,24 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kComes_s = 6.0, kFrom_s = 14.0, kUntil_s = 54.0;
-constexpr double kDepth_m = 0.003;   // below the skin at full exhale
+constexpr double kComes_s = 6.0;
 constexpr int kJudgedEvery = 4;      // judges each fourth tick
-constexpr double kBeside_px = 80.0;  // from the pressed place to the arm's middle: 50 px, 75 mm, to its side
+constexpr double kArmBeside_px = 80.0;  // from the pressed place to the arm's middle: 50 px, 75 mm, to its side
 constexpr double kPalm_px = -120.0;  // from the image's middle: the forearm crosses the whole image
-constexpr double kOver_m = 0.06;     // height of the palm's underside over the skin
-constexpr double kAway_m = 0.8;      // at this distance from its place, the arm is outside the image
-constexpr double kSpeed_m_per_s = 0.3;
+constexpr double kPalmOver_m = 0.06;  // height of the palm's underside over the skin
+constexpr double kArmAway_m = 0.8;    // at this distance from its place, the arm is outside the image
+constexpr double kArm_m_per_s = 0.3;
 constexpr double kCovers_m = 0.015;  // where the arm makes the depth smaller by more, it covers the pixel
 
 /// The arm over the patient in `pose`: it has come from the head's side by kComes_s + 2.7 s, and rides on the body.
 capture::ColleagueHand arm_at(const capture::SyntheticPatient& patient, const capture::PatientPose& pose,
                               const Spot& spot, double time_s) {
   const Intrinsics& camera = patient.settings().camera;
-  const double beside_px = spot.v > 0.0 ? -kBeside_px : kBeside_px;
+  const double beside_px = spot.v > 0.0 ? -kArmBeside_px : kArmBeside_px;
   capture::ColleagueHand hand{.heading_rad = std::numbers::pi, .arm_rise_rad = 0.25, .lifts = {}};
   hand.under_palm_m = patient.surface_of(pose).at_pixel(camera.cx + kPalm_px, camera.cy + spot.v + beside_px).at.m;
-  hand.under_palm_m.z() -= kOver_m;
-  hand.under_palm_m.x() += std::max(0.0, kAway_m - kSpeed_m_per_s * (time_s - kComes_s));
+  hand.under_palm_m.z() -= kPalmOver_m;
+  hand.under_palm_m.x() += std::max(0.0, kArmAway_m - kArm_m_per_s * (time_s - kComes_s));
   return hand;
 }
 
@@ -86,7 +85,7 @@ std::vector<double> errors_N2(const Pattern& pattern, const Spot& spot, bool arm
 }
 
 /// For each delay, the worst of places and anchors: the error with the arm divided by that without.
-std::vector<Row> measure(const Pattern& pattern, const Options& options) {
+std::vector<Row> measure_arm_over(const Pattern& pattern, const Options& options) {
   const auto places = spots();
   std::vector<std::array<std::vector<double>, 2>> all(places.size());
   for_each_parallel(static_cast<int>(2 * places.size()), options, [&](int i) {
@@ -121,7 +120,7 @@ std::vector<Study> arm_over() {
   for (const Pattern& jolt : jolts()) patterns.push_back(&jolt);
   for (const Pattern* pattern : patterns)
     studies.push_back({"arm over a quarter/" + std::string(pattern->name),
-                       [pattern](const Options& options) { return measure(*pattern, options); }});
+                       [pattern](const Options& options) { return measure_arm_over(*pattern, options); }});
   return studies;
 }
 

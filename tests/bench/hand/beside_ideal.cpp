@@ -11,18 +11,16 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kFrom_s = 14.0, kUntil_s = 54.0;
-constexpr double kDepth_m = 0.003;  // below the skin at full exhale
 constexpr int kIdealEvery = 4;      // judges each fourth tick
 
 /// Sums of squared errors of the station and the ideal display.
-struct Judged {
+struct SquaredErrors {
   double station_N2 = 0.0;
   double ideal_N2 = 0.0;
   double contact_s = 0.0;
 };
 
-void judge(const Feed& feed, const Tick& tick, const Transform<HapticBase, DepthCamera>& placed, Judged& one) {
+void judge(const Feed& feed, const Tick& tick, const Transform<HapticBase, DepthCamera>& placed, SquaredErrors& one) {
   const double station_N = tick.pushed_N() - tick.law_N();
   const double shown_N = newest_image_N(feed, tick, placed).dot(tick.normal) - tick.law_N();
   one.station_N2 += station_N * station_N;
@@ -31,7 +29,7 @@ void judge(const Feed& feed, const Tick& tick, const Transform<HapticBase, Depth
 }
 
 /// The station's RMS error divided by the ideal's, for each delay; the larger one of both anchors. NaN without contact.
-OfDelays play(const Pattern& pattern, const Spot& spot) {
+OfDelays play_beside_ideal(const Pattern& pattern, const Spot& spot) {
   const auto patient = torso();
   const PoseScript pose = script(pattern, patient, spot);
   Feed feed({.patient = patient, .pose = pose, .link = link_before_delays(), .builder = {}});
@@ -41,7 +39,7 @@ OfDelays play(const Pattern& pattern, const Spot& spot) {
     return Point<HapticBase>{{0.0, height_m, 0.0}};
   };
   std::vector<DelayedStation> stations = stations_at_delays(placed, [&] { return std::make_unique<RigidHand>(path); });
-  std::vector<Judged> all(stations.size());
+  std::vector<SquaredErrors> all(stations.size());
   run_together(feed, stations, kUntil_s, [&](std::size_t index, const Tick& tick) {
     const std::int64_t number = std::llround(tick.time_s / kTick_s);
     if (tick.time_s >= kFrom_s && number % kIdealEvery == 0) judge(feed, tick, placed, all[index]);
@@ -62,7 +60,7 @@ std::vector<OfDelays> worst_ratios(std::span<const Pattern> patterns, const Opti
   std::vector<OfDelays> all(patterns.size() * spot_count);
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(patterns[at / spot_count], spots()[at % spot_count]);
+    all[at] = play_beside_ideal(patterns[at / spot_count], spots()[at % spot_count]);
   });
   std::vector<OfDelays> worst(patterns.size());
   for (std::size_t at = 0; at < all.size(); ++at)
@@ -73,7 +71,8 @@ std::vector<OfDelays> worst_ratios(std::span<const Pattern> patterns, const Opti
   return worst;
 }
 
-std::vector<Row> measure(std::span<const Pattern> patterns, const OfDelays& reach, const Options& options) {
+std::vector<Row> measure_beside_ideal(std::span<const Pattern> patterns, const OfDelays& reach,
+                                      const Options& options) {
   const std::vector<OfDelays> worst = worst_ratios(patterns, options);
   std::vector<Row> rows;
   for (std::size_t at = 0; at < patterns.size(); ++at)
@@ -85,7 +84,7 @@ std::vector<Row> measure(std::span<const Pattern> patterns, const OfDelays& reac
 }
 
 std::vector<Row> measure_breaths(const Options& options) {
-  std::vector<Row> rows = measure(breaths(), {0.6, 0.6, 0.6}, options);
+  std::vector<Row> rows = measure_beside_ideal(breaths(), {0.6, 0.6, 0.6}, options);
   double logs = 0.0;
   for (const Row& row : rows) logs += std::log(row.value);
   const double mean = std::exp(logs / static_cast<double>(rows.size()));
@@ -99,14 +98,14 @@ std::vector<Study> beside_ideal() {
   return {{"ideal/breaths", measure_breaths},
           {"ideal/sit-up",
            [](const Options& options) {
-             return measure({&sit_up(), 1}, {0.5, 0.5, 0.5}, options);
+             return measure_beside_ideal({&sit_up(), 1}, {0.5, 0.5, 0.5}, options);
            }},
           {"ideal/talk",
            [](const Options& options) {
-             return measure({&talk(), 1}, {1.05, 1.0, 0.9}, options);
+             return measure_beside_ideal({&talk(), 1}, {1.05, 1.0, 0.9}, options);
            }},
           {"ideal/jolts", [](const Options& options) {
-             return measure(jolts(), {1.25, 1.15, 1.1}, options);
+             return measure_beside_ideal(jolts(), {1.25, 1.15, 1.1}, options);
            }}};
 }
 

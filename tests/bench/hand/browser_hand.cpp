@@ -15,16 +15,16 @@ namespace {
 
 constexpr double kPress_s = 3.0;     // time of the press, or at which the headset's hand starts to move
 constexpr double kReleases_s = 5.0;  // time from the press until the button is released
-constexpr double kJudged_s = 10.0;   // time from the press until the judging begins
-constexpr double kLasts_s = 6.0;     // duration of the judging
+constexpr double kJudgedFrom_s = 10.0;   // time from the press until the judging begins
+constexpr double kJudgingLasts_s = 6.0;  // duration of the judging
 constexpr double kWindow_s = 0.5;    // window of the moving mean that takes out the patient's breath
 // Speed and way of the hand that a headset tracks, and its height above H's origin.
-constexpr double kGoes_m_per_s = 0.5, kGoes_m = 0.15, kOver_m = 0.12;
+constexpr double kGoes_m_per_s = 0.5, kGoes_m = 0.15, kGoesOver_m = 0.12;
 
 /// Places of the pointer in the patient's image of 320x240 pixels.
 constexpr std::array<Pixel, 4> kPlaces{{{160, 120}, {170, 40}, {140, 170}, {90, 120}}};
 constexpr std::array kOneWays_s{0.0, 0.05, 0.1, 0.2, 0.3};
-constexpr double kJitter_s = 0.06;
+constexpr double kPathJitter_s = 0.06;
 
 enum class Way {
   Presses,   ///< the button stays down
@@ -33,7 +33,7 @@ enum class Way {
 };
 constexpr std::array kWays{Way::Presses, Way::Releases, Way::Tracked};
 
-struct Case {
+struct BrowserCase {
   Way way;
   double one_way_s;
   Pixel place;
@@ -60,27 +60,27 @@ double swing_of(const std::vector<Eigen::Vector3d>& device_m) {
 }
 
 /// One tick of the person, `since_s` after the press.
-void tick(PointerSession& run, const Case& one, double since_s) {
+void tick(PointerSession& run, const BrowserCase& one, double since_s) {
   if (one.way == Way::Tracked) {
     const double went_m = std::clamp(kGoes_m_per_s * since_s, 0.0, kGoes_m);
-    return run.tick_tracked({{went_m - 0.5 * kGoes_m, kOver_m, 0.0}});
+    return run.tick_tracked({{went_m - 0.5 * kGoes_m, kGoesOver_m, 0.0}});
   }
   run.tick(one.place, since_s >= 0.0 && (one.way == Way::Presses || since_s < kReleases_s));
 }
 
-Steadiness hold_still(const Case& one, std::uint64_t seed) {
+Steadiness hold_still(const BrowserCase& one, std::uint64_t seed) {
   const auto made = PointerSession::make(
-      {.path = {.image_s = 0.03 + one.one_way_s, .hand_s = one.one_way_s, .jitter_s = kJitter_s, .seed = seed},
+      {.path = {.image_s = 0.03 + one.one_way_s, .hand_s = one.one_way_s, .jitter_s = kPathJitter_s, .seed = seed},
        .patient = torso()});
   if (!made) return {};
   PointerSession& run = **made;
   Steadiness seen;
   std::vector<Eigen::Vector3d> device_m;
-  while (run.time_s() < kPress_s + kJudged_s + kLasts_s) {
+  while (run.time_s() < kPress_s + kJudgedFrom_s + kJudgingLasts_s) {
     const double since_s = run.time_s() - kPress_s;
     tick(run, one, since_s);
     if (run.seen().contact) seen.touched_s += PointerSession::kTick_s;
-    if (since_s < kJudged_s) continue;
+    if (since_s < kJudgedFrom_s) continue;
     device_m.push_back(run.seen().device_m);
     if (run.seen().saturated) seen.saturated_s += PointerSession::kTick_s;
   }
@@ -88,15 +88,15 @@ Steadiness hold_still(const Case& one, std::uint64_t seed) {
   return seen;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<BrowserCase> cases() {
+  std::vector<BrowserCase> all;
   for (const Way way : kWays)
     for (const double one_way_s : kOneWays_s) all.push_back({way, one_way_s, kPlaces[all.size() % kPlaces.size()]});
   return all;
 }
 
-std::vector<Row> measure(const Options& options) {
-  const std::vector<Case> tried = cases();
+std::vector<Row> measure_browser_hand(const Options& options) {
+  const std::vector<BrowserCase> tried = cases();
   std::vector<Steadiness> all(tried.size());
   for_each_parallel(static_cast<int>(tried.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
@@ -121,6 +121,6 @@ std::vector<Row> measure(const Options& options) {
 
 }  // namespace
 
-std::vector<Study> browser_hand() { return {{"browser's hand", measure}}; }
+std::vector<Study> browser_hand() { return {{"browser's hand", measure_browser_hand}}; }
 
 }  // namespace telepalp::bench::hand

@@ -11,10 +11,9 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kArm_N_per_m = 300.0;
 constexpr double kPressed_s = 2.0;  // the doctor's hand has arrived by then
-constexpr double kBegins_s = 6.0;   // of the visit
-constexpr double kJudged_s = 4.0;   // time after the visit for which the run goes on
+constexpr double kVisitBegins_s = 6.0;
+constexpr double kAfterVisit_s = 4.0;  // time after the visit for which the run goes on
 
 /// What the visit changed for the doctor, against the same run without it.
 struct VisitCost {
@@ -29,8 +28,8 @@ struct VisitCost {
 
 enum class Doctor { Presses, Rests, Waits };
 
-struct Drawn {
-  Drawn(Doctor doctor, int number)
+struct DrawnVisit {
+  DrawnVisit(Doctor doctor, int number)
       : seed(static_cast<std::uint64_t>(number) + 1),
         random(31000 + seed),
         spot(spots()[random.bits() % spots().size()]),
@@ -50,7 +49,7 @@ struct Drawn {
     visit.heading_rad = random.uniform(0.0, 2.0 * std::numbers::pi);
     visit.arm_rise_rad = random.uniform(0.15, 0.5);
     visit.fingers_hz = random.uniform(0.5, 2.0);
-    visit.begins_s = kBegins_s;
+    visit.begins_s = kVisitBegins_s;
   }
 
   /// The depth at which a hand on its arm must aim to press the skin with `force_N`.
@@ -83,7 +82,7 @@ struct Drawn {
 };
 
 /// One tick of one of the two runs.
-struct Felt {
+struct VisitedTick {
   Eigen::Vector3d device_m;
   double pushed_N;
   double law_N;
@@ -92,12 +91,12 @@ struct Felt {
 };
 
 struct Played {
-  std::vector<Felt> ticks;       ///< from the beginning of the visit on
+  std::vector<VisitedTick> ticks;  ///< from the beginning of the visit on
   double first_without_s = 0.0;  ///< time at which the first image after the visit arrived
   double step_N = 0.0;
 };
 
-Played play(const Drawn& drawn, bool visited) {
+Played play_colleague(const DrawnVisit& drawn, bool visited) {
   Feed feed({.patient = drawn.patient,
              .pose = [&drawn, visited](double t) { return drawn.pose(t, visited); },
              .link = {.one_way_s = drawn.one_way_s, .seed = drawn.seed},
@@ -114,7 +113,7 @@ Played play(const Drawn& drawn, bool visited) {
   Eigen::Vector3d law_N = Eigen::Vector3d::Zero();
   double work_mJ = 0.0;
   double beyond_mJ = 0.0;
-  run(feed, station, drawn.visit.gone_s() + kJudged_s, [&](const Tick& tick) {
+  run(feed, station, drawn.visit.gone_s() + kAfterVisit_s, [&](const Tick& tick) {
     if (tick.time_s >= drawn.visit.begins_s) {
       work_mJ += 1e3 * force_N.dot(tick.moved_m);
       beyond_mJ += 1e3 * (force_N - law_N).dot(tick.moved_m);
@@ -130,15 +129,15 @@ Played play(const Drawn& drawn, bool visited) {
   return played;
 }
 
-VisitCost cost_of(const Drawn& drawn, const Played& with, const Played& without) {
+VisitCost cost_of(const DrawnVisit& drawn, const Played& with, const Played& without) {
   VisitCost cost;
   const Eigen::Vector3d normal = normal_at(*drawn.patient, drawn.spot).v;
-  cost.again_s = drawn.height_m > 0.0 ? 0.0 : kJudged_s;
+  cost.again_s = drawn.height_m > 0.0 ? 0.0 : kAfterVisit_s;
   bool felt = drawn.height_m > 0.0;
   double left_mJ = 0.0;
   for (std::size_t i = 0; i < with.ticks.size(); ++i) {
-    const Felt& one = with.ticks[i];
-    const Felt& other = without.ticks[i];
+    const VisitedTick& one = with.ticks[i];
+    const VisitedTick& other = without.ticks[i];
     cost.outwards_m = std::max(cost.outwards_m, normal.dot(one.device_m - other.device_m));
     cost.force_N = std::max(cost.force_N, one.pushed_N - other.pushed_N);
     cost.work_mJ = std::max(cost.work_mJ, one.work_mJ - other.work_mJ);
@@ -155,13 +154,13 @@ VisitCost cost_of(const Drawn& drawn, const Played& with, const Played& without)
   return cost;
 }
 
-std::vector<Row> measure(const std::string& name, Doctor doctor, const Options& options) {
+std::vector<Row> measure_colleague(const std::string& name, Doctor doctor, const Options& options) {
   std::vector<VisitCost> all(static_cast<std::size_t>(options.seeds));
   std::vector<double> steps_N(all.size());
   for_each_parallel(options.seeds, options, [&](int i) {
-    const Drawn drawn(doctor, i);
-    const Played with = play(drawn, true);
-    all[static_cast<std::size_t>(i)] = cost_of(drawn, with, play(drawn, false));
+    const DrawnVisit drawn(doctor, i);
+    const Played with = play_colleague(drawn, true);
+    all[static_cast<std::size_t>(i)] = cost_of(drawn, with, play_colleague(drawn, false));
     steps_N[static_cast<std::size_t>(i)] = with.step_N;
   });
   const auto worst = [&](double VisitCost::*value) {
@@ -194,7 +193,8 @@ std::vector<Study> colleague() {
   for (const auto& [name, doctor] :
        {std::pair{"colleague/pressed", Doctor::Presses}, std::pair{"colleague/resting", Doctor::Rests},
         std::pair{"colleague/waiting", Doctor::Waits}})
-    studies.push_back({name, [name, doctor](const Options& options) { return measure(name, doctor, options); }});
+    studies.push_back(
+        {name, [name, doctor](const Options& options) { return measure_colleague(name, doctor, options); }});
   return studies;
 }
 

@@ -32,7 +32,7 @@ double fixed_work() {
   return x;
 }
 
-std::vector<Row> measure(const Options&) {
+std::vector<Row> measure_cost(const Options&) {
   const auto patient = torso();
   const auto pose = [&](double t) { return patient->pose(at_time(t)); };
   const auto placed = haptic_from_camera(*patient, spots()[0]);
@@ -76,6 +76,6 @@ std::vector<Row> measure(const Options&) {
 
 }  // namespace
 
-std::vector<Study> cost() { return {{"cost", measure}}; }
+std::vector<Study> cost() { return {{"cost", measure_cost}}; }
 
 }  // namespace telepalp::bench::hand

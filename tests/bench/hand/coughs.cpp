@@ -16,10 +16,9 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kFrom_s = 14.0, kUntil_s = 44.0;
-constexpr double kDepth_m = 0.003;  // below the skin at full exhale
+constexpr double kCoughsUntil_s = 44.0;
 constexpr double kLeastRise_N = 0.5;
-constexpr double kShare = 0.6;
+constexpr double kShownShare = 0.6;
 constexpr double kMayLag_s = 0.06;
 
 /// A motion with events (coughs or syllables), and the skin's lift [m] in the same motion without them.
@@ -29,18 +28,18 @@ struct Eventful {
   double (*without_m)(double time_s);
 };
 
-struct Event {
+struct Rise {
   double begins_s = 0.0;
   double peaks_s = 0.0;  ///< the time at which the event raises the skin most
   double ends_s = 0.0;
 };
 
-/// The events of the motion within [kFrom_s, kUntil_s].
-std::vector<Event> events_of(const Eventful& motion) {
+/// The events of the motion within [kFrom_s, kCoughsUntil_s].
+std::vector<Rise> events_of(const Eventful& motion) {
   constexpr double kMoves_m = 1e-5, kStep_s = 0.001, kMargin_s = 1.0;
-  std::vector<Event> events;
+  std::vector<Rise> events;
   double most_m = 0.0;
-  for (double t = kFrom_s; t < kUntil_s - kMargin_s; t += kStep_s) {
+  for (double t = kFrom_s; t < kCoughsUntil_s - kMargin_s; t += kStep_s) {
     const double part_m = motion.with->pose(t).breath.lift_m - motion.without_m(t);
     const bool begins = most_m == 0.0 && part_m > kMoves_m;
     if (begins) events.push_back({.begins_s = t});
@@ -59,7 +58,8 @@ std::vector<Event> events_of(const Eventful& motion) {
 /// How one event was displayed.
 struct Shown {
   double share = 0.0;    ///< rise of the displayed force, divided by the rise of the force on the true skin
-  double after_s = 0.0;  ///< time from the arrival of the peak's image until share >= kShare; infinite: it stays below
+  double after_s =
+      0.0;  ///< time from the arrival of the peak's image until share >= kShownShare; infinite: it stays below
 };
 
 /// At each tick of one station: force on the true skin, displayed force, capture time of the touched image.
@@ -69,7 +69,7 @@ struct Track {
 
 /// `delay_s`: one-way delay of the station's link. nullopt: the event raises the force on the true skin by less than
 /// kLeastRise_N.
-std::optional<Shown> judge(const Track& track, const Event& event, double delay_s) {
+std::optional<Shown> judge(const Track& track, const Rise& event, double delay_s) {
   const auto tick_at = [](double time_s) { return static_cast<std::size_t>(std::llround(time_s / kTick_s)); };
   const std::size_t begins = tick_at(event.begins_s);
   const double rise_N = *std::max_element(track.law_N.begin() + static_cast<std::ptrdiff_t>(begins),
@@ -85,7 +85,7 @@ std::optional<Shown> judge(const Track& track, const Event& event, double delay_
   const std::size_t last = tick_at(event.ends_s + delay_s + kJitter_s + kMayLag_s);
   for (std::size_t i = first; i < last; ++i) {
     const double share = (track.pushed_N[i] - track.pushed_N[first]) / rise_N;
-    if (shown.share < kShare && share >= kShare)
+    if (shown.share < kShownShare && share >= kShownShare)
       shown.after_s = (static_cast<double>(i) - static_cast<double>(image)) * kTick_s;
     shown.share = std::max(shown.share, share);
   }
@@ -94,7 +94,7 @@ std::optional<Shown> judge(const Track& track, const Event& event, double delay_
 
 using ShownOfDelays = std::array<std::vector<Shown>, kDelays_s.size()>;
 
-ShownOfDelays play(const Eventful& motion, const Spot& spot, double loss) {
+ShownOfDelays play_coughs(const Eventful& motion, const Spot& spot, double loss) {
   const auto patient = torso();
   Feed feed({.patient = patient,
              .pose = script(*motion.with, patient, spot),
@@ -106,15 +106,15 @@ ShownOfDelays play(const Eventful& motion, const Spot& spot, double loss) {
   std::vector<DelayedStation> stations =
       stations_at_delays(haptic_from_camera(*patient, spot), [&] { return std::make_unique<RigidHand>(path); });
   std::vector<Track> tracks(stations.size());
-  run_together(feed, stations, kUntil_s, [&](std::size_t index, const Tick& tick) {
+  run_together(feed, stations, kCoughsUntil_s, [&](std::size_t index, const Tick& tick) {
     tracks[index].law_N.push_back(static_cast<float>(tick.law_N()));
     tracks[index].pushed_N.push_back(static_cast<float>(tick.pushed_N()));
     tracks[index].captured_s.push_back(static_cast<float>(tick.time_s - tick.surface_age_s));
   });
   ShownOfDelays all;
-  const std::vector<Event> events = events_of(motion);
+  const std::vector<Rise> events = events_of(motion);
   for (std::size_t index = 0; index < stations.size(); ++index)
-    for (const Event& event : events) {
+    for (const Rise& event : events) {
       const std::size_t delay = stations[index].delay;
       if (const auto shown = judge(tracks[index], event, kDelays_s[delay])) all[delay].push_back(*shown);
     }
@@ -126,7 +126,7 @@ ShownOfDelays play_all(const Eventful& motion, double loss, const Options& optio
   std::vector<ShownOfDelays> of_spots(spots().size());
   for_each_parallel(static_cast<int>(of_spots.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    of_spots[at] = play(motion, spots()[at], loss);
+    of_spots[at] = play_coughs(motion, spots()[at], loss);
   });
   ShownOfDelays joined;
   for (const ShownOfDelays& one : of_spots)
@@ -150,7 +150,7 @@ std::vector<Row> measure_coughs(const Eventful& motion, const Options& options) 
     double latest_s = -std::numeric_limits<double>::infinity();
     for (const Shown& one : clean[delay]) latest_s = std::max(latest_s, one.after_s);
     rows.push_back(at_least(name + ": rise of the force divided by that on the true skin, least of all coughs",
-                            shares(clean[delay]).quantile(0.0), "", kShare));
+                            shares(clean[delay]).quantile(0.0), "", kShownShare));
     rows.push_back(at_most(name + ": time from the arrival of a cough's image until 60 % of its rise, worst",
                            1e3 * latest_s, "ms", 1e3 * kMayLag_s));
     rows.push_back(measured(name + ": number of coughs", static_cast<double>(clean[delay].size()), ""));

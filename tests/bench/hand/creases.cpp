@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 using solids::SolidProxy;
 using solids::SolidTree;
 
-constexpr double kStiffness_N_per_m = 1200.0;
+constexpr double kSolid_N_per_m = 1200.0;
 constexpr double kFastest_m_per_s = 0.3;
 
 std::shared_ptr<const SolidTree> tree_of(const std::string& text) {
@@ -136,8 +136,8 @@ CreaseResult slide_in(const Room& room, std::uint64_t seed, int steps) {
     const Vector3d moved = way.norm() > most_m ? Vector3d(most_m * way.normalized()) : way;
     device += moved;
     const solids::ProxyAt at = proxy.step(*tree, device);
-    const Vector3d now_N = kStiffness_N_per_m * at.depth_m * at.outwards;
-    if (i > 0) result.step_N = std::max(result.step_N, (now_N - before_N).norm() - kStiffness_N_per_m * moved.norm());
+    const Vector3d now_N = kSolid_N_per_m * at.depth_m * at.outwards;
+    if (i > 0) result.step_N = std::max(result.step_N, (now_N - before_N).norm() - kSolid_N_per_m * moved.norm());
     before_N = now_N;
     result.touched += at.depth_m > 0.0 ? 1.0 / steps : 0.0;
     if (i % kChecked == 0) result.off_m = std::max(result.off_m, (at.at - projected(room, device)).norm());

@@ -35,7 +35,7 @@ class Glitch {
   double velocity_ = 0.0;
 };
 
-struct Outcome {
+struct FaultOutcome {
   double step_N = 0.0;
   double excess_J = 0.0;
   double fell_m = 0.0;
@@ -43,7 +43,7 @@ struct Outcome {
 };
 
 /// `eases_m`: amplitude by which the hand presses and eases, so that a lasting drag would do work on it.
-Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent, double eases_m) {
+FaultOutcome play_device_faults(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent, double eases_m) {
   const auto patient = torso();
   Feed feed({.patient = patient, .pose = [](double) { return capture::PatientPose{}; }, .link = {}, .builder = {}});
   StationSettings settings = with_skin(anchor);
@@ -55,7 +55,7 @@ Outcome play(effects::SkinAnchor anchor, double glitch_m, bool tracker_silent, d
                          const double swing_m = eases_m * std::sin(2.0 * std::numbers::pi * std::max(0.0, t - 2.0));
                          return device::Intention{{{0.0, down_m + swing_m, 0.0}}, {}};
                        }));
-  Outcome outcome;
+  FaultOutcome outcome;
   Eigen::Vector3d before_N = Eigen::Vector3d::Zero();
   double law_before_N = 0.0;
   double height_m = 0.0;
@@ -79,12 +79,13 @@ constexpr std::array kAnchors{effects::SkinAnchor::FollowsSurface, effects::Skin
 std::vector<Row> measure_glitch(const Options& options) {
   constexpr double kEases_m = 0.006;
   constexpr std::array kGlitches_m{0.0003, -0.0003, 0.001, -0.001, 0.002, -0.002};
-  std::array<Outcome, kAnchors.size() * kGlitches_m.size()> all;
+  std::array<FaultOutcome, kAnchors.size() * kGlitches_m.size()> all;
   std::array<double, kAnchors.size()> without_J{};
-  for (std::size_t i = 0; i < kAnchors.size(); ++i) without_J[i] = play(kAnchors[i], 0.0, false, kEases_m).excess_J;
+  for (std::size_t i = 0; i < kAnchors.size(); ++i)
+    without_J[i] = play_device_faults(kAnchors[i], 0.0, false, kEases_m).excess_J;
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(kAnchors[at % kAnchors.size()], kGlitches_m[at / kAnchors.size()], false, kEases_m);
+    all[at] = play_device_faults(kAnchors[at % kAnchors.size()], kGlitches_m[at / kAnchors.size()], false, kEases_m);
   });
   double step_N = 0.0;
   double work_J = 0.0;
@@ -101,9 +102,9 @@ std::vector<Row> measure_glitch(const Options& options) {
 }
 
 std::vector<Row> measure_silence(const Options& options) {
-  std::array<Outcome, kAnchors.size()> all;
+  std::array<FaultOutcome, kAnchors.size()> all;
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
-    all[static_cast<std::size_t>(i)] = play(kAnchors[static_cast<std::size_t>(i)], 0.0, true, 0.0);
+    all[static_cast<std::size_t>(i)] = play_device_faults(kAnchors[static_cast<std::size_t>(i)], 0.0, true, 0.0);
   });
   const double fell_m = std::max(all[0].fell_m, all[1].fell_m);
   return {at_most("tracker silent for 0.5 s in contact: rise or fall of the device, worst",

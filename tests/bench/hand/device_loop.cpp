@@ -19,7 +19,7 @@ namespace {
 constexpr double kWall_N_per_m = 20'000.0;
 constexpr double kEncoder_m = 1e-6;
 constexpr double kPushed_s = 4.0;  // the device is moved into the wall until then, and then it is free
-constexpr double kLasts_s = 10.0;
+constexpr double kLoopLasts_s = 10.0;
 constexpr double kPush_N = 1.0;
 constexpr double kKnock_m_per_s = 0.005;
 
@@ -30,7 +30,7 @@ struct Device {
   double arm_N_per_m;  ///< spring that holds the free device; 0: no arm
 };
 
-struct Outcome {
+struct LoopOutcome {
   /// Stiffness that the station sets, divided by b / (T/2 + Td): damping b, tick T, loop delay Td.
   double limit_share = NAN;
   double growth_m = NAN;  ///< width of the free device's motion in its last second less that in its first second
@@ -98,7 +98,7 @@ class Widths {
  public:
   void add(double since_s, double at_m) {
     if (since_s < 1.0) early_.add(at_m);
-    if (since_s > kLasts_s - kPushed_s - 1.0) late_.add(at_m);
+    if (since_s > kLoopLasts_s - kPushed_s - 1.0) late_.add(at_m);
   }
   [[nodiscard]] double growth_m() const { return late_.width_m() - early_.width_m(); }
 
@@ -123,13 +123,13 @@ core::TickStage station_at_wall(double believed_b) {
 }
 
 /// `wrong`: relative error of the damping that the station believes, and of the delay that it measures.
-Outcome play(const Device& device, double wrong) {
+LoopOutcome play_device_loop(const Device& device, double wrong) {
   core::TickStage station = station_at_wall(device.b * (1.0 + wrong));
   const double delay_s = device.delay_ticks * kTick_s;
   LateDevice late(device, delay_s * (1.0 - wrong));
   loop::TouchableSurface wall, before_wall;  // the station reads before_wall until it has wall
   Widths widths;
-  for (int tick = 0; tick * kTick_s < kLasts_s; ++tick) {
+  for (int tick = 0; tick * kTick_s < kLoopLasts_s; ++tick) {
     loop::TickIn due{.now = at_time(tick * kTick_s), .dt_s = kTick_s};
     if (tick % 67 == 0) {
       auto newer = std::make_shared<loop::PlaneSnapshot>(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitY(), 1.0);
@@ -154,13 +154,13 @@ std::vector<Device> devices() {
   return all;
 }
 
-std::vector<Row> measure(const Options& options) {
+std::vector<Row> measure_device_loop(const Options& options) {
   const std::vector<Device> tried = devices();
-  std::vector<Outcome> right(tried.size()), wrong(tried.size());
+  std::vector<LoopOutcome> right(tried.size()), wrong(tried.size());
   for_each_parallel(static_cast<int>(tried.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    right[at] = play(tried[at], 0.0);
-    wrong[at] = play(tried[at], 0.3);
+    right[at] = play_device_loop(tried[at], 0.0);
+    wrong[at] = play_device_loop(tried[at], 0.3);
   });
   double least = HUGE_VAL, most = 0.0, growth_m = -HUGE_VAL;
   for (std::size_t i = 0; i < tried.size(); ++i) {
@@ -178,6 +178,6 @@ std::vector<Row> measure(const Options& options) {
 
 }  // namespace
 
-std::vector<Study> device_loop() { return {{"device loop", measure}}; }
+std::vector<Study> device_loop() { return {{"device loop", measure_device_loop}}; }
 
 }  // namespace telepalp::bench::hand

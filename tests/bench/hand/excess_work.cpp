@@ -13,7 +13,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kLasts_s = 14.0;
+constexpr double kRunLasts_s = 14.0;
 constexpr double kStarts_s = 2.0;
 
 struct Bad {
@@ -25,7 +25,7 @@ struct Bad {
 /// The patient's height: at random times it changes by 10 mm up, or back.
 struct Shifts {
   explicit Shifts(device::Random& random) {
-    for (double& at_s : at_s_) at_s = random.uniform(3.0, kLasts_s - 1.5);
+    for (double& at_s : at_s_) at_s = random.uniform(3.0, kRunLasts_s - 1.5);
     std::sort(at_s_.begin(), at_s_.end());
   }
   [[nodiscard]] double rise_m(double time_s) const noexcept {
@@ -42,8 +42,8 @@ struct Shifts {
 };
 
 /// One run: a patient, a hand and a link, as drawn from a seed.
-struct Drawn {
-  Drawn(const Bad& kind, int number)
+struct DrawnRun {
+  DrawnRun(const Bad& kind, int number)
       : bad(kind),
         seed(static_cast<std::uint64_t>(number) + 1),
         random(7000 + seed),
@@ -89,7 +89,7 @@ struct Arrival {
 };
 
 /// The contacts at the station. Adds each image to `arrivals`.
-std::vector<Contact> play(const Drawn& drawn, std::vector<Arrival>& arrivals) {
+std::vector<Contact> play_excess_work(const DrawnRun& drawn, std::vector<Arrival>& arrivals) {
   Feed feed({.patient = drawn.patient,
              .pose = [&](double t) { return drawn.pose(t, drawn.shifts.rise_m(t)); },
              .damage = [&](double t, DepthImage&) { return !drawn.bad.outage || !drawn.shifts.near(t); },
@@ -98,7 +98,7 @@ std::vector<Contact> play(const Drawn& drawn, std::vector<Arrival>& arrivals) {
   const auto placed = haptic_from_camera(*drawn.patient, drawn.spot);
   BenchStation station(with_skin(drawn.anchor), placed, drawn.person());
   ContactWork work;
-  for (std::int64_t i = 0; i < std::llround(kLasts_s / kTick_s); ++i) {
+  for (std::int64_t i = 0; i < std::llround(kRunLasts_s / kTick_s); ++i) {
     const double t = static_cast<double>(i) * kTick_s;
     const auto snapshot = feed.step(t, station.device_camera());
     if (snapshot) arrivals.push_back({t, to_seconds(snapshot->captured - at_time(0.0))});
@@ -121,7 +121,7 @@ enum class Knows {
 };
 
 /// The contacts at a display that applies the force law to what it knows, without delay.
-std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& arrivals, Knows knows) {
+std::vector<Contact> play_limit(const DrawnRun& drawn, const std::vector<Arrival>& arrivals, Knows knows) {
   const auto placed = haptic_from_camera(*drawn.patient, drawn.spot);
   const auto touch_at = [&](double breath_s, double shift_s, Tick& tick) {
     touch(drawn.patient->surface_of(drawn.pose(breath_s, drawn.shifts.rise_m(shift_s))), placed, tick);
@@ -131,7 +131,7 @@ std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& 
   double captured_s = 0.0;
   Eigen::Vector3d before_m = person->device().m;
   ContactWork work;
-  for (std::int64_t i = 0; i < std::llround(kLasts_s / kTick_s); ++i) {
+  for (std::int64_t i = 0; i < std::llround(kRunLasts_s / kTick_s); ++i) {
     Tick tick{.time_s = static_cast<double>(i) * kTick_s, .device_m = person->device().m};
     for (; next != arrivals.end() && next->at_s <= tick.time_s; ++next) captured_s = next->captured_s;
     const double breath_s = knows == Knows::AllButShifts ? tick.time_s : captured_s;
@@ -149,16 +149,16 @@ std::vector<Contact> play_limit(const Drawn& drawn, const std::vector<Arrival>& 
   return work.contacts();
 }
 
-std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_mJ, const Options& options) {
+std::vector<Row> measure_excess_work(const std::string& name, const Bad& bad, double worst_mJ, const Options& options) {
   const auto count = static_cast<std::size_t>(options.seeds);
   std::vector<std::vector<Contact>> all(count);
   std::vector<std::vector<Contact>> all_but_shifts(count);
   std::vector<std::vector<Contact>> newest_image(count);
   for_each_parallel(options.seeds, options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    const Drawn drawn(bad, i);
+    const DrawnRun drawn(bad, i);
     std::vector<Arrival> arrivals;
-    all[at] = play(drawn, arrivals);
+    all[at] = play_excess_work(drawn, arrivals);
     all_but_shifts[at] = play_limit(drawn, arrivals, Knows::AllButShifts);
     newest_image[at] = play_limit(drawn, arrivals, Knows::NewestImage);
   });
@@ -203,8 +203,9 @@ std::vector<Row> measure(const std::string& name, const Bad& bad, double worst_m
 std::vector<Study> excess_work() {
   std::vector<Study> studies;
   const auto add = [&](const std::string& name, const Bad& bad, double worst_mJ) {
-    studies.push_back(
-        {name, [name, bad, worst_mJ](const Options& options) { return measure(name, bad, worst_mJ, options); }});
+    studies.push_back({name, [name, bad, worst_mJ](const Options& options) {
+                         return measure_excess_work(name, bad, worst_mJ, options);
+                       }});
   };
   add("work/RTT 0-300 ms", {0.0, 0.3, false}, 3.0);
   add("work/RTT 1 s", {1.0, 1.0, false}, 15.0);

@@ -15,10 +15,10 @@ namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kEvent_s = 3.0;       // time of the event; the hand presses by then
-constexpr double kJudged_s = 3.0;      // time after which the force is compared with the law's
+constexpr double kJudgedAfter_s = 3.0;  // time after which the force is compared with the law's
 constexpr double kAveraged_s = 0.5;    // interval over which the force is compared with the law's
 constexpr double kAimDepth_m = 0.024;  // aim of a soft arm; the hand is 7 mm deep, and 15 mm after a shift of 30 mm
-constexpr double kArm_N_per_m = 200.0;
+constexpr double kSoftArm_N_per_m = 200.0;
 constexpr double kLongest_s = 60.0;  // a run whose frames are still missing at this time misses its budget
 
 enum class Event { Gap, Shift, Hole, Black, ForeignHand };
@@ -26,7 +26,7 @@ enum class Event { Gap, Shift, Hole, Black, ForeignHand };
 /// When the skin is to be felt again, and how far the force may then differ from the law's.
 struct Reach {
   double felt_s;
-  double off_share;  ///< kJudged_s later
+  double off_share;  ///< kJudgedAfter_s later
 };
 constexpr Reach kFromEvent{.felt_s = 1.5, .off_share = 0.05};  // frames may still be missing
 
@@ -45,7 +45,7 @@ constexpr Reach reach_of(Event event) noexcept {
   return {.felt_s = 1.5, .off_share = 0.02};
 }
 
-struct Case {
+struct GapCase {
   Event event = Event::Gap;
   std::uint64_t seed = 1;
   double lasts_s = 0.0;
@@ -55,9 +55,9 @@ struct Case {
   effects::SkinAnchor anchor = effects::SkinAnchor::FollowsSurface;
 };
 
-Case draw(Event event, int number) {
+GapCase draw(Event event, int number) {
   device::Random random(1000 + static_cast<std::uint64_t>(number));
-  Case drawn{.event = event, .seed = static_cast<std::uint64_t>(number) + 1};
+  GapCase drawn{.event = event, .seed = static_cast<std::uint64_t>(number) + 1};
   drawn.lasts_s = event == Event::Gap ? random.uniform(0.5, 5.0) : random.uniform(0.5, 3.0);
   if (event == Event::Shift) drawn.lasts_s = 0.2;
   const bool moves = event == Event::Shift || (event == Event::Gap && random.uniform() < 0.5);
@@ -80,7 +80,7 @@ void overwrite(DepthImage& depth, const Intrinsics& camera, const Spot& spot, do
 }
 
 /// Applies the event to a frame; false: the frame is lost.
-bool damage(const Case& drawn, const Intrinsics& camera, DepthImage& depth) {
+bool damage(const GapCase& drawn, const Intrinsics& camera, DepthImage& depth) {
   switch (drawn.event) {
     case Event::Gap:
       return false;
@@ -108,7 +108,7 @@ struct Stretch {
   double from_s = 0.0;
   double waited_s = 0.0;  ///< time until the force reached 90 % of the law's; the whole time if it never does
   bool felt = false;
-  double force_sum_N = 0.0;  ///< sum of the displayed force over the ticks after kJudged_s [N]
+  double force_sum_N = 0.0;  ///< sum of the displayed force over the ticks after kJudgedAfter_s [N]
   double law_sum_N = 0.0;    ///< sum of the law's force over the same ticks [N]
 
   /// Adds the next tick. False: the stretch is long enough, and has all its figures.
@@ -116,13 +116,13 @@ struct Stretch {
     const double since_s = tick.time_s - from_s;
     if (!felt) waited_s = since_s;
     felt = felt || (tick.law_N() > 0.0 && tick.pushed_N() >= 0.9 * tick.law_N());
-    if (since_s >= kJudged_s && since_s < kJudged_s + kAveraged_s) {
+    if (since_s >= kJudgedAfter_s && since_s < kJudgedAfter_s + kAveraged_s) {
       force_sum_N += tick.pushed_N();
       law_sum_N += tick.law_N();
     }
-    return since_s < kJudged_s + kAveraged_s;
+    return since_s < kJudgedAfter_s + kAveraged_s;
   }
-  /// Deviation from the law, kJudged_s after the beginning.
+  /// Deviation from the law, kJudgedAfter_s after the beginning.
   [[nodiscard]] double off_share() const noexcept {
     return law_sum_N > 0.0 ? std::abs(force_sum_N - law_sum_N) / law_sum_N : 1.0;
   }
@@ -130,7 +130,7 @@ struct Stretch {
 
 struct Waits {
   double waited_s = 0.0;   ///< time until 90 % of the law's force
-  double off_share = 1.0;  ///< deviation from the law, kJudged_s later
+  double off_share = 1.0;  ///< deviation from the law, kJudgedAfter_s later
 
   [[nodiscard]] bool holds(const Reach& reach) const noexcept {
     return waited_s <= reach.felt_s && off_share <= reach.off_share;
@@ -141,7 +141,7 @@ struct Waits {
   }
 };
 
-struct Outcome {
+struct FeltAgain {
   Waits from_event;             ///< counted from the first frame after the event
   Waits from_return;            ///< counted from each return of the frames: the longest time, and the last deviation
   double waited_again_s = 0.0;  ///< longest time, without the return after the event
@@ -156,7 +156,7 @@ struct Outcome {
   }
 };
 
-Outcome play(const Case& drawn) {
+FeltAgain play_felt_again(const GapCase& drawn) {
   const auto patient = torso();
   const Eigen::Vector3d normal = normal_at(*patient, drawn.spot).v;
   const auto during = [&](double t) { return t >= kEvent_s && t < kEvent_s + drawn.lasts_s; };
@@ -174,14 +174,14 @@ Outcome play(const Case& drawn) {
        .builder = {}});
   const StationSettings settings = with_skin(drawn.anchor);
   BenchStation station(settings, haptic_from_camera(*patient, drawn.spot),
-                       std::make_unique<ArmHand>(kArm_N_per_m, [normal](double t) {
+                       std::make_unique<ArmHand>(kSoftArm_N_per_m, [normal](double t) {
                          // Along the normal, so that the hand does not slide off an oblique skin.
                          const double height_m = 0.04 - (0.04 + kAimDepth_m) * eased((t - 0.9) / 1.1);
                          return device::Intention{{height_m * normal}, {}};
                        }));
   const double back_s = kEvent_s + drawn.lasts_s + drawn.one_way_s + 2.0 / 30.0;
   const double limit_s = settings.control.ages.surface_s;
-  Outcome outcome;
+  FeltAgain outcome;
   ForceSteps steps;
   Stretch from_event{.from_s = back_s};
   Stretch stretch = from_event;
@@ -209,11 +209,11 @@ Outcome play(const Case& drawn) {
 }
 
 /// The rows for the times of `all` that `waits` selects. `from`: the beginning of these times, for the rows' names.
-std::vector<Row> waits_rows(const std::string& name, const std::string& from, const std::vector<Outcome>& all,
-                            Waits Outcome::*waits, const Reach& reach) {
+std::vector<Row> waits_rows(const std::string& name, const std::string& from, const std::vector<FeltAgain>& all,
+                            Waits FeltAgain::*waits, const Reach& reach) {
   Waits worst{.off_share = 0.0};
   int felt = 0;
-  for (const Outcome& one : all) {
+  for (const FeltAgain& one : all) {
     worst.take_worse(one.*waits);
     felt += (one.*waits).holds(reach) ? 1 : 0;
   }
@@ -227,28 +227,29 @@ std::vector<Row> waits_rows(const std::string& name, const std::string& from, co
                   100.0 * worst.off_share, "%", 100.0 * reach.off_share)};
 }
 
-std::vector<Row> measure(const std::string& name, Event event, const Options& options) {
-  std::vector<Outcome> all(static_cast<std::size_t>(options.seeds));
-  for_each_parallel(options.seeds, options, [&](int i) { all[static_cast<std::size_t>(i)] = play(draw(event, i)); });
-  std::vector<Row> rows = waits_rows(name, "", all, &Outcome::from_event, kFromEvent);
+std::vector<Row> measure_felt_again(const std::string& name, Event event, const Options& options) {
+  std::vector<FeltAgain> all(static_cast<std::size_t>(options.seeds));
+  for_each_parallel(options.seeds, options,
+                    [&](int i) { all[static_cast<std::size_t>(i)] = play_felt_again(draw(event, i)); });
+  std::vector<Row> rows = waits_rows(name, "", all, &FeltAgain::from_event, kFromEvent);
   const std::vector<Row> returns =
-      waits_rows(name, ", from the last return of the frames", all, &Outcome::from_return, reach_of(event));
+      waits_rows(name, ", from the last return of the frames", all, &FeltAgain::from_return, reach_of(event));
   rows.insert(rows.end(), returns.begin(), returns.end());
   const auto share = [&](auto&& is) {
     return 100.0 * static_cast<double>(std::count_if(all.begin(), all.end(), is)) / options.seeds;
   };
-  const auto worst = [&](double Outcome::*value) {
+  const auto worst = [&](double FeltAgain::*value) {
     double most = 0.0;
-    for (const Outcome& one : all) most = std::max(most, one.*value);
+    for (const FeltAgain& one : all) most = std::max(most, one.*value);
     return most;
   };
   const std::string again = name + ", frames missing a second time: ";
-  rows.push_back(at_most(name + ": force step in one tick, worst", worst(&Outcome::step_N), "N", 0.1));
+  rows.push_back(at_most(name + ": force step in one tick, worst", worst(&FeltAgain::step_N), "N", 0.1));
   rows.push_back(at_most(name + ": all force ended while frames arrive, share of runs",
-                         share([](const Outcome& one) { return one.released_with_frames; }), "%", 0.0));
-  rows.push_back(measured(again + "share of runs", share([](const Outcome& one) { return one.missing_again; }), "%"));
+                         share([](const FeltAgain& one) { return one.released_with_frames; }), "%", 0.0));
+  rows.push_back(measured(again + "share of runs", share([](const FeltAgain& one) { return one.missing_again; }), "%"));
   rows.push_back(at_most(again + "time until the force is 90 % of the force law's, worst",
-                         worst(&Outcome::waited_again_s), "s", reach_of(event).felt_s));
+                         worst(&FeltAgain::waited_again_s), "s", reach_of(event).felt_s));
   return rows;
 }
 
@@ -259,7 +260,8 @@ std::vector<Study> skin_felt_again() {
   for (const auto& [name, event] : {std::pair{"again/gap", Event::Gap}, std::pair{"again/shift", Event::Shift},
                                     std::pair{"again/hole", Event::Hole}, std::pair{"again/black", Event::Black},
                                     std::pair{"again/foreign hand", Event::ForeignHand}})
-    studies.push_back({name, [name, event](const Options& options) { return measure(name, event, options); }});
+    studies.push_back(
+        {name, [name, event](const Options& options) { return measure_felt_again(name, event, options); }});
   return studies;
 }
 

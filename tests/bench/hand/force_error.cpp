@@ -13,9 +13,6 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kFrom_s = 14.0;  // the breathing model has locked on by then
-constexpr double kUntil_s = 54.0;
-constexpr double kDepth_m = 0.003;  // depth below the skin at full exhale
 constexpr std::array kReach_N{0.09, 0.10, 0.14};
 constexpr double kRegularReach_N = 0.065;
 
@@ -59,7 +56,7 @@ struct Scene {
   bool delayed = true;  ///< false: no delay beyond the link's
 };
 
-Errors play(const Scene& scene, const surface::SurfaceSettings& builder_settings) {
+Errors play_force_error(const Scene& scene, const surface::SurfaceSettings& builder_settings) {
   Feed feed({.patient = scene.patient, .pose = scene.pose, .link = scene.link, .builder = builder_settings});
   const auto placed = haptic_from_camera(*scene.patient, scene.spot);
   const auto path = [&](double t, const control::ControlOutput&) {
@@ -122,7 +119,7 @@ Scene scene_of(capture::Motion motion, std::size_t spot) {
           .spot = spots()[spot]};
 }
 
-std::vector<Row> measure(const std::string& name, capture::Motion motion, const Options& options) {
+std::vector<Row> measure_force_error(const std::string& name, capture::Motion motion, const Options& options) {
   constexpr int kBuilders = 3;  // the default, hold-last, velocity-only
   const auto spot_count = static_cast<int>(spots().size());
   std::vector<Errors> all(static_cast<std::size_t>(kBuilders * spot_count));
@@ -130,7 +127,7 @@ std::vector<Row> measure(const std::string& name, capture::Motion motion, const 
     const surface::SurfaceSettings settings[kBuilders] = {builder(true, true), builder(false, false),
                                                           builder(true, false)};
     all[static_cast<std::size_t>(i)] =
-        play(scene_of(motion, static_cast<std::size_t>(i % spot_count)), settings[i / spot_count]);
+        play_force_error(scene_of(motion, static_cast<std::size_t>(i % spot_count)), settings[i / spot_count]);
   });
   double worst_ratio = 0.0;
   double oracle_ratio = 0.0;
@@ -181,7 +178,7 @@ std::vector<Row> measure_floor(const Options& options) {
   const auto worst = [&](const std::function<Scene(std::size_t)>& scene) {
     std::array<double, 3> rmse_N{};
     for_each_parallel(3, options, [&](int i) {
-      const Errors errors = play(scene(static_cast<std::size_t>(i)), {});
+      const Errors errors = play_force_error(scene(static_cast<std::size_t>(i)), {});
       rmse_N[static_cast<std::size_t>(i)] = *std::max_element(errors.rmse_N.begin(), errors.rmse_N.end());
     });
     return *std::max_element(rmse_N.begin(), rmse_N.end());
@@ -207,7 +204,8 @@ std::vector<Study> force_error() {
   std::vector<Study> studies;
   for (const capture::Motion motion : capture::all_motions()) {
     const std::string name = "rmse/" + std::string(capture::name(motion));
-    studies.push_back({name, [name, motion](const Options& options) { return measure(name, motion, options); }});
+    studies.push_back(
+        {name, [name, motion](const Options& options) { return measure_force_error(name, motion, options); }});
   }
   studies.push_back({"floor", measure_floor});
   return studies;

@@ -9,7 +9,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-std::vector<Row> measure(const Options&) {
+std::vector<Row> measure_hand_prediction(const Options&) {
   std::vector<Row> rows;
   double log_sum = 0.0;
   int count = 0;
@@ -37,6 +37,6 @@ std::vector<Row> measure(const Options&) {
 
 }  // namespace
 
-std::vector<Study> hand_prediction() { return {{"prediction", measure}}; }
+std::vector<Study> hand_prediction() { return {{"prediction", measure_hand_prediction}}; }
 
 }  // namespace telepalp::bench::hand

@@ -13,19 +13,18 @@ namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kLeaves_s = 31.0;  // the patient, who has sat up a second time, begins to lie down
-constexpr double kUntil_s = 35.0;   // the patient lies again
-constexpr double kDepth_m = 0.003;
+constexpr double kLiesAgain_s = 35.0;  // the patient lies again
 constexpr double kFelt_N = 0.3;
-constexpr double kAway_m = 0.001;
+constexpr double kFeltAway_m = 0.001;
 constexpr OfDelays kReach_s{0.15, 0.3, 0.7};
 
-struct Felt {
-  double time_s = 0.0;   ///< time in which the hand feels the skin, but is more than kAway_m above it
+struct FeltAir {
+  double time_s = 0.0;   ///< time in which the hand feels the skin, but is more than kFeltAway_m above it
   bool pressed = false;  ///< the hand felt the skin before the patient lay down
 };
 
 /// The longer time of both anchors, by delay; NaN where the hand did not feel the skin before.
-OfDelays play(const Spot& spot) {
+OfDelays play_lies_down(const Spot& spot) {
   const auto patient = torso();
   const PoseScript pose = script(sit_up(), patient, spot);
   Feed feed({.patient = patient, .pose = pose, .link = link_before_delays(), .builder = {}});
@@ -35,12 +34,12 @@ OfDelays play(const Spot& spot) {
     return Point<HapticBase>{{0.0, reaching_m(t, kDepth_m) + ridden_m, 0.0}};
   };
   std::vector<DelayedStation> stations = stations_at_delays(placed, [&] { return std::make_unique<RigidHand>(path); });
-  std::vector<Felt> all(stations.size());
-  run_together(feed, stations, kUntil_s, [&](std::size_t index, const Tick& tick) {
-    Felt& one = all[index];
+  std::vector<FeltAir> all(stations.size());
+  run_together(feed, stations, kLiesAgain_s, [&](std::size_t index, const Tick& tick) {
+    FeltAir& one = all[index];
     const bool felt = tick.displayed && tick.force_N.norm() > kFelt_N;
     if (tick.time_s < kLeaves_s) one.pressed = felt;
-    const bool away = !tick.true_known || tick.true_depth_m < -kAway_m;
+    const bool away = !tick.true_known || tick.true_depth_m < -kFeltAway_m;
     if (tick.time_s >= kLeaves_s && felt && away) one.time_s += kTick_s;
   });
   OfDelays longest_s{};
@@ -51,11 +50,11 @@ OfDelays play(const Spot& spot) {
   return longest_s;
 }
 
-std::vector<Row> measure(const Options& options) {
+std::vector<Row> measure_lies_down(const Options& options) {
   std::vector<OfDelays> all(spots().size());
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(spots()[at]);
+    all[at] = play_lies_down(spots()[at]);
   });
   std::vector<Row> rows;
   for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
@@ -71,6 +70,6 @@ std::vector<Row> measure(const Options& options) {
 
 }  // namespace
 
-std::vector<Study> lies_down() { return {{"lies down/", measure}}; }
+std::vector<Study> lies_down() { return {{"lies down/", measure_lies_down}}; }
 
 }  // namespace telepalp::bench::hand

@@ -13,10 +13,9 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kArm_N_per_m = 300.0;
 constexpr double kPress_N = 3.0;
-constexpr double kBegins_s = 6.0;  // of the event
-constexpr double kUntil_s = 16.0;
+constexpr double kEventBegins_s = 6.0;
+constexpr double kLimitsUntil_s = 16.0;
 constexpr double kOneWay_s = 0.05;
 
 /// The place of a pixel relative to the pressed place, in metres at the skin's depth.
@@ -30,12 +29,12 @@ using Over = double (*)(const Pixel& pixel, double time_s);
 struct Limit {
   const char* name;
   Over over;
-  double sits_up_rad;    ///< from kBegins_s on
-  double frames_lost_s;  ///< from 0.5 s after kBegins_s on
+  double sits_up_rad;    ///< from kEventBegins_s on
+  double frames_lost_s;  ///< from 0.5 s after kEventBegins_s on
 };
 
 /// Time since the event [s].
-double since(double time_s) noexcept { return time_s - kBegins_s; }
+double since(double time_s) noexcept { return time_s - kEventBegins_s; }
 
 /// A thing 12 mm thick and 90 mm wide, laid on the pressed place at once.
 double thin_thing(const Pixel& at, double time_s) {
@@ -72,7 +71,7 @@ constexpr Limit kLimits[] = {
 };
 
 /// One tick of a run: the device's place, its force and the law's.
-struct Felt {
+struct FeltTick {
   Eigen::Vector3d device_m;
   double pushed_N;
   double law_N;
@@ -91,7 +90,8 @@ void lay_over(const Limit& limit, const Intrinsics& camera, const Spot& spot, do
 
 /// All ticks of one run, from 0.5 s before the event on. `disturbed`: the thing lies over the patient, or frames are
 /// lost; false: the patient moves in the same way, but nothing lies over him and no frame is lost.
-std::vector<Felt> play(const Limit& limit, const Spot& spot, effects::SkinAnchor anchor, bool disturbed) {
+std::vector<FeltTick> play_limits_of_sight(const Limit& limit, const Spot& spot, effects::SkinAnchor anchor,
+                                           bool disturbed) {
   const auto patient = torso(Sensor::KinectSmooth);
   const Intrinsics camera = patient->settings().camera;
   const auto pose = [&limit](double t) {
@@ -119,8 +119,8 @@ std::vector<Felt> play(const Limit& limit, const Spot& spot, effects::SkinAnchor
                          const double height_m = 0.04 - (0.04 + aim_m) * eased((t - 0.9) / 1.1);
                          return device::Intention{{height_m * normal}, {}};
                        }));
-  std::vector<Felt> all;
-  run(feed, station, kUntil_s, [&](const Tick& tick) {
+  std::vector<FeltTick> all;
+  run(feed, station, kLimitsUntil_s, [&](const Tick& tick) {
     if (since(tick.time_s) >= -0.5) all.push_back({tick.device_m, tick.pushed_N(), tick.law_N()});
   });
   return all;
@@ -133,7 +133,7 @@ struct Cost {
   double inwards_m = 0.0;   ///< most by which it is deeper
 };
 
-Cost cost_of(const std::vector<Felt>& with, const std::vector<Felt>& without, const Eigen::Vector3d& normal) {
+Cost cost_of(const std::vector<FeltTick>& with, const std::vector<FeltTick>& without, const Eigen::Vector3d& normal) {
   Cost cost;
   for (std::size_t i = 0; i < with.size(); ++i) {
     // The error that the run has without the thing too, such as a lag behind a sit-up, is not counted.
@@ -148,14 +148,14 @@ Cost cost_of(const std::vector<Felt>& with, const std::vector<Felt>& without, co
   return cost;
 }
 
-std::vector<Row> measure(const Limit& limit, const Options& options) {
+std::vector<Row> measure_limits_of_sight(const Limit& limit, const Options& options) {
   const auto places = spots();
   std::vector<Cost> all(2 * places.size());
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     const Spot& spot = places[at / 2];
     const auto anchor = at % 2 == 0 ? effects::SkinAnchor::FollowsSurface : effects::SkinAnchor::Sliding;
-    all[at] = cost_of(play(limit, spot, anchor, true), play(limit, spot, anchor, false),
+    all[at] = cost_of(play_limits_of_sight(limit, spot, anchor, true), play_limits_of_sight(limit, spot, anchor, false),
                       normal_at(*torso(Sensor::KinectSmooth), spot).v);
   });
   const auto most = [&](double Cost::*value) {
@@ -175,8 +175,8 @@ std::vector<Row> measure(const Limit& limit, const Options& options) {
 std::vector<Study> limits_of_sight() {
   std::vector<Study> studies;
   for (const Limit& limit : kLimits)
-    studies.push_back(
-        {std::string("limit/") + limit.name, [&limit](const Options& options) { return measure(limit, options); }});
+    studies.push_back({std::string("limit/") + limit.name,
+                       [&limit](const Options& options) { return measure_limits_of_sight(limit, options); }});
   return studies;
 }
 

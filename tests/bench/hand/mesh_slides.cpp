@@ -27,8 +27,8 @@ using Eigen::Vector3f;
 using models::PointModel;
 using surface::CloudPoint;
 
-constexpr double kStiffness_N_per_m = 800.0;
-constexpr double kSpeed_m_per_s = 0.05;
+constexpr double kMesh_N_per_m = 800.0;
+constexpr double kSlides_m_per_s = 0.05;
 constexpr double kDeep_m = 0.002;
 constexpr double kLong_m = 0.04;
 constexpr double kMostStep_N = 0.1;
@@ -102,7 +102,7 @@ struct Slide {
 };
 
 /// A hand that slides over the surface that it feels, and presses to a depth of kDeep_m.
-struct Hand {
+struct SlidingHand {
   Vector3d at;
   Vector3d along;  ///< unit, direction of the slide
   Vector3d out;    ///< unit, normal of the felt surface
@@ -112,7 +112,7 @@ struct Hand {
     along = (along - along.dot(out) * out).normalized();
     const double down = std::clamp((kDeep_m - depth_m) / 0.001, -0.7, 0.7);
     const Vector3d way = slides ? Vector3d(std::sqrt(1.0 - down * down) * along - down * out) : Vector3d(-out);
-    const Vector3d moved = kSpeed_m_per_s * kTick_s * way;
+    const Vector3d moved = kSlides_m_per_s * kTick_s * way;
     at += moved;
     return moved;
   }
@@ -121,8 +121,8 @@ struct Hand {
 Slide slide_over(const surface::SurfaceSnapshot& model, const Truth& truth, const CloudPoint& place, double turn_rad) {
   constexpr int kMostTicks = 2400;
   const Vector3d out = place.normal.cast<double>();
-  Hand hand{truth.origin_m + place.at_m.cast<double>() + 0.003 * out,
-            Eigen::AngleAxisd(turn_rad, out) * out.unitOrthogonal(), out};
+  SlidingHand hand{truth.origin_m + place.at_m.cast<double>() + 0.003 * out,
+                   Eigen::AngleAxisd(turn_rad, out) * out.unitOrthogonal(), out};
   surface::Touch touch;
   touch.adopt(model, at_time(0.0));
   Slide slide;
@@ -132,8 +132,8 @@ Slide slide_over(const surface::SurfaceSnapshot& model, const Truth& truth, cons
   for (int i = 0; i < kMostTicks && slide.way_m < kLong_m; ++i) {
     const Vector3d moved = hand.moves(slides, depth_m);
     const surface::TouchSample felt = touch.step({hand.at}, at_time(i * kTick_s), kTick_s);
-    const Vector3d now_N = kStiffness_N_per_m * (felt.proxy.m - hand.at);
-    const double step_N = i == 0 ? 0.0 : (now_N - before_N).norm() - kStiffness_N_per_m * moved.norm();
+    const Vector3d now_N = kMesh_N_per_m * (felt.proxy.m - hand.at);
+    const double step_N = i == 0 ? 0.0 : (now_N - before_N).norm() - kMesh_N_per_m * moved.norm();
     if (step_N > slide.step_N) {
       slide.step_N = step_N;
       slide.step_at = hand.at;
@@ -157,7 +157,7 @@ PointModel centred(const PointModel& mesh, Vector3d& middle_m) {
   return near;
 }
 
-std::vector<Row> measure(const Body& body, const Options& options) {
+std::vector<Row> measure_mesh_slides(const Body& body, const Options& options) {
   const std::string name = "slides/" + body.name;
   const Result<surface::StaticModel> made = surface::make_static_model(body.mesh, {});
   if (!made) return {at_most(name + ": " + made.error().what, NAN, "N", kMostStep_N)};
@@ -206,7 +206,7 @@ std::vector<Row> measure_file(const std::string& name, const fs::path& file, con
   constexpr float kDecimetre_m = 0.1F;  // MakeHuman's unit
   if (models::unit_error(body.mesh, 1.0))
     for (Vector3f& at : body.mesh.points) at *= kDecimetre_m;
-  return measure(body, options);
+  return measure_mesh_slides(body, options);
 }
 
 }  // namespace
@@ -221,7 +221,9 @@ std::vector<Study> mesh_slides() {
   for (const auto& [name, shipped] : {std::pair{"liver", "deploy/demo_data/organs/visible_human_liver.ply"},
                                       std::pair{"torso", "deploy/demo_data/torso/visible_human_torso.ply"}})
     add(name, program::shipped_file(shipped).value_or(shipped));
-  studies.push_back({"slides/mug", [](const Options& options) { return measure({"mug", mug()}, options); }});
+  studies.push_back({"slides/mug", [](const Options& options) {
+                       return measure_mesh_slides({"mug", mug()}, options);
+                     }});
   return studies;
 }
 

@@ -21,18 +21,19 @@ namespace {
 
 constexpr double kTap_s = 1.0 / kTaps_hz;
 constexpr double kEntry_m_per_s = 0.6;
-constexpr double kDepth_m = 0.01;  // below the skin at full exhale
+constexpr double kTapDepth_m = 0.01;  // below the skin at full exhale
 constexpr double kOmega_rad_per_s = 2.0 * std::numbers::pi * kTaps_hz;
-// A sine of this amplitude goes kDepth_m deep, and passes the height of the skin at kEntry_m_per_s.
+// A sine of this amplitude goes kTapDepth_m deep, and passes the height of the skin at kEntry_m_per_s.
 constexpr double kAmplitude_m =
-    (kEntry_m_per_s * kEntry_m_per_s / (kOmega_rad_per_s * kOmega_rad_per_s) + kDepth_m * kDepth_m) / (2.0 * kDepth_m);
-constexpr double kAbove_m = 0.001;       // closer to the skin, the force may come from an error of the displayed skin
+    (kEntry_m_per_s * kEntry_m_per_s / (kOmega_rad_per_s * kOmega_rad_per_s) + kTapDepth_m * kTapDepth_m) /
+    (2.0 * kTapDepth_m);
+constexpr double kClearOfSkin_m = 0.001;  // closer to the skin, the force may come from an error of the displayed skin
 constexpr double kWayIn_m_per_s = 0.01;  // a slower hand is not on its way in
 constexpr double kFeltTap_N = 0.5;       // the law's least peak in a tap
 constexpr double kFlesh_m = 0.001;       // a fingertip this close to the end-effector touches it
 constexpr double kPressedIn_m = 0.01;    // the fingertip yields less; a lower hand has passed beside the end-effector
 constexpr double kReach_m = device::SimulatedHandSettings{}.reach_m;  // a hand farther aside misses the end-effector
-constexpr double kArm_N_per_m = 300.0, kWrist_N_per_m = 2000.0;
+constexpr double kWrist_N_per_m = 2000.0;
 
 enum class Hand { Firm, Wrist, Arm };
 struct Tapper {
@@ -54,7 +55,7 @@ std::unique_ptr<Person> person(Hand hand, const Eigen::Vector3d& normal, std::fu
   });
 }
 
-/// The largest force against a hand that moves in with the end-effector, more than kAbove_m above the true skin.
+/// The largest force against a hand that moves in with the end-effector, more than kClearOfSkin_m above the true skin.
 class WayIn {
  public:
   void add(const Tick& tick) noexcept {
@@ -62,7 +63,7 @@ class WayIn {
     const Eigen::Vector3d gap_m = tick.device_m - tick.hand_m;
     const bool at_height = gap_m.y() > -kFlesh_m && gap_m.y() < kPressedIn_m;
     const bool pressed = at_height && std::hypot(gap_m.x(), gap_m.z()) < kReach_m;
-    const bool above = tick.true_known && tick.true_depth_m < -kAbove_m;
+    const bool above = tick.true_known && tick.true_depth_m < -kClearOfSkin_m;
     if (pressed && above && in_m > kWayIn_m_per_s * kTick_s) most_N_ = std::max(most_N_, before_N_.dot(tick.normal));
     before_N_ = tick.force_N;
     hand_m_ = tick.hand_m;
@@ -173,7 +174,7 @@ Row missed_row(const char* study, const Tapper& tapper, const std::vector<Taps>&
 }
 
 std::vector<Row> measure_still(const Options& options) {
-  constexpr double kFrom_s = 3.0;
+  constexpr double kTapsFrom_s = 3.0;
   constexpr int kTaps = 24;
   const Feed::Settings feed{.patient = torso(),
                             .pose = [](double) { return capture::PatientPose{}; },
@@ -181,7 +182,7 @@ std::vector<Row> measure_still(const Options& options) {
                             .builder = {}};
   std::vector<Row> rows;
   for (const Tapper& tapper : kTappers) {
-    const auto all = tap_everywhere(tapper.hand, feed, nullptr, kFrom_s, kTaps, options);
+    const auto all = tap_everywhere(tapper.hand, feed, nullptr, kTapsFrom_s, kTaps, options);
     const Distribution ratios = joined(all);
     const std::string name = name_of("still", tapper) + "largest force of a tap divided by the law's, ";
     rows.push_back(at_least(name + "least", ratios.quantile(0.0), "", 0.97));
@@ -203,7 +204,6 @@ double even_odd_percent(const std::vector<Taps>& all) {
 }
 
 std::vector<Row> measure_irregular(const Options& options) {
-  constexpr double kFrom_s = 14.0;  // the breath is known by then
   constexpr int kTaps = 80;
   const Pattern& irregular = pattern("irregular");
   const Feed::Settings feed{
@@ -235,16 +235,16 @@ struct Visit {
   static constexpr double kPressed_s = 2.5;
   static constexpr double kFaster_m_per_s2 = 15.0;  // as in a tap
 
-  [[nodiscard]] double up_s() const noexcept { return (top_m + kDepth_m) / kEntry_m_per_s * 2.0; }
+  [[nodiscard]] double up_s() const noexcept { return (top_m + kTapDepth_m) / kEntry_m_per_s * 2.0; }
   [[nodiscard]] Height at(double t) const noexcept {
-    if (t < kPressed_s) return {reaching_m(t, kDepth_m), 0.0};
+    if (t < kPressed_s) return {reaching_m(t, kTapDepth_m), 0.0};
     const double since_s = t - kPressed_s;
-    if (since_s < up_s()) return {-kDepth_m + (top_m + kDepth_m) * eased(since_s / up_s()), 0.0};
+    if (since_s < up_s()) return {-kTapDepth_m + (top_m + kTapDepth_m) * eased(since_s / up_s()), 0.0};
     const double in_s = since_s - up_s() - rests_s;
     if (in_s <= 0.0) return {top_m, 0.0};
     const double speeding_s = std::min(in_s, kEntry_m_per_s / kFaster_m_per_s2);
     const double gone_m = 0.5 * kFaster_m_per_s2 * speeding_s * speeding_s + kEntry_m_per_s * (in_s - speeding_s);
-    const double most_m = top_m + kDepth_m;
+    const double most_m = top_m + kTapDepth_m;
     return {top_m - std::min(gone_m, most_m), gone_m < most_m ? -kFaster_m_per_s2 * speeding_s : 0.0};
   }
   [[nodiscard]] double ends_s() const noexcept { return kPressed_s + up_s() + rests_s + 0.5; }
@@ -282,7 +282,8 @@ std::vector<Row> measure_return(const Options& options) {
 
 Height tapping(double time_s, double from_s) noexcept {
   const double phase = kOmega_rad_per_s * std::max(0.0, time_s - from_s);
-  return {kAmplitude_m - kDepth_m + kAmplitude_m * std::cos(phase), -kAmplitude_m * kOmega_rad_per_s * std::sin(phase)};
+  return {kAmplitude_m - kTapDepth_m + kAmplitude_m * std::cos(phase),
+          -kAmplitude_m * kOmega_rad_per_s * std::sin(phase)};
 }
 
 std::vector<Study> percussion() {

@@ -9,6 +9,8 @@
 
 namespace telepalp::bench::hand {
 
+inline constexpr double kArm_N_per_m = 300.0;  ///< stiffness of a person's arm
+
 /// A person at the haptic device: determines the positions of device and hand under a force.
 class Person {
  public:

@@ -12,9 +12,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kFrom_s = 14.0;    // the predictions have learned by then
-constexpr double kDepth_m = 0.003;  // below the skin at full exhale, where the hand is held
-constexpr int kEvery = 4;           // draws each fourth tick
+constexpr int kDrawnEvery = 4;  // draws each fourth tick
 constexpr double kHeight_px = 230.0;
 
 struct Panel {
@@ -46,7 +44,7 @@ struct Curves {
   }
 };
 
-Curves play(const Panel& panel) {
+Curves play_picture(const Panel& panel) {
   const Pattern& moves = pattern(panel.pattern);
   const auto patient = torso();
   const Spot& spot = spots().front();
@@ -63,7 +61,7 @@ Curves play(const Panel& panel) {
                        }));
   Curves curves;
   run(feed, station, kFrom_s + panel.lasts_s, [&](const Tick& tick) {
-    if (tick.time_s < kFrom_s || std::llround(tick.time_s / kTick_s) % kEvery != 0) return;
+    if (tick.time_s < kFrom_s || std::llround(tick.time_s / kTick_s) % kDrawnEvery != 0) return;
     curves.add(tick.time_s - kFrom_s, tick.law_N(), tick.pushed_N(),
                newest_image_N(feed, tick, placed).dot(tick.normal));
   });
@@ -75,7 +73,7 @@ Curves play(const Panel& panel) {
 Result<void> draw_force(const std::filesystem::path& file) {
   std::vector<plot::Chart> charts;
   for (const Panel& panel : kPanels) {
-    Curves curves = play(panel);
+    Curves curves = play_picture(panel);
     charts.push_back({.title = panel.title,
                       .x = {.label = &panel == std::end(kPanels) - 1 ? "time [s]" : ""},
                       .y = {.label = "force [N]"},

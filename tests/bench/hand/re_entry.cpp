@@ -29,14 +29,14 @@ struct Unfelt {
   }
 };
 
-struct Outcome {
+struct ReEntry {
   bool tried = false;
   bool released = false;  ///< by the watchdog, after the hand had left the skin
   Unfelt before;          ///< until the watchdog released the hand
   Unfelt after;           ///< since then
 };
 
-Outcome play(int number) {
+ReEntry play_re_entry(int number) {
   device::Random random(300 + static_cast<std::uint64_t>(number));
   const double speed_m_per_s = random.uniform(0.1, 0.8);
   const double pause_s = random.uniform(0.0, 0.3);
@@ -60,7 +60,7 @@ Outcome play(int number) {
     return Point<HapticBase>{{0.0, height_m, 0.0}};
   };
   BenchStation station(with_skin(anchor), haptic_from_camera(*patient, spot), std::make_unique<RigidHand>(path));
-  Outcome outcome;
+  ReEntry outcome;
   run(feed, station, 6.0, [&](const Tick& tick) {
     if (tick.time_s > out_s && tick.control.phase == control::Phase::Released) outcome.released = true;
     constexpr double kWithinSensorError_N = 0.25;  // the force of half a millimetre, the sensor's error
@@ -73,14 +73,14 @@ Outcome play(int number) {
   return outcome;
 }
 
-std::vector<Row> measure(const Options& options) {
+std::vector<Row> measure_re_entry(const Options& options) {
   const int runs = std::max(10, options.seeds);
-  std::vector<Outcome> all(static_cast<std::size_t>(runs));
-  for_each_parallel(runs, options, [&](int i) { all[static_cast<std::size_t>(i)] = play(i); });
-  Outcome worst;
+  std::vector<ReEntry> all(static_cast<std::size_t>(runs));
+  for_each_parallel(runs, options, [&](int i) { all[static_cast<std::size_t>(i)] = play_re_entry(i); });
+  ReEntry worst;
   worst.tried = true;
   int released = 0;
-  for (const Outcome& one : all) {
+  for (const ReEntry& one : all) {
     released += one.released ? 1 : 0;
     worst.tried = worst.tried && one.tried;
     worst.before.take_worse(one.before);
@@ -101,6 +101,6 @@ std::vector<Row> measure(const Options& options) {
 
 }  // namespace
 
-std::vector<Study> re_entry() { return {{"re-entry", measure}}; }
+std::vector<Study> re_entry() { return {{"re-entry", measure_re_entry}}; }
 
 }  // namespace telepalp::bench::hand

@@ -7,7 +7,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kShare = 0.1;
+constexpr double kSlackShare = 0.1;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void accept_reached(const Reached& reached, Report& report) {
   for (Row& row : report.rows) {
     const auto found = reached.find(row.name);
     if (row.holds() || found == reached.end()) continue;
-    const double slack = kShare * std::abs(found->second);
+    const double slack = kSlackShare * std::abs(found->second);
     row.reach = row.bound == Bound::AtMost ? found->second + slack : found->second - slack;
     row.name += " (missed, accepted by --reached)";
   }

@@ -16,9 +16,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kUntil_s = 40.0;
-constexpr double kArm_N_per_m = 300.0;
-constexpr double kDepth_m = 0.003;  // below the skin at full exhale, where the arm rests
+constexpr double kRubsUntil_s = 40.0;
 constexpr double kRub_m = 0.015;    // amplitude of the rubbing
 constexpr std::array kRubs_m_per_s{0.0, 0.018, 0.088};
 constexpr OfDelays kMostInContact_mJ{5.0, 5.0, 30.0};
@@ -67,7 +65,7 @@ struct Gained {
   }
 };
 
-Gained play(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
+Gained play_rubbing(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
   const auto patient = torso();
   const PoseScript pose = script(pattern, patient, spot);
   Feed feed({.patient = patient, .pose = pose, .link = link_before_delays(), .builder = {}});
@@ -83,7 +81,7 @@ Gained play(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
   std::vector<IdealStation> ideals;
   for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) ideals.push_back({.person = person()});
   capture::TrueSurface truth = feed.truth(0.0);
-  run_together(feed, stations, kUntil_s, [&](std::size_t index, const Tick& tick) {
+  run_together(feed, stations, kRubsUntil_s, [&](std::size_t index, const Tick& tick) {
     balances[index].add(tick, tick.displayed ? tick.force_N : Eigen::Vector3d::Zero().eval());
     if (index >= ideals.size()) return;
     if (index == 0) truth = feed.truth(tick.time_s);
@@ -92,7 +90,7 @@ Gained play(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
   Gained gained;
   for (std::size_t index = 0; index < stations.size(); ++index) {
     const std::size_t delay = stations[index].delay;
-    const bool touched = balances[index].touched_s() > 0.5 * kUntil_s;
+    const bool touched = balances[index].touched_s() > 0.5 * kRubsUntil_s;
     gained.contact_mJ[delay] = std::max(gained.contact_mJ[delay], touched ? balances[index].most_mJ() : INFINITY);
     gained.window_mJ[delay] =
         std::max(gained.window_mJ[delay], touched ? balances[index].most_in_window_mJ() : INFINITY);
@@ -106,11 +104,11 @@ Gained play(const Pattern& pattern, double mean_m_per_s, const Spot& spot) {
 
 /// Rows of all delays. `bounds_contact`: the work in a contact has a budget, as the work in 0.2 s has; false: it is
 /// only measured.
-std::vector<Row> measure(const Pattern& pattern, bool bounds_contact, const Options& options) {
+std::vector<Row> measure_rubbing(const Pattern& pattern, bool bounds_contact, const Options& options) {
   std::array<Gained, kRubs_m_per_s.size()> all;
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(pattern, kRubs_m_per_s[at], spots()[at % spots().size()]);
+    all[at] = play_rubbing(pattern, kRubs_m_per_s[at], spots()[at % spots().size()]);
   });
   std::vector<Row> rows;
   for (std::size_t delay = 0; delay < kDelays_s.size(); ++delay) {
@@ -143,7 +141,7 @@ std::vector<Study> rubbing() {
     const bool bounds_contact =
         std::none_of(jolts().begin(), jolts().end(), [&](const Pattern& jolt) { return jolt.name == moves.name; });
     studies.push_back({"rubbing/" + std::string(name), [&moves, bounds_contact](const Options& options) {
-                         return measure(moves, bounds_contact, options);
+                         return measure_rubbing(moves, bounds_contact, options);
                        }});
   }
   return studies;

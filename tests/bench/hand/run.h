@@ -8,11 +8,13 @@
 #include "tests/bench/hand/feed.h"
 #include "tests/bench/hand/patient.h"
 #include "tests/bench/hand/person.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench::hand {
 
-inline constexpr double kTick_s = 0.0005;
 inline constexpr double kSkin_N_per_m = 500.0;
+inline constexpr double kFrom_s = 14.0, kUntil_s = 54.0;  ///< the time that is judged; predictions have learned by then
+inline constexpr double kDepth_m = 0.003;                 ///< of a hand below the skin at full exhale
 
 /// Settings of the station's loop with a linear skin, and faults other than the surface's.
 struct StationSettings {

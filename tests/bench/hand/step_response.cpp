@@ -50,12 +50,13 @@ class Response {
   double law_after_N_ = 0.0;
 };
 
-struct Outcome {
+struct StepOutcome {
   double waited_s = 0.0;
   double force_step_N = 0.0;
 };
 
-Outcome play(double frame_hz, bool rises, effects::SkinAnchor anchor, const Spot& spot, std::uint64_t seed) {
+StepOutcome play_step_response(double frame_hz, bool rises, effects::SkinAnchor anchor, const Spot& spot,
+                               std::uint64_t seed) {
   const auto patient = torso();
   const double sign = rises ? 1.0 : -1.0;
   Feed feed({.patient = patient,
@@ -74,7 +75,7 @@ Outcome play(double frame_hz, bool rises, effects::SkinAnchor anchor, const Spot
                          return Point<HapticBase>{{0.0, 0.04 - (0.04 + depth_m) * eased(t - 0.9), 0.0}};
                        }));
   const double first_seen_s = std::ceil(kStepAt_s * frame_hz) / frame_hz;
-  Outcome outcome;
+  StepOutcome outcome;
   ForceSteps steps;
   Response response;
   run(feed, station, kStepAt_s + kWaits_s, [&](const Tick& tick) {
@@ -86,7 +87,7 @@ Outcome play(double frame_hz, bool rises, effects::SkinAnchor anchor, const Spot
   return outcome;
 }
 
-std::vector<Row> measure(const std::string& name, double frame_hz, const Options& options) {
+std::vector<Row> measure_step_response(const std::string& name, double frame_hz, const Options& options) {
   struct Cell {
     bool rises;
     effects::SkinAnchor anchor;
@@ -96,13 +97,13 @@ std::vector<Row> measure(const std::string& name, double frame_hz, const Options
   for (const bool rises : {true, false})
     for (const auto anchor : {effects::SkinAnchor::FollowsSurface, effects::SkinAnchor::Sliding})
       for (const Spot& spot : spots().first(2)) cells.push_back({rises, anchor, spot});
-  std::vector<Outcome> all(cells.size());
+  std::vector<StepOutcome> all(cells.size());
   for_each_parallel(static_cast<int>(cells.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(frame_hz, cells[at].rises, cells[at].anchor, cells[at].spot, at + 1);
+    all[at] = play_step_response(frame_hz, cells[at].rises, cells[at].anchor, cells[at].spot, at + 1);
   });
-  Outcome worst{.waited_s = 0.0};
-  for (const Outcome& one : all) {
+  StepOutcome worst{.waited_s = 0.0};
+  for (const StepOutcome& one : all) {
     worst.waited_s = std::max(worst.waited_s, one.waited_s);
     worst.force_step_N = std::max(worst.force_step_N, one.force_step_N);
   }
@@ -120,7 +121,7 @@ std::vector<Study> step_response() {
   std::vector<Study> studies;
   for (const int hz : {10, 30, 60, 100, 200}) {
     const std::string name = "step/" + std::to_string(hz) + " Hz";
-    studies.push_back({name, [name, hz](const Options& options) { return measure(name, hz, options); }});
+    studies.push_back({name, [name, hz](const Options& options) { return measure_step_response(name, hz, options); }});
   }
   return studies;
 }

@@ -16,10 +16,10 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kFrom_s = 14.0, kUntil_s = 44.0;
-constexpr std::int64_t kEvery = 4;  // judges each fourth tick, because judging takes as long as a tick
-constexpr double kPress_s = 1.7;    // period of the presses; not a multiple of a breath's
-constexpr double kAbove_m = 0.005, kDepth_m = 0.008;  // heights over and below the skin at full exhale
+constexpr double kPressesUntil_s = 44.0;
+constexpr std::int64_t kPressJudgedEvery = 4;  // judges each fourth tick, because judging takes as long as a tick
+constexpr double kPressPeriod_s = 1.7;         // period of the presses; not a multiple of a breath's
+constexpr double kPressAbove_m = 0.005, kPressDepth_m = 0.008;  // heights over and below the skin at full exhale
 constexpr double kBelowPeak_N = 9.9;                  // above this, the device's peak limits the law's force
 constexpr std::size_t kFewest = 25;  // least number of judged ticks in the skin for a press that counts
 
@@ -52,11 +52,11 @@ struct Deviations {
   OfPresses over_depth;      ///< of the force over the depth below the true skin, from the law's stiffness
 };
 
-double presses_at(double t) noexcept { return std::max(0.0, t - 2.0) / kPress_s; }
+double presses_at(double t) noexcept { return std::max(0.0, t - 2.0) / kPressPeriod_s; }
 
 double height_m(double t) noexcept {
   const double pressed = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * presses_at(t));
-  return std::max(0.0, 0.06 - 0.03 * t) + kAbove_m - (kAbove_m + kDepth_m) * pressed;
+  return std::max(0.0, 0.06 - 0.03 * t) + kPressAbove_m - (kPressAbove_m + kPressDepth_m) * pressed;
 }
 
 /// The present press at one station.
@@ -76,7 +76,7 @@ void end(const Press& press, std::size_t delay, Deviations& all) {
   all.over_depth[delay].push_back(off(press.over_depth, kSkin_N_per_m));
 }
 
-Deviations play(const Pattern& pattern, const Spot& spot) {
+Deviations play_stiffness(const Pattern& pattern, const Spot& spot) {
   const auto patient = torso();
   Feed feed({.patient = patient, .pose = script(pattern, patient, spot), .link = link_before_delays(), .builder = {}});
   const auto placed = haptic_from_camera(*patient, spot);
@@ -84,8 +84,8 @@ Deviations play(const Pattern& pattern, const Spot& spot) {
   std::vector<DelayedStation> stations = stations_at_delays(placed, [&] { return std::make_unique<RigidHand>(path); });
   std::vector<Press> now(stations.size());
   Deviations deviations;
-  run_together(feed, stations, kUntil_s, [&](std::size_t index, const Tick& tick) {
-    if (tick.time_s < kFrom_s || std::llround(tick.time_s / kTick_s) % kEvery != 0) return;
+  run_together(feed, stations, kPressesUntil_s, [&](std::size_t index, const Tick& tick) {
+    if (tick.time_s < kFrom_s || std::llround(tick.time_s / kTick_s) % kPressJudgedEvery != 0) return;
     Press& press = now[index];
     if (const double number = std::floor(presses_at(tick.time_s)); number != press.number) {
       end(press, stations[index].delay, deviations);
@@ -109,12 +109,12 @@ double p95_percent(std::span<const Deviations> spots, Deviations::OfPresses Devi
   return 100.0 * joined.quantile(0.95);
 }
 
-std::vector<Row> measure(std::span<const Pattern> patterns, const OfDelays& reach, const Options& options) {
+std::vector<Row> measure_stiffness(std::span<const Pattern> patterns, const OfDelays& reach, const Options& options) {
   const std::size_t spot_count = spots().size();
   std::vector<Deviations> all(patterns.size() * spot_count);
   for_each_parallel(static_cast<int>(all.size()), options, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    all[at] = play(patterns[at / spot_count], spots()[at % spot_count]);
+    all[at] = play_stiffness(patterns[at / spot_count], spots()[at % spot_count]);
   });
   std::vector<Row> rows;
   for (std::size_t at = 0; at < patterns.size(); ++at)
@@ -138,10 +138,10 @@ std::vector<Row> measure(std::span<const Pattern> patterns, const OfDelays& reac
 std::vector<Study> stiffness() {
   return {{"stiffness/breaths",
            [](const Options& options) {
-             return measure(breaths(), {5.0, 5.0, 5.0}, options);
+             return measure_stiffness(breaths(), {5.0, 5.0, 5.0}, options);
            }},
           {"stiffness/talk", [](const Options& options) {
-             return measure({&talk(), 1}, {0.0, 15.0, 0.0}, options);
+             return measure_stiffness({&talk(), 1}, {0.0, 15.0, 0.0}, options);
            }}};
 }
 

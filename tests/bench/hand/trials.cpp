@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBreathing_m = 0.005;
 
-std::vector<Row> measure(const std::string& name, double breathing_m, const Options& options) {
+std::vector<Row> measure_trials(const std::string& name, double breathing_m, const Options& options) {
   constexpr device::Trial kTrials[] = {device::Trial::IndentSeveralPoints, device::Trial::MoveWithin,
                                        device::Trial::FindCylinder, device::Trial::FreeSearch};
   trials::TrialFigures figures[std::size(kTrials)];
@@ -40,7 +40,7 @@ std::vector<Study> paper_trials() {
   for (const auto& [name, breathing_m] :
        {std::pair{"trials/at rest", 0.0}, std::pair{"trials/breathing 5 mm", kBreathing_m}})
     studies.push_back({name, [name = std::string(name), breathing_m](const Options& options) {
-                         return measure(name, breathing_m, options);
+                         return measure_trials(name, breathing_m, options);
                        }});
   return studies;
 }

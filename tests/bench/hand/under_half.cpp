@@ -13,15 +13,13 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kArm_N_per_m = 300.0;
 constexpr double kRise_m = 0.01, kRises_s = 0.05;
 constexpr double kArrived_s = 1.6;  // the hand is at its place by then
 constexpr double kShift_s = 2.2;    // the shift begins at most one frame period later
 constexpr double kJudged_s = 1.5;
 constexpr double kLeastLaw_N = 0.2;
-constexpr double kFrame_s = 1.0 / 30.0;
 
-struct Case {
+struct ShiftCase {
   const char* name;
   Link link;
   std::optional<double> reach_s;  ///< nullopt: only measured
@@ -34,12 +32,12 @@ constexpr Link with_loss(Link link, double burst_frames) noexcept {
   link.burst_frames = burst_frames;
   return link;
 }
-constexpr Case kCases[] = {{"20 ms", kPipeline, 0.12},
-                           {"100 ms", kFar, 0.22},
-                           {"20 ms, 10 % of the frames lost", with_loss(kPipeline, 1.0), 0.15},
-                           {"100 ms, 10 % of the frames lost", with_loss(kFar, 1.0), 0.24},
-                           {"20 ms, 10 % lost in bursts of four", with_loss(kPipeline, 4.0), std::nullopt},
-                           {"100 ms, 10 % lost in bursts of four", with_loss(kFar, 4.0), std::nullopt}};
+constexpr ShiftCase kCases[] = {{"20 ms", kPipeline, 0.12},
+                                {"100 ms", kFar, 0.22},
+                                {"20 ms, 10 % of the frames lost", with_loss(kPipeline, 1.0), 0.15},
+                                {"100 ms, 10 % of the frames lost", with_loss(kFar, 1.0), 0.24},
+                                {"20 ms, 10 % lost in bursts of four", with_loss(kPipeline, 4.0), std::nullopt},
+                                {"100 ms, 10 % lost in bursts of four", with_loss(kFar, 4.0), std::nullopt}};
 
 struct UnderHalf {
   double station_s = 0.0;
@@ -51,7 +49,7 @@ bool too_little(double force_N, const Tick& tick) noexcept {
   return tick.law_N() > kLeastLaw_N && force_N < 0.5 * tick.law_N();
 }
 
-UnderHalf play(const Link& link, int number) {
+UnderHalf play_under_half(const Link& link, int number) {
   device::Random random(52000 + static_cast<std::uint64_t>(number));
   const auto patient = torso();
   const Spot spot = spots()[random.bits() % spots().size()];
@@ -85,10 +83,11 @@ UnderHalf play(const Link& link, int number) {
   return under;
 }
 
-std::vector<Row> measure(const Case& one, const Options& options) {
+std::vector<Row> measure_under_half(const ShiftCase& one, const Options& options) {
   const std::string name = std::string("under half/") + one.name;
   std::vector<UnderHalf> all(static_cast<std::size_t>(options.seeds));
-  for_each_parallel(options.seeds, options, [&](int i) { all[static_cast<std::size_t>(i)] = play(one.link, i); });
+  for_each_parallel(options.seeds, options,
+                    [&](int i) { all[static_cast<std::size_t>(i)] = play_under_half(one.link, i); });
   Distribution station_s;
   Distribution ideal_s;
   for (const UnderHalf& under : all) {
@@ -106,9 +105,9 @@ std::vector<Row> measure(const Case& one, const Options& options) {
 
 std::vector<Study> under_half() {
   std::vector<Study> studies;
-  for (const Case& one : kCases)
-    studies.push_back(
-        {std::string("under half/") + one.name, [&one](const Options& options) { return measure(one, options); }});
+  for (const ShiftCase& one : kCases)
+    studies.push_back({std::string("under half/") + one.name,
+                       [&one](const Options& options) { return measure_under_half(one, options); }});
   return studies;
 }
 

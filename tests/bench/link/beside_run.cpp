@@ -15,7 +15,6 @@ namespace {
 using namespace std::chrono_literals;
 using telepalp::link::DatagramLink;
 
-constexpr Nanoseconds kStep = 250us;
 constexpr Nanoseconds kPeriod = 33'333'333ns;
 constexpr Nanoseconds kReportEvery = 100ms;  // period of the reports of wire::DatagramEnd
 constexpr double kDepthShare = 0.4;

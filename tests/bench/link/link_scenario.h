@@ -8,6 +8,8 @@
 
 namespace telepalp::bench::link {
 
+inline constexpr Nanoseconds kStep = std::chrono::microseconds(250);  ///< of virtual time
+
 /// A camera's frames over an impaired path. A frame is a depth image and a colour image; sizes are those of today's
 /// default on the synthetic patient, and vary by a tenth.
 struct Scenario {

@@ -12,6 +12,7 @@
 
 #include "proto/words/demand.h"
 #include "tests/bench/link/camera_feed.h"
+#include "tests/bench/link/plain_address.h"
 #include "tests/bench/link/real_time_priority.h"
 #include "tools/link_proxy/link_proxy.h"
 
@@ -23,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMessage_B = 1316;  ///< SRT's default for a live stream
 
-struct Label {
+struct MessageLabel {
   std::uint32_t number;
   std::uint16_t messages;  ///< of the image
   std::uint16_t image;
@@ -57,8 +58,6 @@ sockaddr_in loopback(std::uint16_t port) {
   return address;
 }
 
-const sockaddr* plain(const sockaddr_in& address) { return reinterpret_cast<const sockaddr*>(&address); }
-
 std::uint16_t port_of(SRTSOCKET socket) {
   sockaddr_in address{};
   int size = sizeof address;
@@ -67,9 +66,9 @@ std::uint16_t port_of(SRTSOCKET socket) {
 }
 
 double send_image(SRTSOCKET to, const CameraImage& image) {
-  const std::size_t part_B = kMessage_B - sizeof(Label);
+  const std::size_t part_B = kMessage_B - sizeof(MessageLabel);
   const auto messages = static_cast<std::uint16_t>((image.bytes.size() + part_B - 1) / part_B);
-  const Label label{image.number, messages, image.image, image.bytes.size()};
+  const MessageLabel label{image.number, messages, image.image, image.bytes.size()};
   std::array<char, kMessage_B> message{};
   double sent_B = 0.0;
   for (std::size_t at = 0; at < image.bytes.size(); at += part_B) {
@@ -83,7 +82,7 @@ double send_image(SRTSOCKET to, const CameraImage& image) {
 }
 
 struct Arrival {
-  Label label;
+  MessageLabel label;
   Nanoseconds at;
 };
 
@@ -93,8 +92,8 @@ std::vector<Arrival> receive_until(SRTSOCKET from, Clock::time_point start, cons
   std::array<char, 1500> message{};
   while (!stop) {
     const int size = srt_recvmsg(from, message.data(), static_cast<int>(message.size()));
-    if (size < static_cast<int>(sizeof(Label))) continue;
-    Label label{};
+    if (size < static_cast<int>(sizeof(MessageLabel))) continue;
+    MessageLabel label{};
     std::memcpy(&label, message.data(), sizeof label);
     if (++messages[{label.image, label.number}] == label.messages) arrivals.push_back({label, Clock::now() - start});
   }

@@ -20,6 +20,7 @@
 
 #include "proto/impaired/impaired_link.h"
 #include "tests/bench/link/camera_feed.h"
+#include "tests/bench/link/plain_address.h"
 #include "tests/bench/link/real_time_priority.h"
 
 namespace telepalp::bench::link {
@@ -62,7 +63,6 @@ sockaddr_in address_of(const char* text, std::uint16_t port) {
   inet_pton(AF_INET, text, &address.sin_addr);
   return address;
 }
-const sockaddr* plain(const sockaddr_in& address) { return reinterpret_cast<const sockaddr*>(&address); }
 
 /// A network namespace with one interface, whose packets are read from and written to `tun`, and one TCP socket.
 struct End {

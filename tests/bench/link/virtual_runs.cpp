@@ -8,8 +8,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds kStep = 250us;
-
 /// Calls step(now) each kStep, and samples the age each millisecond.
 template <class Step>
 Outcome run(CameraFeed& feed, Step step) {

@@ -10,7 +10,6 @@ namespace {
 
 using namespace mixed;
 
-const Intrinsics kLens{1024, 768, 950, 950, 511.5, 383.5};
 const PoseNoise kBoardNoise{0.2e-3 / std::numbers::sqrt3, 0.03 * std::numbers::pi / 180.0 / std::numbers::sqrt3};
 constexpr int kRing_px = 12;
 

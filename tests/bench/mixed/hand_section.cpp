@@ -17,8 +17,6 @@ using namespace mixed;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-const Intrinsics kLens{1024, 768, 950, 950, 511.5, 383.5};
-
 /// Mean place of the hand's pixels within `radius_px` of `around`.
 Vector2d middle_near(const Mask& hand, const Vector2d& around, double radius_px) {
   Vector2d sum = Vector2d::Zero();

@@ -8,8 +8,6 @@ namespace {
 
 using namespace mixed;
 
-const Intrinsics kLens{1024, 768, 950, 950, 511.5, 383.5};
-
 void add_device_rows(std::vector<Row>& rows, const std::string& what, bool arm_alone) {
   constexpr int kImages = 60;
   const std::string start = "mask of the " + what + " under 1.35 mm and 0.5 degrees: ";

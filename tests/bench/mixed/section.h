@@ -3,9 +3,13 @@
 #include <string_view>
 #include <vector>
 
+#include "proto/words/rgbd_frame.h"
 #include "tests/bench/report.h"
 
 namespace telepalp::bench {
+
+/// The camera of all sections.
+inline const Intrinsics kLens{1024, 768, 950, 950, 511.5, 383.5};
 
 /// One group of rows of `telepalp-bench mixed`; `--part NAME` runs it alone.
 struct MixedSection {

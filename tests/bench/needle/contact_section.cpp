@@ -9,6 +9,7 @@
 #include "haptic_station/tissue/mesh/triangle_tree.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/needle/section.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/haptic_station/tissue/meshes.h"
 
 namespace telepalp::bench {
@@ -19,7 +20,6 @@ using tissue::SurfaceMesh;
 using tissue::TriangleTree;
 
 constexpr int kTicks = 250'000;  // of each mesh and speed
-constexpr double kTick_s = 0.0005;
 
 /// A tip that goes straight from one random place in a box around the mesh to the next, at one speed.
 std::vector<Vector3d> tip_path(double speed_m_per_s) {

@@ -21,7 +21,7 @@ double missing_share(const tissue::SurfaceSettings& given) {
     tissue::Insertion run = tissue::just_punctured(given, {0.002, 0.005, 0.0});
     const double before_J = run.tissue.stored_J();
     const double taken_J = run.taken_J;
-    for (int i = 0; i < 200; ++i) run.tick(run.needle.tip_m - Vector3d(0.0, speed_m_per_s * tissue::kTick_s, 0.0));
+    for (int i = 0; i < 200; ++i) run.tick(run.needle.tip_m - Vector3d(0.0, speed_m_per_s * kTick_s, 0.0));
     const double found_J = taken_J - run.taken_J + run.tissue.punctures_dissipated_J() + run.tissue.stored_J();
     worst = std::max(worst, std::abs(before_J - found_J) / before_J);
   }
@@ -56,18 +56,18 @@ effects::Effect stiff_tissue(const scenes::Scene& scene, tissue::BulkLaw law) {
 
 /// A needle on a prescribed path wanders for 1e5 ticks, 50 s, through `felt`.
 Gain gained(std::initializer_list<effects::Effect> felt) {
-  constexpr int kTicks = 100'000;
+  constexpr int kWanders_ticks = 100'000;
   effects::EffectBank bank;
   for (const effects::Effect& effect : felt) (void)bank.add(effect);
   std::vector<Vector3d> places;
   tissue::Wanderer tip({0.0, 0.005, 0.0}, 3);
-  for (int i = 0; i < kTicks; ++i) places.push_back(tip.next());
+  for (int i = 0; i < kWanders_ticks; ++i) places.push_back(tip.next());
   const auto place = [&](double s) {
-    const auto i = static_cast<std::size_t>(std::lround(s / tissue::kTick_s));
+    const auto i = static_cast<std::size_t>(std::lround(s / kTick_s));
     return places[std::min(i, places.size() - 1)];
   };
   hard_cases::ForcedPath run{
-      .seconds = hard_cases::ForcedPath::kDown_s + kTicks * tissue::kTick_s, .effects = bank, .path = place};
+      .seconds = hard_cases::ForcedPath::kDown_s + kWanders_ticks * kTick_s, .effects = bank, .path = place};
   Gain gain;
   run.watch = [&](const control::ControlOutput& out, double) {
     gain.display_J = std::max(gain.display_J, -out.passivity_J);

@@ -7,6 +7,7 @@
 #include "haptic_station/mechanism/held_linkage.h"
 #include "tests/bench/needle/section.h"
 #include "tests/haptic_station/mechanism/dual.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::bench {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using mechanism::Branch;
 using mechanism::FourBar;
 using mechanism::HeldLinkage;
-
-constexpr double kTick_s = 0.0005;
 
 FourBar any_bar(device::Random& random) {
   const auto length_m = [&] { return random.uniform(0.05, 0.2); };

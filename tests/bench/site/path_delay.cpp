@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 using Datagram = std::array<std::byte, 1200>;
 
 constexpr int kDatagrams = 4000;
-constexpr auto kEvery = 500us;
+constexpr auto kProbeEvery = 500us;
 
 Datagram stamped() {
   Datagram datagram{};
@@ -99,9 +99,9 @@ Result<PathDelay> measure_path_delay() {
   for (const auto end = Clock::now() + 5s; !paths.has_path() && Clock::now() < end;) io.run_one_for(10ms);
   for (int i = 0; i < kDatagrams; ++i) {
     sockets.send();
-    io.run_for(kEvery);
+    io.run_for(kProbeEvery);
     paths.send();
-    io.run_for(kEvery);
+    io.run_for(kProbeEvery);
   }
   io.run_for(100ms);
   if (plain.size() < kDatagrams || by_path.size() < kDatagrams)

@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kEvery = 5ms;
+constexpr auto kLookEvery = 5ms;
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"  // in the macros of the kernel's headers
@@ -95,7 +95,7 @@ void QueueWatch::read(const std::stop_token& stop) {
   const int socket = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE);
   demand(socket >= 0, "the kernel's queues can be asked");
   const int device = static_cast<int>(::if_nametoindex("site"));
-  for (; !stop.stop_requested(); std::this_thread::sleep_for(kEvery)) {
+  for (; !stop.stop_requested(); std::this_thread::sleep_for(kLookEvery)) {
     const std::optional<std::uint32_t> bytes = ask(socket, device);
     if (!bytes) continue;
     const std::lock_guard lock(mutex_);

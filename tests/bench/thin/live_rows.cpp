@@ -13,6 +13,7 @@
 #include "support/program/files/shipped.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/thin/live_hand.h"
+#include "tests/bench/thin/recorded_room.h"
 #include "tests/support/child_process.h"
 #include "tools/link_proxy/link_proxy.h"
 #include "where.h"
@@ -22,7 +23,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr double kMbit = 1e6 / 8.0;  // [B]
 constexpr double kSettle_s = 3.0;    // from this time on, the rates must be steady
 

@@ -7,14 +7,13 @@
 #include "server/pipeline/capture_thread.h"
 #include "tests/bench/thin/color_film.h"
 #include "tests/bench/thin/live_rows.h"
+#include "tests/bench/thin/recorded_room.h"
 #include "tests/bench/thin/voice_rows.h"
 #include "tests/bench/thin/window_rows.h"
-#include "where.h"
 
 namespace telepalp::bench {
 namespace {
 
-constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr int kLeastRate_kbit_per_s = 50;
 constexpr int kMostRate_kbit_per_s = 20'000;
 constexpr int kThinLineQuality = 25;  // JPEG quality that pipeline::shrunk() gives a line without room

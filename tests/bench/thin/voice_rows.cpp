@@ -32,7 +32,7 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds kOneWay = 25ms;
 constexpr double kRate_B_per_s = 4e6 / 8.0;
-constexpr std::uint32_t kFrames = 1'500;  // 30 s
+constexpr std::uint32_t kSpokenFrames = 1'500;  // 30 s
 constexpr std::uint32_t kSettled = 250;   // 5 s, in which the jitter buffer has met the first bursts
 
 SessionTime steady_now() {
@@ -208,15 +208,15 @@ struct Talk {
   Distribution apart_ms{};     ///< capture of the image shown from the instant of the sound heard
 };
 
-/// Speaks kFrames frames, with an image of `image_B` beside each, and listens. Two threads: a late loudspeaker must not
-/// delay the microphone.
+/// Speaks kSpokenFrames frames, with an image of `image_B` beside each, and listens. Two threads: a late loudspeaker
+/// must not delay the microphone.
 Talk talk(Mouth& mouth, Ear& ear, std::size_t image_B) {
   Talk result;
   std::mutex mutex;
   std::map<std::uint32_t, SessionTime> begun;  // when the first sample of each frame was spoken
   const SessionTime start = steady_now();
   std::thread microphone([&] {
-    for (std::uint32_t number = 0; number < kFrames; ++number) {
+    for (std::uint32_t number = 0; number < kSpokenFrames; ++number) {
       const SessionTime first = start + number * Nanoseconds(kVoiceFrameTime);
       std::this_thread::sleep_until(
           std::chrono::steady_clock::time_point((first + kVoiceFrameTime).time_since_epoch()));
@@ -227,7 +227,7 @@ Talk talk(Mouth& mouth, Ear& ear, std::size_t image_B) {
       mouth.say(number, image_B);
     }
   });
-  for (std::uint32_t call = 0; call < kFrames + 75; ++call) {
+  for (std::uint32_t call = 0; call < kSpokenFrames + 75; ++call) {
     const SessionTime due = start + 7ms + call * Nanoseconds(kVoiceFrameTime);
     std::this_thread::sleep_until(std::chrono::steady_clock::time_point(due.time_since_epoch()));
     const codec::VoicePlayout::Played played = ear.pull();
@@ -243,13 +243,13 @@ Talk talk(Mouth& mouth, Ear& ear, std::size_t image_B) {
   return result;
 }
 
-struct Line {
+struct VoiceLine {
   double loss = 0.0;
   double burst_packets = 1.0;  ///< mean number of packets in a burst of loss
   std::size_t image_B = 0;     ///< of the image beside each frame
 };
 
-Result<void> add_rows(Report& report, const std::string& name, const Line& line) {
+Result<void> add_rows(Report& report, const std::string& name, const VoiceLine& line) {
   Mouth mouth;
   Network network;
   const impaired::Impairment both{.delay = kOneWay,
@@ -274,7 +274,7 @@ Result<void> add_rows(Report& report, const std::string& name, const Line& line)
   network.io.stop();
   if (!talked) return talked.error();
   const codec::VoicePlayout::Counts& counts = talked->counts;
-  const double percent = 100.0 / kFrames;
+  const double percent = 100.0 / kSpokenFrames;
   report.rows.push_back(at_most(name + ": mouth to ear beyond the path's own delay, p95",
                                 talked->mouth_to_ear_ms.quantile(0.95), "ms", 120.0));
   report.rows.push_back(
@@ -291,7 +291,7 @@ Result<void> add_rows(Report& report, const std::string& name, const Line& line)
     report.rows.push_back(at_most(name + ": capture of the picture shown from the sound heard, p95",
                                   talked->apart_ms.quantile(0.95), "ms", 40.0));
   const std::uint64_t told = counts.played + counts.concealed + counts.restored + counts.skipped;
-  const double untold = static_cast<double>(kFrames) - static_cast<double>(told);
+  const double untold = static_cast<double>(kSpokenFrames) - static_cast<double>(told);
   report.rows.push_back(at_most(name + ": frames of which no count tells", std::abs(untold), "", 5.0));
   return {};
 }
@@ -300,11 +300,11 @@ Result<void> add_rows(Report& report, const std::string& name, const Line& line)
 
 Result<void> add_voice_rows(Report& report) {
   constexpr std::size_t kImage_B = 6'000;  // 50 a second are 2.4 Mbit/s, as depth and colour have on this line
-  for (const auto& [name, line] :
-       {std::pair{"no loss", Line{}}, std::pair{"10 % loss in bursts of 4", Line{.loss = 0.1, .burst_packets = 4.0}},
-        std::pair{"1 % loss, beside images", Line{.loss = 0.01, .image_B = kImage_B}},
-        std::pair{"10 % loss in bursts of 4, beside images",
-                  Line{.loss = 0.1, .burst_packets = 4.0, .image_B = kImage_B}}})
+  for (const auto& [name, line] : {std::pair{"no loss", VoiceLine{}},
+                                   std::pair{"10 % loss in bursts of 4", VoiceLine{.loss = 0.1, .burst_packets = 4.0}},
+                                   std::pair{"1 % loss, beside images", VoiceLine{.loss = 0.01, .image_B = kImage_B}},
+                                   std::pair{"10 % loss in bursts of 4, beside images",
+                                             VoiceLine{.loss = 0.1, .burst_packets = 4.0, .image_B = kImage_B}}})
     if (const auto added = add_rows(report, name, line); !added) return added;
   report.notes.emplace_back(
       "voice: a hub, its sockets and a client with a jitter buffer, 4 Mbit/s, 50 ms there and back; 24 kbit/s of Opus, "

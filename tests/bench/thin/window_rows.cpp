@@ -13,6 +13,7 @@
 #include "tests/bench/depth/depth_set.h"
 #include "tests/bench/distribution.h"
 #include "tests/bench/effects/thread_time.h"
+#include "tests/bench/thin/recorded_room.h"
 #include "where.h"
 
 namespace telepalp::bench {
@@ -21,7 +22,6 @@ namespace {
 using codec::DepthMode;
 using codec::WindowGrowth;
 
-constexpr const char* kRoom = TELEPALP_SOURCE_DIR "/deploy/demo_data/oni/3dj_test.oni";
 constexpr double kShare = 0.15;      // of the image's pixels
 constexpr std::size_t kFewest = 15;  // least number of images that are coded; a smaller set is repeated
 constexpr std::size_t kMostImages = 30;
@@ -48,7 +48,7 @@ PixelRect window_in(const DepthImage& image, std::size_t index) {
 }
 
 /// Figures of one coding over the images of a set.
-struct Outcome {
+struct CodedWindow {
   double bytes = 0.0;
   Distribution encode_us;
   Distribution decode_us;
@@ -57,7 +57,7 @@ struct Outcome {
 };
 
 /// Counts the pixels of `back` that differ from `sent` by more than the packet states.
-void check(const DepthImage& sent, const codec::DecodedDepth& back, Outcome& into) {
+void check(const DepthImage& sent, const codec::DecodedDepth& back, CodedWindow& into) {
   for (int row = 0; row < sent.height; ++row)
     for (int column = 0; column < sent.width; ++column) {
       const int was = sent.at(column, row);
@@ -88,8 +88,8 @@ struct Yard {
 };
 
 /// Codes `set` in `mode`; with windows if `growth` names their bounds.
-Outcome coded(const DepthSet& set, DepthMode mode, std::optional<WindowGrowth> growth, Yard& yard) {
-  Outcome outcome;
+CodedWindow coded(const DepthSet& set, DepthMode mode, std::optional<WindowGrowth> growth, Yard& yard) {
+  CodedWindow outcome;
   codec::DepthEncoder encoder({.mode = mode, .key_every = 12});
   codec::DepthReader reader;
   const std::size_t count = std::clamp(set.images.size(), kFewest, kMostImages);
@@ -130,7 +130,7 @@ void add_set_rows(Report& report, const std::string& name, const DepthSet& set, 
   for (const DepthMode mode : {DepthMode::Intra, DepthMode::Temporal})
     for (std::size_t i = 0; i < kGrowths.size(); ++i) {
       Yard yard{.peer = &zstd, .encode_us = {}, .decode_us = {}};
-      const Outcome part = coded(set, mode, kGrowths[i].growth, yard);
+      const CodedWindow part = coded(set, mode, kGrowths[i].growth, yard);
       const std::string window = name + ", window of 15 %, " + std::string(codec::name(mode)) + ", " + kGrowths[i].name;
       report.rows.push_back(measured(window + ": bytes, divided by intra's", part.bytes / whole, ""));
       report.rows.push_back(at_most(window + ": pixels that are not exact in the window", part.off_in_window, "", 0.0));

@@ -18,12 +18,12 @@ using Words = std::vector<std::string>;
 constexpr std::chrono::minutes kPatience{5};
 
 /// Exit code and output of a program.
-struct Outcome {
+struct GateRun {
   int code = -1;
   std::string said;
 };
 
-Outcome run(const UsersPlace& place, const std::string& program, Words words) {
+GateRun run(const UsersPlace& place, const std::string& program, Words words) {
   const fs::path log = place.scratch / "said";
   words.insert(words.begin(), {"-c", "exec \"$0\" \"$@\" >&2", program});
   support::ChildProcess process("/bin/sh", words, log);
@@ -54,7 +54,7 @@ class Gate {
 
   Result<void> prepare();
   [[nodiscard]] std::vector<Defect> defects() const;
-  [[nodiscard]] Outcome judged(const Defect& defect) const { return run(place_, defect.program, defect.words); }
+  [[nodiscard]] GateRun judged(const Defect& defect) const { return run(place_, defect.program, defect.words); }
   [[nodiscard]] Words replay_words(const Words& more) const;
   [[nodiscard]] std::string program(const char* name) const { return (place_.programs / name).string(); }
   [[nodiscard]] std::string in(const std::string& name) const { return (place_.scratch / name).string(); }
@@ -90,14 +90,14 @@ Words Gate::replay_words(const Words& more) const {
 
 /// Records eight seconds of server, station and recorder, and replays them as the baselines.
 Result<void> Gate::prepare() {
-  const Outcome live =
+  const GateRun live =
       run(place_, "/usr/bin/env",
           {"TELEPALP_BIN=" + place_.programs.string(), "bash", (place_.sources / "deploy/demo").string(), "--headless",
            "--seconds", "8", "--out", in("live")});
   if (live.code != 0)
     return Error{.what = "the demo failed:\n" + live.said, .where = "deploy/demo", .fix = "see above"};
   for (const auto& [folder, mode] : {std::pair{"base", "fast"}, {"bounded", "bounded"}}) {
-    const Outcome base =
+    const GateRun base =
         run(place_, program("telepalp-replay"), replay_words({"--depth-mode", mode, "--out", in(folder)}));
     if (base.code != 0)
       return Error{.what = "no baseline:\n" + base.said, .where = "telepalp-replay", .fix = "see above"};
@@ -142,7 +142,7 @@ Result<std::vector<Row>> run_gate_section(const UsersPlace& place) {
   int caught = 0, named = 0;
   for (const Defect& defect : gate.defects()) {
     if (!defect.planted) return defect.planted.error();
-    const Outcome outcome = gate.judged(defect);
+    const GateRun outcome = gate.judged(defect);
     const std::string cause = first_cause(outcome.said);
     const bool is_named = cause.find(defect.cause) != std::string::npos;
     caught += outcome.code == 1 ? 1 : 0;
@@ -152,7 +152,7 @@ Result<std::vector<Row>> run_gate_section(const UsersPlace& place) {
   }
   int failed = 0;
   const Words again{"again:" + gate.in("base"), "--baseline", gate.in("base")};
-  for (const Outcome& clean :
+  for (const GateRun& clean :
        {run(place, gate.program("telepalp-replay"), gate.replay_words({"--baseline", gate.in("base")})),
         run(place, gate.program("telepalp-replay"), again),
         run(place, gate.program("telepalp-report"),

@@ -28,8 +28,6 @@ std::string bytes_of(const fs::path& file) {
 
 void write(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
 /// Runs telepalp-record as a user does.
 class Recorder {
  public:

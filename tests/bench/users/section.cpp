@@ -26,8 +26,6 @@ Result<Row> read_row(const std::string& line, const std::string& script) {
   return not_a_row(line, script);
 }
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
 }  // namespace
 
 Result<std::vector<Row>> rows_of_script(const UsersPlace& place, const std::filesystem::path& script) {

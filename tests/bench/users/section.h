@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct UsersPlace {
   std::filesystem::path sources;   ///< the checkout
   std::filesystem::path scratch;   ///< an empty folder, removed after the section
 };
+
+/// `path` as a word of a shell's command.
+[[nodiscard]] inline std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 /// One group of users' rows; `--part NAME` runs it alone.
 struct UsersSection {

@@ -15,14 +15,14 @@ namespace {
 constexpr double kMostVolumeError = 0.01;
 
 /// What `telepalp-station scene mesh` made of a solid.
-struct Outcome {
+struct MeshRun {
   bool refused = false;
   isosurface::MeshFacts facts{};
   std::size_t triangles = 0;
   double seconds = 0.0;
 };
 
-Result<Outcome> meshed(const UsersPlace& place, const KnownSolid& solid) {
+Result<MeshRun> meshed(const UsersPlace& place, const KnownSolid& solid) {
   const std::filesystem::path scene = place.scratch / "one.scene.textproto", mesh = place.scratch / "one.ply";
   std::filesystem::remove(mesh);
   std::ofstream(scene) << "haptic_from_camera { translation_m { y: 0.8 } rotation_vector_rad { x: 1.5708 } }\n"
@@ -33,7 +33,7 @@ Result<Outcome> meshed(const UsersPlace& place, const KnownSolid& solid) {
                                             (place.programs / "telepalp-station").string(), scene.string(),
                                             mesh.string(), (place.scratch / "log.txt").string()});
   const std::optional<int> code = program.wait(std::chrono::minutes(10));
-  Outcome outcome{.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count()};
+  MeshRun outcome{.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count()};
   outcome.refused = code == 1 && !std::filesystem::exists(mesh);
   if (outcome.refused) return outcome;
   const Result<models::PointModel> model = models::read_point_model(mesh);
@@ -46,16 +46,16 @@ Result<Outcome> meshed(const UsersPlace& place, const KnownSolid& solid) {
   return outcome;
 }
 
-double volume_error(const KnownSolid& solid, const Outcome& outcome) {
+double volume_error(const KnownSolid& solid, const MeshRun& outcome) {
   return std::abs(outcome.facts.volume_m3 / solid.volume_m3 - 1.0);
 }
 
-bool is_right(const KnownSolid& solid, const Outcome& outcome) {
+bool is_right(const KnownSolid& solid, const MeshRun& outcome) {
   return outcome.facts.open_edges == 0 && outcome.facts.parts == solid.parts && outcome.facts.euler == solid.euler &&
          volume_error(solid, outcome) <= kMostVolumeError;
 }
 
-void tell(const KnownSolid& solid, const Outcome& outcome) {
+void tell(const KnownSolid& solid, const MeshRun& outcome) {
   if (outcome.refused)
     std::fprintf(stderr, "  %s: refused, after %.1f s\n", solid.name.c_str(), outcome.seconds);
   else
@@ -73,7 +73,7 @@ Result<std::vector<Row>> run_solids_section(const UsersPlace& place) {
   std::size_t triangles = 0, slivers = 0;
   const std::vector<KnownSolid> solids = known_solids();
   for (const KnownSolid& solid : solids) {
-    const Result<Outcome> outcome = meshed(place, solid);
+    const Result<MeshRun> outcome = meshed(place, solid);
     if (!outcome) return outcome.error();
     tell(solid, *outcome);
     longest_s = std::max(longest_s, outcome->seconds);
@@ -86,7 +86,7 @@ Result<std::vector<Row>> run_solids_section(const UsersPlace& place) {
   }
   double invented = 0.0;
   for (const KnownSolid& solid : solids_without_mesh()) {
-    const Result<Outcome> outcome = meshed(place, solid);
+    const Result<MeshRun> outcome = meshed(place, solid);
     invented += outcome && outcome->refused ? 0.0 : 1.0;
   }
   const std::string of = "CSG meshes of " + std::to_string(solids.size()) + " expressions: ";

@@ -19,8 +19,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::chrono::milliseconds;
 
-const Intrinsics kLens{320, 240, 300, 300, 159.5, 119.5};
-const View kView{kLens, looking_at({{0.08, -0.62, 0.6}}, {{0.0, 0.12, 0.08}})};
+const View kView{kDeskLens, looking_at({{0.08, -0.62, 0.6}}, {{0.0, 0.12, 0.08}})};
 
 TEST(HandShift, IsTheDifferenceOfTwoImagesNotTheImageOfAVector) {
   const Point<World> device{{0.02, 0.1, 0.12}}, tool{{0.02, 0.1, 0.145}};
@@ -74,9 +73,9 @@ TEST(HandLayer, DrawsTheHandWhereAHandAtTheToolWouldBe) {
   ASSERT_TRUE(shift);
   const GraspingArea grasp{*image_of(kView, held.grip) - Vector2d(14, 0), *image_of(kView, held.grip) + Vector2d(14, 0),
                            70, 60};
-  ColorImage drawn{kLens.width, kLens.height, std::vector<std::uint8_t>(live.color.rgb.size(), 0)};
+  ColorImage drawn{kDeskLens.width, kDeskLens.height, std::vector<std::uint8_t>(live.color.rgb.size(), 0)};
   draw_hand(drawn, live.color, live.mask(Label::Hand), grasp, *shift);
-  Mask hand(kLens.width, kLens.height);
+  Mask hand(kDeskLens.width, kDeskLens.height);
   for (std::size_t i = 0; i < hand.on.size(); ++i) hand.on[i] = drawn.rgb[3 * i] > 60 ? 1 : 0;
   const GraspingArea at_tool{grasp.a + *shift, grasp.b + *shift, grasp.outer_px, grasp.inner_px};
   const Vector2d there = middle_near(truth.mask(Label::Hand), at_tool);
@@ -93,7 +92,7 @@ TEST(HandLayer, LeavesTheArmWhereItIs) {
   const RenderedDesk live = render({.device = device, .hands = {held}}, kView);
   const Mask hand = live.mask(Label::Hand);
   const GraspingArea grasp{*image_of(kView, held.grip), *image_of(kView, held.grip) + Vector2d(1, 0), 60, 12};
-  ColorImage drawn{kLens.width, kLens.height, std::vector<std::uint8_t>(live.color.rgb.size(), 0)};
+  ColorImage drawn{kDeskLens.width, kDeskLens.height, std::vector<std::uint8_t>(live.color.rgb.size(), 0)};
   draw_hand(drawn, live.color, hand, grasp, {0, -12});
   for (int y = 0; y < hand.height; ++y)
     for (int x = 0; x < hand.width; ++x) {
@@ -119,7 +118,7 @@ TEST(HandLayer, AShiftLargerThanTheImageOrAHandAtTheBorderDrawsNothingOutside) {
 }
 
 const Background& depth_desk() {
-  static const Background desk = desk_background(kLens, 40, ProxyKind::Depth, {}, false, program::processors());
+  static const Background desk = desk_background(kDeskLens, 40, ProxyKind::Depth, {}, false, program::processors());
   return desk;
 }
 
@@ -169,7 +168,7 @@ TEST(MixedView, HidesTheDeviceShowsTheToolAndLeavesTheRestOfTheImage) {
   const ColorImage empty = render({.hands = {holding_hand(device, {0, 0, 0.025})}}, kView).color;
   const MixedImage mixed = mix(live.color, kView, depth_desk(), device, expected_margin(), {{0, 0, 0.025}});
   EXPECT_EQ(mixed.unknown_px, 0U);
-  Mask hidden = live.mask(Label::Device), outside(kLens.width, kLens.height, 1);
+  Mask hidden = live.mask(Label::Device), outside(kDeskLens.width, kDeskLens.height, 1);
   const Mask around = with_ring(mixed.searched, 30), near_hand = with_ring(mixed.hand, 14);
   for (std::size_t i = 0; i < hidden.on.size(); ++i) {
     const bool tool = mixed.color.rgb[3 * i] == 232 && mixed.color.rgb[3 * i + 2] == 40;
@@ -228,7 +227,7 @@ TEST(Ghost, AJointAtAnEndHasNoRoom) {
 }
 
 TEST(Ghost, IsDrawnInTheComposedImageAtAnEndOfTheWorkspaceAndOtherwiseNot) {
-  const View view = head_views(kLens, 1, 0.2, 0.2, 41).front();
+  const View view = head_views(kDeskLens, 1, 0.2, 0.2, 41).front();
   StandingDevice device = standing_device();
   const auto composed = [&] {
     return mix(render({.device = device}, view, program::processors()).color, view, depth_desk(), device,

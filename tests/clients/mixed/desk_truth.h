@@ -6,6 +6,9 @@
 
 namespace telepalp::mixed {
 
+/// A camera with small images.
+inline const Intrinsics kDeskLens{320, 240, 300, 300, 159.5, 119.5};
+
 /// An Omni on the desk, its handle held up.
 [[nodiscard]] StandingDevice standing_device();
 

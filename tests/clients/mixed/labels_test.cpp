@@ -114,10 +114,8 @@ TEST(HandColour, AFitToAGlovesPixelsIsItsColour) {
   EXPECT_GT(mahalanobis(fit, hsi_of({168, 122, 82})), fit.threshold);
 }
 
-const Intrinsics kLens{320, 240, 300, 300, 159.5, 119.5};
-
 TEST(GraspingArea, HasTheWidthsOfThePaperAndAFloorWhenTheHandlePointsAtTheEye) {
-  const View view{kLens, looking_at({{0, -0.6, 0.5}}, {{0, 0, 0.1}})};
+  const View view{kDeskLens, looking_at({{0, -0.6, 0.5}}, {{0, 0, 0.1}})};
   const auto area = grasping_area(view, {{-0.06, 0, 0.1}}, {{0.06, 0, 0.1}});
   ASSERT_TRUE(area);
   const double length = (area->a - area->b).norm();
@@ -142,7 +140,7 @@ TEST(GraspingArea, WeighsOneInTheInnerHexagonAndFallsToZeroAtTheOuter) {
 
 TEST(DeviceMask, WithoutMarginItIsTheImageOfTheRenderedDevice) {
   const StandingDevice device = standing_device();
-  const View view{kLens, looking_at({{0.3, -0.5, 0.45}}, {{0, 0.1, 0.1}})};
+  const View view{kDeskLens, looking_at({{0.3, -0.5, 0.45}}, {{0, 0.1, 0.1}})};
   const Mask truth = render({.device = device}, view).mask(Label::Device);
   const Mask mask = device_mask(device, view, {});
   const Overlap overlap = overlap_of(mask, truth);
@@ -164,7 +162,7 @@ TEST(DeviceMask, UnderCalibrationErrorTheMarginOfThreeDeviationsCoversTheDevice)
 TEST(DeviceMask, ADeviceAtTheEyeOrBehindItHasAMaskWithoutAPixelOutsideTheImage) {
   const StandingDevice device = standing_device();
   for (const Vector3d& eye : {Vector3d(0, 0.05, 0.05), Vector3d(0, 0.4, 0.3), Vector3d(0.0, 0.1, 0.2)}) {
-    const View view{kLens, looking_at({eye}, {Vector3d(eye + Vector3d(0.01, 1, 0.02))})};
+    const View view{kDeskLens, looking_at({eye}, {Vector3d(eye + Vector3d(0.01, 1, 0.02))})};
     const Mask mask = device_mask(device, view, paper_margin());
     EXPECT_EQ(mask.on.size(), 320U * 240U);
   }

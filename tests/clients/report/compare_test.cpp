@@ -10,6 +10,7 @@
 #include "clients/report/compare/cause.h"
 #include "clients/report/compare/comparison_html.h"
 #include "proto/wire/mcap/writer.h"
+#include "tests/clients/report/change_each.h"
 #include "tests/clients/report/made_session.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -18,18 +19,6 @@ namespace telepalp::report {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-
-/// `messages` with `change` applied to each message of type `Proto` on `topic`.
-template <class Proto, class Change>
-void change_each(std::vector<wire::Message>& messages, const wire::Topic& topic, Change change) {
-  for (wire::Message& message : messages) {
-    if (message.topic.name != topic.name) continue;
-    Proto proto;
-    ASSERT_TRUE(proto.ParseFromString(*message.payload));
-    change(proto);
-    message = wire::make_message(topic, message.published, proto, message.key_frame);
-  }
-}
 
 /// From 1 s on, in the first contact, the device gives no force.
 void lose_force(std::vector<wire::Message>& messages) {

@@ -14,6 +14,7 @@
 #include "codec/depth.h"
 #include "foxglove/CameraCalibration.pb.h"
 #include "proto/wire/mcap/writer.h"
+#include "tests/clients/report/change_each.h"
 #include "tests/clients/report/made_session.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -22,16 +23,6 @@ namespace telepalp::report {
 namespace {
 
 using Messages = std::vector<wire::Message>;
-
-template <class Proto, class Change>
-void change_each(Messages& messages, const wire::Topic& topic, Change change) {
-  for (wire::Message& message : messages) {
-    Proto proto;
-    if (message.topic.name != topic.name || !proto.ParseFromString(*message.payload)) continue;
-    change(proto);
-    message = wire::make_message(topic, message.published, proto, message.key_frame);
-  }
-}
 
 /// Each force has its length changed by `change`, which takes and returns newtons.
 template <class Change>

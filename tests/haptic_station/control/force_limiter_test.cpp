@@ -7,11 +7,10 @@
 #include <limits>
 
 #include "haptic_station/device/random.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::control {
 namespace {
-
-constexpr double kTick_s = 0.0005;
 
 /// Any double: ordinary, huge, tiny, infinite or NaN.
 double anything(device::Random& random) {

@@ -11,14 +11,13 @@
 #include "haptic_station/device/random.h"
 #include "haptic_station/trials/trial_run.h"
 #include "haptic_station/trials/virtual_station.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::control {
 namespace {
 
 using effects::EffectInput;
 using Eigen::Vector3d;
-
-constexpr double kTick_s = 0.0005;
 
 /// The force of a wall at y = 0 on a point.
 Force<HapticBase> wall(double stiffness_N_per_m, const Point<HapticBase>& at) {

@@ -12,9 +12,12 @@
 
 #include "haptic_station/core/virtual_driver.h"
 #include "haptic_station/loop/simulated_rig.h"
+#include "haptic_station/loop/tick.h"
 #include "haptic_station/station/threads/effect_stage_thread.h"
 #include "haptic_station/station/threads/haptic_thread.h"
 #include "tests/haptic_station/core/felt_ground.h"
+#include "tests/haptic_station/core/steady_now.h"
+#include "tests/haptic_station/periods.h"
 #include "where.h"
 
 namespace telepalp::core {
@@ -23,8 +26,6 @@ namespace {
 using namespace std::chrono_literals;
 using Eigen::Vector3d;
 
-constexpr Nanoseconds kTick = 500us;
-constexpr double kTick_s = 0.0005;
 constexpr SessionTime kBegin{10s};
 
 BuiltKinds<KindsWithGround> built(const FeltGroundSettings& settings) {
@@ -47,7 +48,7 @@ class Pressing {
   }
   /// `cost`: of each run of the stage.
   void run(Nanoseconds length, Nanoseconds cost) {
-    for (const SessionTime end = now_ + length; now_ < end; now_ += kTick) {
+    for (const SessionTime end = now_ + length; now_ < end; now_ += loop::kTickPeriod) {
       if (auto result = driver_.finished(now_)) {
         ++handed_over_;
         last_took_ = result->done - begun_;
@@ -187,15 +188,13 @@ TEST(EffectStage, BeginsAgainWhenTheSessionClockStepsBack) {
   EXPECT_TRUE(effects.stages.front()->take(kBegin - 5s, ToolAt{}).has_value());
 }
 
-SessionTime steady_now() { return SessionTime{std::chrono::steady_clock::now().time_since_epoch()}; }
-
 /// Steps the bank on this thread until `is_enough`, for at most 10 s.
 template <class Bank, class Enough>
 bool pressed_until(Bank& bank, LatestValue<ToolAt>& tool, Enough is_enough) {
   for (const auto end = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < end;) {
     tool.put({pressing(0.02).device});
     if (is_enough(bank.step(pressing(0.02), kTick_s).force.N.y())) return true;
-    std::this_thread::sleep_for(kTick);
+    std::this_thread::sleep_for(loop::kTickPeriod);
   }
   return false;
 }

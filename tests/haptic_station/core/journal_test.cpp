@@ -18,6 +18,7 @@
 #include "haptic_station/station/threads/journal_thread.h"
 #include "server/capture/synthetic/source/patient_model.h"
 #include "server/capture/synthetic/synthetic_patient.h"
+#include "tests/haptic_station/core/steady_now.h"
 #include "tests/haptic_station/core/stream.h"
 #include "tests/support/child_process.h"
 #include "where.h"
@@ -36,8 +37,6 @@ double live_seconds() {
   const char* asked = std::getenv("TELEPALP_JOURNAL_SECONDS");
   return asked == nullptr ? 4.0 : std::atof(asked);
 }
-
-SessionTime steady_now() { return SessionTime{std::chrono::steady_clock::now().time_since_epoch()}; }
 
 /// Runs the station's own threads on a breathing patient and keeps a journal, which is returned as bytes.
 std::string live_journal(const std::string& scene_name, const std::string& setting, double seconds) {

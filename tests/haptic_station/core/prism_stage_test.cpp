@@ -7,6 +7,7 @@
 #include "haptic_station/core/built_effects.h"
 #include "haptic_station/core/virtual_effects.h"
 #include "haptic_station/tissue/fem/prism_model.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/support/no_heap_scope.h"
 
 namespace telepalp::core {
@@ -14,8 +15,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using Eigen::Vector3d;
-
-constexpr double kTick_s = 0.0005;
 
 effects::Recipe prism(double coupling_N_per_m = 0.0) {
   tissue::PrismSettings settings;

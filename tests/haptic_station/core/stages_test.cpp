@@ -4,14 +4,13 @@
 
 #include "haptic_station/core/collision_stage.h"
 #include "haptic_station/core/virtual_driver.h"
+#include "haptic_station/loop/tick.h"
 #include "tests/haptic_station/core/stream.h"
 
 namespace telepalp::core {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr Nanoseconds kTick = 500us;
 
 void offer(SurfaceStage& stage, const ArrivedDepth& message) {
   if (stage.admit(message.depth.payload->size())) stage.arrived(message);
@@ -23,7 +22,7 @@ std::vector<std::uint64_t> images_built(const std::vector<ArrivedDepth>& stream,
   VirtualDriver<SurfaceStage> driver;
   std::vector<std::uint64_t> built;
   std::size_t next = 0;
-  for (SessionTime now = kFirstImage; now < kFirstImage + length; now += kTick) {
+  for (SessionTime now = kFirstImage; now < kFirstImage + length; now += loop::kTickPeriod) {
     for (; next < stream.size() && stream[next].received <= now; ++next) offer(stage, stream[next]);
     if (const auto result = driver.finished(now); result && result->surface) built.push_back(result->report.sequence());
     driver.begin(
@@ -125,7 +124,7 @@ std::size_t planes_in_a_second(Nanoseconds cost) {
   VirtualDriver<CollisionStage> driver;
   std::optional<loop::TouchableSurface> newer = level_surface();
   std::size_t planes = 0;
-  for (SessionTime now = kFirstImage; now < kFirstImage + 1s; now += kTick) {
+  for (SessionTime now = kFirstImage; now < kFirstImage + 1s; now += loop::kTickPeriod) {
     if (const auto result = driver.finished(now); result && result->plane) planes = result->plane->number;
     if ((now - kFirstImage) % CollisionStage::kPeriod == 0ns)
       driver.begin(

@@ -4,10 +4,10 @@
 
 #include <limits>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::device {
 namespace {
-
-constexpr double kTick_s = 0.0005;
 
 TEST(SimulatedPair, AHandAtRestHoldsTheDeviceAgainstAForceItFeels) {
   SimulatedPair pair({}, {});

@@ -6,33 +6,18 @@
 
 #include "haptic_station/device/random.h"
 #include "haptic_station/effects/effect_bank.h"
+#include "tests/haptic_station/effects/level_skin.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::effects {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
-constexpr double kMost_N = 10.0;
-
-/// Input over the level skin y = 0.
-EffectInput at(const Vector3d& device_m, const Vector3d& moved_m = Vector3d::Zero()) {
-  EffectInput in;
-  in.device.m = device_m;
+EffectInput over_skin(const Vector3d& device_m, const Vector3d& moved_m = Vector3d::Zero()) {
+  EffectInput in = over_level_skin(device_m);
   in.moved.v = moved_m;
-  in.contact.proxy.m = {device_m.x(), 0.0, device_m.z()};
-  in.contact.normal.v = Vector3d::UnitY();
-  in.contact.distance_m = device_m.y();
-  in.contact.in_body = device_m.y() < 0.0;
-  in.contact.valid = true;
   return in;
-}
-
-EffectBank bank_of(std::initializer_list<EffectBank::Effect> effects) {
-  EffectBank bank;
-  for (const EffectBank::Effect& effect : effects) (void)bank.add(effect);
-  bank.begin(at({0.0, 0.0, 0.0}));
-  return bank;
 }
 
 InnerCylinder palpated_cylinder() { return InnerCylinder({.top_center = {{0.0, -0.03, 0.0}}}); }
@@ -71,15 +56,15 @@ TEST(CommonRelaxation, ReachesTheBoundWithAnyLawOfTheSkin) {
 
 TEST(EffectBank, OneSpringKeepsItsDirectionAtTheBound) {
   EffectBank bank = bank_of({Skin({.law = linear_law(500.0)})});
-  const Vector3d asked_N = bank.step(at({0.03, -0.04, 0.0}), kTick_s).force.N;
-  const Vector3d given_N = bank.step(at({0.03, -0.04, 0.0}), kTick_s, kMost_N).force.N;
+  const Vector3d asked_N = bank.step(over_skin({0.03, -0.04, 0.0}), kTick_s).force.N;
+  const Vector3d given_N = bank.step(over_skin({0.03, -0.04, 0.0}), kTick_s, kMost_N).force.N;
   EXPECT_NEAR((given_N - asked_N * (kMost_N / asked_N.norm())).norm(), 0.0, 1e-9);
   EXPECT_NEAR(bank.relaxed_m(), 0.03, 1e-9) << "25 N at 50 mm, 10 N at 20 mm";
 }
 
 TEST(EffectBank, BelowTheBoundNothingIsRelaxed) {
   EffectBank bank = bank_of({Skin{}, palpated_cylinder()});
-  const EffectInput in = at({0.005, -0.034, 0.0});
+  const EffectInput in = over_skin({0.005, -0.034, 0.0});
   const Vector3d asked_N = bank.step(in, kTick_s).force.N;
   EXPECT_EQ(bank.step(in, kTick_s, kMost_N).force.N, asked_N);
   EXPECT_EQ(bank.relaxed_m(), 0.0);
@@ -105,12 +90,12 @@ TEST(EffectBank, AHandThatEntersOverTheTopAndLeavesOverTheRimGetsNoEnergy) {
                                       {0.045, -deep_m, beside_m},
                                       {0.045, 0.0, beside_m},
                                       {0.005, 0.0, beside_m}};
-      bank.begin(at(lap.front()));
+      bank.begin(over_skin(lap.front()));
       double gained_J = 0.0;
       double step_N = 0.0;
       Vector3d last_N = Vector3d::Zero();
       go(lap, [&](const Vector3d& device_m, const Vector3d& hop_m) {
-        const Vector3d force_N = bank.step(at(device_m, hop_m), kTick_s, kMost_N).force.N;
+        const Vector3d force_N = bank.step(over_skin(device_m, hop_m), kTick_s, kMost_N).force.N;
         ASSERT_LE(force_N.norm(), kMost_N + 1e-6);
         gained_J += 0.5 * (force_N + last_N).dot(hop_m);
         step_N = std::max(step_N, (force_N - last_N).norm());
@@ -133,11 +118,11 @@ TEST(EffectBank, TheBoundedForceIsTheGradientOfItsEnergy) {
       const Vector3d p{random.uniform(-0.05, 0.05), random.uniform(-0.09, -0.02), random.uniform(-0.05, 0.05)};
       const double most_N = random.uniform(2.0, 12.0);
       const auto energy_J = [&](const Vector3d& device_m) {
-        (void)bank.step(at(device_m), kTick_s, most_N);
+        (void)bank.step(over_skin(device_m), kTick_s, most_N);
         return bank.energy_J();
       };
-      bank.begin(at({0.0, 0.0, 0.0}));
-      const Vector3d force_N = bank.step(at(p), kTick_s, most_N).force.N;
+      bank.begin(over_skin({0.0, 0.0, 0.0}));
+      const Vector3d force_N = bank.step(over_skin(p), kTick_s, most_N).force.N;
       relaxed += bank.relaxed_m() > 0.0 ? 1 : 0;
       for (int axis = 0; axis < 3; ++axis) {
         const Vector3d step_m = 1e-6 * Vector3d::Unit(axis);
@@ -161,7 +146,7 @@ TEST(EffectBank, NoPathGivesEnergyAtABoundThatFalls) {
     const Vector3d there{random.uniform(-0.05, 0.05), random.uniform(-0.09, 0.0), random.uniform(-0.05, 0.05)};
     go({here, there}, [&](const Vector3d& device_m, const Vector3d& hop_m) {
       most_N = std::max(4.0, most_N - 1e-5);
-      const Vector3d force_N = bank.step(at(device_m, hop_m), kTick_s, most_N).force.N;
+      const Vector3d force_N = bank.step(over_skin(device_m, hop_m), kTick_s, most_N).force.N;
       given_J += 0.5 * (force_N + last_N).dot(hop_m);
       worst_J = std::max(worst_J, given_J + bank.energy_J());
       last_N = force_N;
@@ -175,7 +160,7 @@ TEST(EffectBank, AHigherBoundStoresMoreEnergy) {
   EffectBank bank = bank_of({Skin{}, palpated_cylinder()});
   double last_J = 0.0;
   for (const double most_N : {1.0, 4.0, 10.0, 1000.0}) {
-    (void)bank.step(at({0.005, -0.055, 0.0}), kTick_s, most_N);
+    (void)bank.step(over_skin({0.005, -0.055, 0.0}), kTick_s, most_N);
     EXPECT_GT(bank.energy_J(), last_J) << most_N;
     last_J = bank.energy_J();
   }
@@ -190,7 +175,7 @@ TEST(EffectBank, FrictionFollowsTheDisplayedSkinAndStaysWithinTheBound) {
   double least_J = 0.0;
   go({{0.0, 0.0, 0.0}, {0.0, -0.04, 0.0}, {0.02, -0.04, 0.0}, {-0.01, -0.03, 0.02}, {0.03, -0.05, 0.0}},
      [&](const Vector3d& device_m, const Vector3d& hop_m) {
-       force_N = bank.step(at(device_m, hop_m), kTick_s, kMost_N).force.N;
+       force_N = bank.step(over_skin(device_m, hop_m), kTick_s, kMost_N).force.N;
        taken_J += bank.absorbed_J();
        least_J = std::min(least_J, taken_J - bank.energy_J());
        ASSERT_LE(force_N.norm(), kMost_N + 1e-6);
@@ -205,7 +190,7 @@ TEST(EffectBank, TellsWhatAnotherHeightOfTheSkinWouldChange) {
   for (const double most_N : {1000.0, 10.0}) {
     EffectBank bank = bank_of({Skin({.law = law, .anchor = SkinAnchor::Sliding}), palpated_cylinder()});
     EffectBank higher = bank;
-    const EffectInput in = at({0.02, -0.045, 0.0});
+    const EffectInput in = over_skin({0.02, -0.045, 0.0});
     EffectInput risen = in;
     risen.contact.proxy.m.y() += 0.006;
     const Vector3d change_N = higher.step(risen, kTick_s, most_N).force.N - bank.step(in, kTick_s, most_N).force.N;

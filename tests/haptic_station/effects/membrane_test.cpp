@@ -6,6 +6,8 @@
 
 #include "haptic_station/device/random.h"
 #include "haptic_station/effects/effect_bank.h"
+#include "tests/haptic_station/effects/level_skin.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::effects {
 namespace {
@@ -13,36 +15,19 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
-const Vector3d kNeedle_m{0.0, -0.1, 0.0};
-
-/// Input over the level skin y = 0.
-EffectInput at(const Vector3d& device_m, const Quaterniond& attitude = Quaterniond::Identity()) {
-  EffectInput in;
-  in.device.m = device_m;
-  in.contact.proxy.m = {device_m.x(), 0.0, device_m.z()};
-  in.contact.normal.v = Vector3d::UnitY();
-  in.contact.distance_m = device_m.y();
-  in.contact.in_body = device_m.y() < 0.0;
-  in.contact.valid = true;
+EffectInput tool_at(const Vector3d& device_m, const Quaterniond& attitude = Quaterniond::Identity()) {
+  EffectInput in = over_level_skin(device_m);
   in.turn.attitude = attitude;
   return in;
 }
 
 MembraneSettings at_20_mm() { return {.at = {{0.0, -0.02, 0.0}}}; }
 
-EffectBank bank_of(std::initializer_list<Effect> effects) {
-  EffectBank bank;
-  for (const Effect& effect : effects) (void)bank.add(effect);
-  bank.begin(at({0.0, 0.0, 0.0}));
-  return bank;
-}
-
 /// Moves straight down to the depth `deep_m` in steps of 0.01 mm.
 template <class Visit>
 void press(EffectBank& bank, double deep_m, const Visit& visit) {
   for (int i = 0; i <= static_cast<int>(std::lround(deep_m / 1e-5)); ++i)
-    visit(bank.step(at({0.0, -1e-5 * i, 0.0}), kTick_s).force.N, 1e-5 * i);
+    visit(bank.step(tool_at({0.0, -1e-5 * i, 0.0}), kTick_s).force.N, 1e-5 * i);
 }
 
 TEST(Membrane, PushesLikeASpringAndTearsAtItsForce) {
@@ -56,7 +41,7 @@ TEST(Membrane, PushesLikeASpringAndTearsAtItsForce) {
   EXPECT_EQ(bank.touch(), ObjectTouch::Upper);
   double last_N = most_N;
   for (int tick = 0; tick < 100; ++tick) {
-    const double now_N = bank.step(at({0.0, -0.0251, 0.0}), kTick_s).force.N.norm();
+    const double now_N = bank.step(tool_at({0.0, -0.0251, 0.0}), kTick_s).force.N.norm();
     EXPECT_LE(std::abs(now_N - last_N), 0.1) << "the force falls within 30 ms";
     last_N = now_N;
   }
@@ -70,20 +55,21 @@ TEST(Membrane, TornItDragsWithItsFrictionAgainstTheMotionAndHoldsATipAtRest) {
   for (const Vector3d& towards : {Vector3d(-1.0, 0.0, 0.0), Vector3d(0.0, -1.0, 0.0), Vector3d(0.0, 0.6, 0.8)}) {
     Vector3d force_N;
     Vector3d here_m{0.0, -0.04, 0.0};
-    for (int i = 0; i < 300; ++i) force_N = bank.step(at(here_m += 1e-5 * towards), kTick_s).force.N;
+    for (int i = 0; i < 300; ++i) force_N = bank.step(tool_at(here_m += 1e-5 * towards), kTick_s).force.N;
     EXPECT_LT((force_N + 0.3 * towards).norm(), 0.01) << "S4 eq. (7): -C v / |v|";
-    for (int i = 0; i < 1000; ++i) EXPECT_EQ(bank.step(at(here_m), kTick_s).force.N, force_N) << "no chatter at rest";
-    for (int i = 0; i < 300; ++i) force_N = bank.step(at(here_m -= 1e-5 * towards), kTick_s).force.N;
+    for (int i = 0; i < 1000; ++i)
+      EXPECT_EQ(bank.step(tool_at(here_m), kTick_s).force.N, force_N) << "no chatter at rest";
+    for (int i = 0; i < 300; ++i) force_N = bank.step(tool_at(here_m -= 1e-5 * towards), kTick_s).force.N;
   }
 }
 
 TEST(Membrane, HealsWithTheNextContactAndIsNotFeltFromBelow) {
   EffectBank bank = bank_of({Membrane(at_20_mm())});
   press(bank, 0.03, [](const Vector3d&, double) {});
-  bank.begin(at({0.0, -0.03, 0.0}));
-  EXPECT_EQ(bank.step(at({0.0, -0.03, 0.0}), kTick_s).force.N, Vector3d::Zero()) << "begins below the membrane";
-  EXPECT_EQ(bank.step(at({0.0, -0.01, 0.0}), kTick_s).force.N, Vector3d::Zero());
-  EXPECT_NEAR(bank.step(at({0.0, -0.022, 0.0}), kTick_s).force.N.y(), 1.0, 1e-9) << "whole again";
+  bank.begin(tool_at({0.0, -0.03, 0.0}));
+  EXPECT_EQ(bank.step(tool_at({0.0, -0.03, 0.0}), kTick_s).force.N, Vector3d::Zero()) << "begins below the membrane";
+  EXPECT_EQ(bank.step(tool_at({0.0, -0.01, 0.0}), kTick_s).force.N, Vector3d::Zero());
+  EXPECT_NEAR(bank.step(tool_at({0.0, -0.022, 0.0}), kTick_s).force.N.y(), 1.0, 1e-9) << "whole again";
 }
 
 TEST(Membrane, GivesNoEnergyOnAnyPathWhetherTornOrNot) {
@@ -100,7 +86,7 @@ TEST(Membrane, GivesNoEnergyOnAnyPathWhetherTornOrNot) {
     const int steps = 1 + static_cast<int>((there_m - here_m).norm() / 1e-5);
     const Vector3d hop_m = (there_m - here_m) / steps;
     for (int i = 0; i < steps; ++i) {
-      const Vector3d force_N = bank.step(at(here_m += hop_m), kTick_s, 10.0).force.N;
+      const Vector3d force_N = bank.step(tool_at(here_m += hop_m), kTick_s, 10.0).force.N;
       given_J += 0.5 * (force_N + last_N).dot(hop_m);
       worst_J = std::max(worst_J, given_J + bank.energy_J());
       last_N = force_N;
@@ -113,7 +99,6 @@ TEST(Membrane, GivesNoEnergyOnAnyPathWhetherTornOrNot) {
 /// A needle of 0.1 m. The device gives 10 N and 0.2 N m.
 TEST(Membrane, AtTheTipOfANeedleTheBoundedWrenchIsTheGradientOfOneEnergy) {
   constexpr std::uint64_t kSeed = 8;
-  constexpr double kMost_N = 10.0;
   constexpr double kMost_N_m = 0.2;
   device::Random random(kSeed);
   const Membrane needle({.at = {}, .stiffness_N_per_m = 800.0, .tears_at_N = 1e9, .tip_m = kNeedle_m});
@@ -125,11 +110,11 @@ TEST(Membrane, AtTheTipOfANeedleTheBoundedWrenchIsTheGradientOfOneEnergy) {
     const auto step = [&](const Vector3d& moved_m, const Vector3d& by_rad) {
       EffectBank bank;
       (void)bank.add(needle);
-      EffectInput in = at({0.0, 0.5, 0.0});
+      EffectInput in = tool_at({0.0, 0.5, 0.0});
       in.turn.N_per_N_m = kMost_N / kMost_N_m;
       bank.begin(in);
       (void)bank.step(in, kTick_s, kMost_N);  // from above
-      in = at(device_m + moved_m, turned(attitude, by_rad));
+      in = tool_at(device_m + moved_m, turned(attitude, by_rad));
       in.turn.N_per_N_m = kMost_N / kMost_N_m;
       const Wrench<HapticBase> wrench = bank.step(in, kTick_s, kMost_N);
       return std::tuple(wrench, bank.energy_J(), bank.relaxed_m());
@@ -163,10 +148,10 @@ TEST(Membrane, TwoThatWeakenTheSkinMultiplyAndTheSkinOnlyGetsWeakerInAContact) {
   EXPECT_EQ(last, 0.5) << "the upper one is torn";
   press(bank, 0.03, watch);
   EXPECT_EQ(last, 0.25);
-  EXPECT_NEAR(bank.step(at({0.0, -0.03, 0.0}), kTick_s).force.N.y(), 0.25 * 100.0 * 0.03, 1e-9);
-  bank.begin(at({0.0, 0.0, 0.0}));
+  EXPECT_NEAR(bank.step(tool_at({0.0, -0.03, 0.0}), kTick_s).force.N.y(), 0.25 * 100.0 * 0.03, 1e-9);
+  bank.begin(tool_at({0.0, 0.0, 0.0}));
   EXPECT_EQ(bank.skin_left(), 1.0) << "the next contact";
-  EXPECT_NEAR(bank.step(at({0.0, -0.005, 0.0}), kTick_s).force.N.y(), 0.5, 1e-9);
+  EXPECT_NEAR(bank.step(tool_at({0.0, -0.005, 0.0}), kTick_s).force.N.y(), 0.5, 1e-9);
 }
 
 }  // namespace

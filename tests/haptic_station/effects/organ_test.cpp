@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 const std::string kLiver = TELEPALP_SOURCE_DIR "/deploy/demo_data/organs/visible_human_liver.ply";
 
-EffectInput at(const Vector3d& device) {
+EffectInput device_at(const Vector3d& device) {
   EffectInput in;
   in.device.m = device;
   return in;
@@ -71,8 +71,8 @@ TEST(Organ, ABallOfTrianglesFeelsAsTheSphereDoes) {
   for (int i = 0; i < 2000; ++i) {
     const Vector3d way = Vector3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}.normalized();
     const double depth_m = random.uniform(0.0005, 0.015);
-    organ.begin(at(way));
-    const Vector3d force_N = organ.step(at((kRadius_m - depth_m) * way), 0.0005).N;
+    organ.begin(device_at(way));
+    const Vector3d force_N = organ.step(device_at((kRadius_m - depth_m) * way), 0.0005).N;
     // The spline lies up to 0.09 mm outside of the ball at 15 mm of depth, its slope is up to 0.6 % less than 1, and
     // the triangles lie 0.01 mm inside.
     ASSERT_NEAR(force_N.dot(way), 800.0 * depth_m, 800.0 * 3e-4) << way.transpose() << " at " << depth_m;
@@ -85,13 +85,13 @@ TEST(Organ, ForceIsTheGradientOfItsEnergyEverywhereInALiver) {
   SCOPED_TRACE(kSeed);
   device::Random random(kSeed);
   Organ organ = liver();
-  const auto force = [&](const Vector3d& p) { return organ.step(at(p), 0.0005).N; };
+  const auto force = [&](const Vector3d& p) { return organ.step(device_at(p), 0.0005).N; };
   const auto energy = [&](const Vector3d& p) { return (void)force(p), organ.energy_J(); };
   constexpr double kStep_m = 1e-6;
   int inside = 0;
   for (int i = 0; i < 20'000; ++i) {
     const Vector3d p{random.uniform(-0.14, 0.06), random.uniform(0.27, 0.46), random.uniform(-0.09, 0.12)};
-    organ.begin(at(p));
+    organ.begin(device_at(p));
     const Vector3d here_N = force(p);
     if (here_N.norm() > 0.0) ++inside;
     for (int axis = 0; axis < 3; ++axis) {
@@ -106,22 +106,22 @@ TEST(Organ, ForceIsTheGradientOfItsEnergyEverywhereInALiver) {
 
 TEST(Organ, ReportsUpperLateralNearAndAway) {
   Organ beside = ball_organ(0.03, 0.003);
-  (void)beside.step(at({0.025, 0.0, 0.0}), 0.0005);
+  (void)beside.step(device_at({0.025, 0.0, 0.0}), 0.0005);
   EXPECT_EQ(beside.touch(), ObjectTouch::Lateral);
   Organ organ = ball_organ(0.03, 0.003);
-  (void)organ.step(at({0.0, 0.025, 0.0}), 0.0005);
+  (void)organ.step(device_at({0.0, 0.025, 0.0}), 0.0005);
   EXPECT_EQ(organ.touch(), ObjectTouch::Upper);
-  EXPECT_EQ(organ.step(at({0.0, 0.036, 0.0}), 0.0005).N.norm(), 0.0);
+  EXPECT_EQ(organ.step(device_at({0.0, 0.036, 0.0}), 0.0005).N.norm(), 0.0);
   EXPECT_EQ(organ.touch(), ObjectTouch::Near);
-  (void)organ.step(at({0.0, 0.045, 0.0}), 0.0005);
+  (void)organ.step(device_at({0.0, 0.045, 0.0}), 0.0005);
   EXPECT_EQ(organ.touch(), ObjectTouch::None);
 }
 
 TEST(Organ, FarAwayAndAtNaNThereIsNoForce) {
   Organ organ = liver();
   for (const double x : {10.0, -1e30, std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_EQ(organ.step(at({x, 0.35, 0.0}), 0.0005).N.norm(), 0.0) << x;
-  EXPECT_EQ(Organ().step(at({0, 0, 0}), 0.0005).N.norm(), 0.0) << "without a shape";
+    EXPECT_EQ(organ.step(device_at({x, 0.35, 0.0}), 0.0005).N.norm(), 0.0) << x;
+  EXPECT_EQ(Organ().step(device_at({0, 0, 0}), 0.0005).N.norm(), 0.0) << "without a shape";
 }
 
 }  // namespace

@@ -3,21 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "haptic_station/effects/effect_bank.h"
+#include "tests/haptic_station/effects/level_skin.h"
 
 namespace telepalp::effects {
 namespace {
-
-/// A level skin at height 0, the device point at `device`.
-EffectInput over_plane(const Eigen::Vector3d& device) {
-  EffectInput in;
-  in.device.m = device;
-  in.contact.proxy.m = {device.x(), 0.0, device.z()};
-  in.contact.normal.v = Eigen::Vector3d::UnitY();
-  in.contact.distance_m = device.y();
-  in.contact.in_body = device.y() < 0.0;
-  in.contact.valid = true;
-  return in;
-}
 
 TEST(SkinLaw, TheDefaultFollowsTheStatedStiffness) {
   const SkinLaw law;
@@ -57,24 +46,24 @@ TEST(SkinLaw, ForceIsTheGradientOfTheStoredEnergy) {
 TEST(Skin, FollowsEquations6To8WithinHalfAPercentOverSixtyMillimetres) {
   for (const SkinAnchor anchor : {SkinAnchor::FollowsSurface, SkinAnchor::Fixed}) {
     Skin skin({.law = {}, .anchor = anchor});
-    skin.begin(over_plane({0.01, -1e-6, 0.02}));
+    skin.begin(over_level_skin({0.01, -1e-6, 0.02}));
     for (double depth_m = 0.001; depth_m <= 0.06; depth_m += 0.001) {
       const Eigen::Vector3d device{0.01 + 0.3 * depth_m, -depth_m, 0.02 - 0.2 * depth_m};
       const Eigen::Vector3d d = device - Eigen::Vector3d{0.01, 0.0, 0.02};
       const double k = (160.0 / 0.0636) * (d.squaredNorm() + d.norm());  // eq. (7), isotropic
       const Eigen::Vector3d expected_N = -k * d;                         // eq. (6) and (8)
-      const Eigen::Vector3d given_N = skin.step(over_plane(device), 0.0005).N;
+      const Eigen::Vector3d given_N = skin.step(over_level_skin(device), 0.0005).N;
       ASSERT_LE((given_N - expected_N).norm(), 0.005 * expected_N.norm()) << depth_m;
     }
   }
 }
 
 TEST(Skin, AnchoredItBreathesWithThePatientAndFixedItDoesNot) {
-  EffectInput in = over_plane({0.0, -0.02, 0.0});
+  EffectInput in = over_level_skin({0.0, -0.02, 0.0});
   Skin follows({.law = {}, .anchor = SkinAnchor::FollowsSurface});
   Skin fixed({.law = {}, .anchor = SkinAnchor::Fixed});
-  follows.begin(over_plane({0.0, 0.0, 0.0}));
-  fixed.begin(over_plane({0.0, 0.0, 0.0}));
+  follows.begin(over_level_skin({0.0, 0.0, 0.0}));
+  fixed.begin(over_level_skin({0.0, 0.0, 0.0}));
   const double before_N = follows.step(in, 0.0005).N.y();
   const double fixed_before_N = fixed.step(in, 0.0005).N.y();
   in.contact.surface_speed_m_per_s = 0.01;  // breathes in by 5 mm in half a second
@@ -88,9 +77,9 @@ TEST(Skin, AnchoredItBreathesWithThePatientAndFixedItDoesNot) {
 }
 
 TEST(Skin, AProxyThatSlidesDownTheBodysCurvatureDoesNotMoveTheAnchor) {
-  EffectInput in = over_plane({0.0, -0.03, 0.0});
+  EffectInput in = over_level_skin({0.0, -0.03, 0.0});
   Skin skin;
-  skin.begin(over_plane({0.0, 0.0, 0.0}));
+  skin.begin(over_level_skin({0.0, 0.0, 0.0}));
   const double before_N = skin.step(in, 0.0005).N.y();
   in.contact.proxy.m = {0.02, -0.002, 0.0};  // another part of the skin is now the nearest; the patient lies still
   EXPECT_DOUBLE_EQ(skin.step(in, 0.0005).N.y(), before_N);
@@ -98,14 +87,14 @@ TEST(Skin, AProxyThatSlidesDownTheBodysCurvatureDoesNotMoveTheAnchor) {
 
 TEST(Skin, NeverPullsTheHandIntoTheBody) {
   Skin skin;
-  skin.begin(over_plane({0.0, -0.001, 0.0}));
-  EXPECT_LE(std::abs(skin.step(over_plane({0.0, 0.03, 0.0}), 0.0005).N.y()), 0.0);
+  skin.begin(over_level_skin({0.0, -0.001, 0.0}));
+  EXPECT_LE(std::abs(skin.step(over_level_skin({0.0, 0.03, 0.0}), 0.0005).N.y()), 0.0);
 }
 
 TEST(Skin, SlidingItPushesAlongTheNormalAlone) {
   Skin skin({.law = {}, .anchor = SkinAnchor::Sliding});
-  skin.begin(over_plane({0.0, -0.001, 0.0}));
-  const Eigen::Vector3d force_N = skin.step(over_plane({0.03, -0.02, -0.01}), 0.0005).N;
+  skin.begin(over_level_skin({0.0, -0.001, 0.0}));
+  const Eigen::Vector3d force_N = skin.step(over_level_skin({0.03, -0.02, -0.01}), 0.0005).N;
   EXPECT_EQ(force_N.x(), 0.0);
   EXPECT_EQ(force_N.z(), 0.0);
   EXPECT_NEAR(force_N.y(), SkinLaw{}.stiffness_N_per_m(0.02) * 0.02, 1e-12);
@@ -114,8 +103,8 @@ TEST(Skin, SlidingItPushesAlongTheNormalAlone) {
 TEST(EffectBank, StepsAndBillsOnlyWhatTheSceneNames) {
   EffectBank bank;
   ASSERT_TRUE(bank.add(Skin{}));
-  bank.begin(over_plane({0.0, -0.001, 0.0}));
-  for (int i = 0; i < 10; ++i) (void)bank.step(over_plane({0.0, -0.05, 0.0}), 0.0005);
+  bank.begin(over_level_skin({0.0, -0.001, 0.0}));
+  for (int i = 0; i < 10; ++i) (void)bank.step(over_level_skin({0.0, -0.05, 0.0}), 0.0005);
   ASSERT_EQ(bank.bill().size(), 1U);
   EXPECT_STREQ(bank.bill()[0].name, "skin");
   EXPECT_EQ(bank.bill()[0].steps, 10U);

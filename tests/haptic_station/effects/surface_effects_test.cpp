@@ -2,6 +2,7 @@
 
 #include "haptic_station/device/random.h"
 #include "haptic_station/effects/effect_bank.h"
+#include "tests/haptic_station/effects/level_skin.h"
 
 namespace telepalp::effects {
 namespace {
@@ -10,13 +11,7 @@ constexpr double kDt_s = 0.0005;
 
 /// Input over the level skin y = 0; the device has moved from `before`.
 EffectInput moved_to(const Eigen::Vector3d& device_m, const Eigen::Vector3d& before_m) {
-  EffectInput in;
-  in.device.m = device_m;
-  in.contact.proxy.m = {device_m.x(), 0.0, device_m.z()};
-  in.contact.normal.v = Eigen::Vector3d::UnitY();
-  in.contact.distance_m = device_m.y();
-  in.contact.in_body = device_m.y() < 0.0;
-  in.contact.valid = true;
+  EffectInput in = over_level_skin(device_m);
   in.moved.v = device_m - before_m;
   return in;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "haptic_station/effects/effect_bank.h"
+#include "tests/haptic_station/effects/level_skin.h"
 #include "tests/haptic_station/tissue/needle_paths.h"
 
 namespace telepalp::effects {
@@ -10,20 +11,9 @@ namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using tissue::kTick_s;
 
-constexpr double kMost_N = 10.0;
-const Vector3d kNeedle_m{0.0, -0.1, 0.0};
-
-/// Input over the level skin y = 0.
-EffectInput at(const Vector3d& device_m, const Quaterniond& attitude = Quaterniond::Identity()) {
-  EffectInput in;
-  in.device.m = device_m;
-  in.contact.proxy.m = {device_m.x(), 0.0, device_m.z()};
-  in.contact.normal.v = Vector3d::UnitY();
-  in.contact.distance_m = device_m.y();
-  in.contact.in_body = device_m.y() < 0.0;
-  in.contact.valid = true;
+EffectInput needle_at(const Vector3d& device_m, const Quaterniond& attitude = Quaterniond::Identity()) {
+  EffectInput in = over_level_skin(device_m);
   in.turn.attitude = attitude;
   in.turn.N_per_N_m = kMost_N / 0.2;
   return in;
@@ -47,12 +37,12 @@ TEST(LayeredTissueEffect, HasTheTissuesWrenchWithTheLeverToTheTip) {
   const Quaterniond tilted(Eigen::AngleAxisd(0.3, Vector3d::UnitZ()));
   const Vector3d lever_m = tilted * kNeedle_m;
   const auto tip = [&](double deep_m) { return Vector3d(0.003, -deep_m, 0.0); };
-  effect.begin(at(tip(0.0) - lever_m, tilted));
+  effect.begin(needle_at(tip(0.0) - lever_m, tilted));
   alone.begin({.tip_m = tip(0.0), .axis = lever_m.normalized()});
   double most_N_m = 0.0;
   double shaft_N_m = 0.0;
   for (int i = 1; i <= 4000; ++i) {
-    const Wrench<HapticBase> got = effect.step(at(tip(1e-5 * i) - lever_m, tilted), kTick_s);
+    const Wrench<HapticBase> got = effect.step(needle_at(tip(1e-5 * i) - lever_m, tilted), kTick_s);
     const tissue::TissueWrench own = alone.step(
         {.tip_m = tip(1e-5 * i), .axis = lever_m.normalized(), .bevel = tilted * Vector3d::UnitX()}, kTick_s);
     ASSERT_LT((got.force.N - own.force_N).norm(), 1e-9);
@@ -72,7 +62,7 @@ TEST(LayeredTissueEffect, GivesNoEnergyAndStaysWithinTheDevicesForceAndTorqueOnA
     (void)bank.add(Skin({.law = linear_law(100.0)}));
     (void)bank.add(LayeredTissue(needle(kNeedle_m, 0.3)));
     const Vector3d over_m = -kNeedle_m;
-    bank.begin(at(over_m));
+    bank.begin(needle_at(over_m));
     double given_J = 0.0;
     double worst_J = 0.0;
     double most_N = 0.0;
@@ -92,7 +82,7 @@ TEST(LayeredTissueEffect, GivesNoEnergyAndStaysWithinTheDevicesForceAndTorqueOnA
         turn = start + (turn_to - start) * i / steps;
         const Quaterniond now = turned(Quaterniond::Identity(), turn);
         const Eigen::AngleAxisd by(now * before.inverse());
-        const Wrench<HapticBase> wrench = bank.step(at(here_m += hop_m, now), kTick_s, bound_N);
+        const Wrench<HapticBase> wrench = bank.step(needle_at(here_m += hop_m, now), kTick_s, bound_N);
         ASSERT_LE(wrench.force.N.norm(), bound_N + 1e-9) << "seed " << seed;
         ASSERT_LE(wrench.torque.N_m.norm(), bound_N * 0.2 / kMost_N + 1e-9) << "seed " << seed;
         given_J += 0.5 * (wrench.force.N + last.force.N).dot(hop_m);
@@ -113,9 +103,9 @@ TEST(LayeredTissueEffect, AHoleLastsWeakensTheSkinAboveItAloneAndIsNotPuncturedA
   (void)bank.add(LayeredTissue(needle(Vector3d::Zero(), 0.4)));
   const auto goes_in_at = [&](double x_m) {
     double most_N = 0.0;
-    bank.begin(at({x_m, 0.001, 0.0}));
+    bank.begin(needle_at({x_m, 0.001, 0.0}));
     go({x_m, 0.001, 0.0}, {x_m, -0.02, 0.0}, [&](const Vector3d& device_m) {
-      most_N = std::max(most_N, bank.step(at(device_m), kTick_s, kMost_N).force.N.norm());
+      most_N = std::max(most_N, bank.step(needle_at(device_m), kTick_s, kMost_N).force.N.norm());
     });
     return most_N;
   };
@@ -123,20 +113,20 @@ TEST(LayeredTissueEffect, AHoleLastsWeakensTheSkinAboveItAloneAndIsNotPuncturedA
   EXPECT_NEAR(bank.skin_left(), 0.4, 1e-9);
   EXPECT_LT(goes_in_at(0.0), 1.5) << "the hole";
   EXPECT_NEAR(bank.skin_left(), 0.4, 1e-9);
-  bank.begin(at({0.02, 0.001, 0.0}));
-  (void)bank.step(at({0.02, -0.003, 0.0}), kTick_s, kMost_N);
+  bank.begin(needle_at({0.02, 0.001, 0.0}));
+  (void)bank.step(needle_at({0.02, -0.003, 0.0}), kTick_s, kMost_N);
   EXPECT_EQ(bank.skin_left(), 1.0) << "20 mm beside the hole";
   EXPECT_EQ(bank.touch(), ObjectTouch::Upper);
 }
 
 TEST(LayeredTissueEffect, ATurnThatWouldPressTheTipInIsJudgedWithoutAChangeOfState) {
   LayeredTissue effect(needle({0.02, 0.0, 0.0}));
-  effect.begin(at({0.0, 0.0, 0.0}));
-  (void)effect.step(at({0.0, -0.002, 0.0}), kTick_s);
+  effect.begin(needle_at({0.0, 0.0, 0.0}));
+  (void)effect.step(needle_at({0.0, -0.002, 0.0}), kTick_s);
   const double stored_J = effect.stored_J();
-  const EffectInput same = at({0.0, -0.002, 0.0});
-  const EffectInput down = at({0.0, -0.002, 0.0}, Quaterniond(Eigen::AngleAxisd(-0.05, Vector3d::UnitZ())));
-  const EffectInput through = at({0.0, -0.002, 0.0}, Quaterniond(Eigen::AngleAxisd(-0.5, Vector3d::UnitZ())));
+  const EffectInput same = needle_at({0.0, -0.002, 0.0});
+  const EffectInput down = needle_at({0.0, -0.002, 0.0}, Quaterniond(Eigen::AngleAxisd(-0.05, Vector3d::UnitZ())));
+  const EffectInput through = needle_at({0.0, -0.002, 0.0}, Quaterniond(Eigen::AngleAxisd(-0.5, Vector3d::UnitZ())));
   EXPECT_NEAR(effect.loaded_J(same), stored_J, 1e-12);
   EXPECT_GT(effect.loaded_J(down), 1.5 * stored_J);
   EXPECT_GT(effect.loaded_J(through), effect.loaded_J(down)) << "a turn that punctures is no way down";
@@ -145,8 +135,8 @@ TEST(LayeredTissueEffect, ATurnThatWouldPressTheTipInIsJudgedWithoutAChangeOfSta
 
 TEST(LayeredTissueEffect, WithoutTissueIsNotFelt) {
   LayeredTissue effect;
-  effect.begin(at({0.0, 0.0, 0.0}));
-  EXPECT_EQ(effect.step(at({0.0, -0.01, 0.0}), kTick_s).force.N, Vector3d::Zero());
+  effect.begin(needle_at({0.0, 0.0, 0.0}));
+  EXPECT_EQ(effect.step(needle_at({0.0, -0.01, 0.0}), kTick_s).force.N, Vector3d::Zero());
   EXPECT_EQ(effect.holds_N() + effect.stored_J() + effect.stiffest_N_per_m(1.0), 0.0);
   EXPECT_EQ(effect.skin_left(), 1.0);
 }

@@ -6,14 +6,13 @@
 #include <limits>
 
 #include "proto/words/wrench.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::loop {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-
-constexpr double kTick_s = 0.0005;
 
 ports::DeviceReading reading(const std::optional<Quaterniond>& attitude) {
   ports::DeviceReading one;

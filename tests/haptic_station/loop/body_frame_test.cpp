@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "haptic_station/loop/plane_snapshot.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::loop {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kTick_s = 0.0005;
 
 /// A level skin at height 0, with one mark on it.
 PlaneSnapshot marked(bool seen, double risen_m = 0.0) {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::loop {
 namespace {
 
-constexpr double kTick_s = 0.0005;
-
 /// A device that moves up and down by 10 mm at 1 Hz, with a gate for its readings.
-struct Bench {
+struct GateBench {
   DeviceGate gate;
   int tick = 0;
   [[nodiscard]] double true_m(int at) const { return 0.01 * std::sin(2.0 * 3.14159265358979 * at * kTick_s); }
@@ -31,14 +31,14 @@ struct Bench {
 };
 
 TEST(DeviceGate, PassesPlausibleReadings) {
-  Bench bench;
+  GateBench bench;
   for (int i = 0; i < 4000; ++i) EXPECT_LT(bench.error_m(bench.step(0.0)), 1e-12);
   EXPECT_EQ(bench.gate.jumps(), 0U);
 }
 
 TEST(DeviceGate, BridgesOneReadingThatIsOff) {
   for (const double off_m : {0.0003, -0.0003, 0.002, 0.3}) {
-    Bench bench;
+    GateBench bench;
     (void)bench.run(777);
     const GatedReading off = bench.step(off_m);
     EXPECT_LT(bench.error_m(off), 2e-5) << off_m;
@@ -51,7 +51,7 @@ TEST(DeviceGate, BridgesOneReadingThatIsOff) {
 }
 
 TEST(DeviceGate, AbsorbsASmallLastingSlipWithoutAStep) {
-  Bench bench;
+  GateBench bench;
   (void)bench.run(777);
   double before_m = bench.step(0.0).at.m.y();
   double step_m = 0.0;
@@ -65,7 +65,7 @@ TEST(DeviceGate, AbsorbsASmallLastingSlipWithoutAStep) {
 }
 
 TEST(DeviceGate, ALargeLastingOffsetStaysImplausibleUntilItIsAccepted) {
-  Bench bench;
+  GateBench bench;
   (void)bench.run(777);
   const GatedReading held = bench.run(40, 0.03);
   EXPECT_NEAR(held.implausible_s, 0.02, 1e-9);

@@ -14,14 +14,12 @@
 #include "proto/words/latest_value.h"
 #include "server/capture/synthetic/shape/mesh.h"
 #include "server/capture/synthetic/synthetic_patient.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/support/no_heap_scope.h"
 #include "where.h"
 
 namespace telepalp::loop {
 namespace {
-
-constexpr double kTick_s = 0.0005;
-constexpr int kTicksPerFrame = 67;  // 30 Hz
 
 SessionTime at_tick(int tick) { return session_time(1'000'000'000 + std::int64_t{tick} * 500'000); }
 

@@ -12,15 +12,14 @@
 #include "haptic_station/loop/haptic_loop.h"
 #include "haptic_station/loop/plane_snapshot.h"
 #include "proto/words/latest_value.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::loop {
 namespace {
 
 using control::Phase;
 
-constexpr double kTick_s = 0.0005;
 constexpr int kTicksPerSecond = 2000;
-constexpr int kTicksPerFrame = 67;   // 30 Hz
 constexpr int kTicksPerSample = 20;  // 100 Hz
 constexpr int kFiftyMilliseconds = 100;
 constexpr int kInContact = 4210;  // the hand presses; the tick lies between two samples and between two frames

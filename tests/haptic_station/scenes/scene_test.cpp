@@ -7,10 +7,10 @@
 namespace telepalp::scenes {
 namespace {
 
-constexpr const char* kLeast = "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\n";
+constexpr const char* kLeastWithSkin = "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\n";
 
 std::string complaint(const std::string& more) {
-  const Result<Scene> scene = parse_scene(kLeast + more, "bad.scene.textproto");
+  const Result<Scene> scene = parse_scene(kLeastWithSkin + more, "bad.scene.textproto");
   return scene.ok() ? "" : to_string(scene.error());
 }
 
@@ -83,10 +83,11 @@ TEST(Scene, APeakAboveTheDevicesIsRefused) {
 TEST(Scene, NotANumberIsRefused) { EXPECT_NE(complaint("plane { height_m: nan }"), ""); }
 
 TEST(Scene, AWorkspaceIsIndexedOnlyIfTheSceneNamesIt) {
-  const Result<Scene> plain = parse_scene(kLeast, "plain.scene.textproto");
+  const Result<Scene> plain = parse_scene(kLeastWithSkin, "plain.scene.textproto");
   ASSERT_TRUE(plain.ok());
   EXPECT_FALSE(plain->control.indexing.on);
-  const Result<Scene> indexed = parse_scene(std::string(kLeast) + "workspace { touch_radius_m: 0.08 }", "indexed");
+  const Result<Scene> indexed =
+      parse_scene(std::string(kLeastWithSkin) + "workspace { touch_radius_m: 0.08 }", "indexed");
   ASSERT_TRUE(indexed.ok()) << to_string(indexed.error());
   EXPECT_TRUE(indexed->control.indexing.on);
   EXPECT_EQ(indexed->control.indexing.touch_radius_m, 0.08);

@@ -11,10 +11,10 @@
 namespace telepalp::scenes {
 namespace {
 
-constexpr const char* kLeast = "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\n";
-
-std::string complaint(const std::string& layer) {
-  const Result<Scene> scene = parse_scene(kLeast + ("effects { solid { " + layer + " } }"), "bad.scene.textproto");
+std::string complaint_about_layer(const std::string& layer) {
+  const Result<Scene> scene = parse_scene(
+      "haptic_from_camera { translation_m { y: 0.8 } } effects { skin {} }\neffects { solid { " + layer + " } }",
+      "bad.scene.textproto");
   return scene.ok() ? "" : to_string(scene.error());
 }
 
@@ -64,13 +64,14 @@ TEST(SolidText, ALayersErrorNamesFileLayerAndPlace) {
       {"name: \"x\" polish: \"sphere 1\" stiffness_N_per_m: 90000", "solid.stiffness_N_per_m is 90000 N/m"},
   };
   for (const auto& [layer, wanted] : kBad)
-    EXPECT_NE(complaint(layer).find(wanted), std::string::npos) << layer << ": " << complaint(layer);
+    EXPECT_NE(complaint_about_layer(layer).find(wanted), std::string::npos)
+        << layer << ": " << complaint_about_layer(layer);
 }
 
 TEST(SolidText, BracesNestedWithoutEndAreRefused) {
   std::string text = "name: \"x\" solid { ";
   for (int i = 0; i < 100'000; ++i) text += "scale{of{";
-  EXPECT_NE(complaint(text), "");
+  EXPECT_NE(complaint_about_layer(text), "");
 }
 
 TEST(SolidText, EachLayerIsOnTheBillUnderItsName) {

@@ -6,13 +6,12 @@
 
 #include "haptic_station/solids/polish.h"
 #include "tests/haptic_station/solids/random_solid.h"
+#include "tests/haptic_station/solids/tree_of.h"
 
 namespace telepalp::solids {
 namespace {
 
 using std::numbers::pi;
-
-std::shared_ptr<const SolidTree> tree_of(const std::string& text) { return *build_tree(*parse_polish(text, "test")); }
 
 Result<CheckedMesh> checked(const std::string& text, std::optional<double> smallest_cell_m = {}) {
   return checked_mesh_of(*tree_of(text), {.smallest_cell_m = smallest_cell_m});

@@ -5,14 +5,13 @@
 #include <numbers>
 
 #include "haptic_station/solids/polish.h"
+#include "tests/haptic_station/solids/tree_of.h"
 
 namespace telepalp::solids {
 namespace {
 
 constexpr std::array<std::uint8_t, 3> kRed{200, 0, 0};
 constexpr std::array<std::uint8_t, 3> kBlue{0, 0, 200};
-
-std::shared_ptr<const SolidTree> tree_of(const std::string& text) { return *build_tree(*parse_polish(text, "test")); }
 
 struct Pixel {
   int r, g, b;

@@ -4,13 +4,12 @@
 
 #include "haptic_station/solids/polish.h"
 #include "tests/haptic_station/solids/random_solid.h"
+#include "tests/haptic_station/solids/tree_of.h"
 
 namespace telepalp::solids {
 namespace {
 
 using Eigen::Vector3d;
-
-std::shared_ptr<const SolidTree> tree_of(const std::string& text) { return *build_tree(*parse_polish(text, "test")); }
 
 /// The last of `ticks` steps along a straight line.
 ProxyAt driven(SolidProxy& proxy, const SolidTree& tree, const Vector3d& from, const Vector3d& to, int ticks) {

@@ -7,19 +7,12 @@
 #include "haptic_station/solids/near_members.h"
 #include "haptic_station/solids/polish.h"
 #include "tests/haptic_station/solids/random_solid.h"
+#include "tests/haptic_station/solids/tree_of.h"
 
 namespace telepalp::solids {
 namespace {
 
 using Eigen::Vector3d;
-
-std::shared_ptr<const SolidTree> tree_of(const std::string& text) {
-  const Result<Solid> solid = parse_polish(text, "test");
-  EXPECT_TRUE(solid.ok()) << (solid.ok() ? "" : to_string(solid.error()));
-  const auto tree = build_tree(*solid);
-  EXPECT_TRUE(tree.ok()) << (tree.ok() ? "" : to_string(tree.error()));
-  return *tree;
-}
 
 /// Central differences, by Richardson's extrapolation.
 Vector3d slope(const SolidTree& tree, const Vector3d& p) {

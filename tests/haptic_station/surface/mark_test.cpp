@@ -4,13 +4,13 @@
 #include <random>
 
 #include "haptic_station/surface/build/mark_tracker.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::surface {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFrame_s = 1.0 / 30.0;
 constexpr Intrinsics kCamera{320, 240, 525.0, 525.0, 159.5, 119.5};
 
 /// Depth of a trunk at camera x and y; with ribs where `ribs_m` is not 0.

@@ -7,13 +7,12 @@
 #include "haptic_station/surface/foresight/recent_way.h"
 #include "haptic_station/surface/snapshot/surface_snapshot.h"
 #include "haptic_station/surface/temporal/straight_motion.h"
+#include "tests/haptic_station/periods.h"
 
 // The three bounds of a sudden motion's prediction: way, drop and (in shared_motion_test.cpp) regression.
 
 namespace telepalp::surface {
 namespace {
-
-constexpr double kFrame_s = 1.0 / 30.0;
 
 /// Distance that a body at `speed_m_per_s` is predicted to go in all.
 double goes_m(double speed_m_per_s, double freeze_from_s) {

@@ -9,6 +9,7 @@
 
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 
 namespace telepalp::surface {
@@ -16,7 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFrame_s = 1.0 / 30.0;
 constexpr double kZ_m = 0.8;
 constexpr double kSigma_m = 0.001;
 constexpr double kUnit_m = 1e-4;

@@ -6,11 +6,10 @@
 
 #include "haptic_station/surface/foresight/past_predictions.h"
 #include "haptic_station/surface/foresight/recent_mean.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::surface {
 namespace {
-
-constexpr double kFrame_s = 1.0 / 30.0;
 
 PredictionWeights learned(const SquareErrors& errors, double for_s, PredictionWeights weights = {}) {
   for (double t = 0.0; t < for_s; t += kFrame_s) {

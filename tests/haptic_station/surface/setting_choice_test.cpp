@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::surface {
 namespace {
-
-constexpr double kFrame_s = 1.0 / 30.0;
 
 bool feed(SettingChoice& choice, double cost_s, double seconds) {
   bool changed = false;

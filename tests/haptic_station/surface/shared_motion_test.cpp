@@ -7,11 +7,12 @@
 #include <functional>
 #include <random>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::surface {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 30.0;
-constexpr double kSigma_m = 1e-4;  // of a cell's mean
+constexpr double kCellSigma_m = 1e-4;  // of a cell's mean
 constexpr double kSwing_rad_per_s = 3.0;
 constexpr std::size_t kCells = 200;
 
@@ -21,7 +22,7 @@ double share_of(std::size_t cell) { return 0.2 + 0.8 * static_cast<double>(cell)
 SharedMotion followed(const std::function<double(double)>& moved_m, double until_s, std::size_t strangers = 0) {
   SharedMotion motion(kCells);
   std::mt19937_64 random(3);
-  std::normal_distribution<double> noise(0.0, kSigma_m);
+  std::normal_distribution<double> noise(0.0, kCellSigma_m);
   std::vector<SharedInnovation> seen(kCells);
   std::vector<SharedPrediction> predicted(kCells);
   std::vector<float> measured_m(kCells);
@@ -42,7 +43,7 @@ SharedMotion followed(const std::function<double(double)>& moved_m, double until
       expected_m[i] += motion.share(i) * ahead_m;
       const double stranger_m = i < strangers ? 0.005 * std::sin(9.0 * t) : 0.0;
       const double at_m = share_of(i) * moved_m(t) + noise(random) + stranger_m;
-      seen[i] = {at_m - expected_m[i], kSigma_m};
+      seen[i] = {at_m - expected_m[i], kCellSigma_m};
       measured_m[i] = static_cast<float>(at_m);
     }
     motion.correct(seen, kFrame_s);

@@ -11,6 +11,7 @@
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/haptic_station/surface/shape_error.h"
 
@@ -18,8 +19,6 @@ namespace telepalp::surface {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kTick_s = 0.0005;
 
 SessionTime at_s(double seconds) { return session_time(0) + from_seconds(seconds); }
 

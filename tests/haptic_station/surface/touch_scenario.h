@@ -7,6 +7,7 @@
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/touch/touch.h"
 #include "server/capture/synthetic/synthetic_patient.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::testing {
 
@@ -19,9 +20,6 @@ struct TorsoSettings {
   std::uint64_t seed = 1;
 };
 [[nodiscard]] Result<capture::SyntheticPatient> torso(const TorsoSettings& settings);
-
-inline constexpr double kFrame_s = 1.0 / 30.0;
-inline constexpr double kTick_s = 0.0005;
 
 [[nodiscard]] inline SessionTime scene_time(double seconds) { return session_time(0) + from_seconds(seconds); }
 

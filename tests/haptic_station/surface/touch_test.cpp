@@ -7,6 +7,7 @@
 
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/haptic_station/surface/shape_error.h"
 
@@ -37,7 +38,6 @@ struct Meeting {
   double speed_m_per_s = 0.0;
 };
 Meeting meeting(const FollowLimits& limits) {
-  constexpr double kTick_s = 0.0005;
   SurfaceFollower skin{limits};
   const Vector3d up = Vector3d::UnitY();
   skin.take_over(-0.06 * up, up, Vector3d::Zero(), up);
@@ -119,7 +119,6 @@ struct Falling {
   bool ends = false;
 };
 Falling falling_skin(const SurfaceSnapshot& before, const SurfaceSnapshot& lower, double depth_m) {
-  constexpr double kTick_s = 0.0005;
   constexpr int kFalls = 200;
   const Vector3d up = -Vector3d::UnitZ();
   Touch touch({}, follow_limits(300.0));

@@ -7,10 +7,9 @@
 
 #include "haptic_station/device/random.h"
 #include "haptic_station/tissue/layered_tissue.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::tissue {
-
-inline constexpr double kTick_s = 0.0005;
 
 /// Skin, muscle and sac, `stiff` times as stiff as usual.
 inline TissueSettings three_layers(double stiff = 1.0, BulkLaw law = BulkLaw::Bristle) {

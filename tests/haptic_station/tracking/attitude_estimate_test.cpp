@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "haptic_station/tracking/hand_axes.h"
+#include "tests/haptic_station/tracking/at_s.h"
 #include "tests/haptic_station/tracking/straight_on.h"
 
 namespace telepalp::tracking {
@@ -13,8 +14,6 @@ namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-
-SessionTime at_s(double seconds) { return SessionTime{from_seconds(seconds)}; }
 
 Quaterniond about(const Vector3d& axis, double angle_rad) {
   return Quaterniond(Eigen::AngleAxisd(angle_rad, axis.normalized()));

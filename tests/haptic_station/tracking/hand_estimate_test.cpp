@@ -6,12 +6,11 @@
 #include <limits>
 
 #include "haptic_station/device/random.h"
+#include "tests/haptic_station/tracking/at_s.h"
 #include "tests/haptic_station/tracking/straight_on.h"
 
 namespace telepalp::tracking {
 namespace {
-
-SessionTime at_s(double seconds) { return SessionTime{from_seconds(seconds)}; }
 
 Point<HapticBase> swing(double t) { return {{0.1 * std::sin(4.0 * t), 0.05 * std::cos(3.0 * t), 0.02 * t}}; }
 

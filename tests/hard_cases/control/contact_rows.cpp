@@ -8,8 +8,6 @@ namespace {
 using control::Phase;
 using ::testing::AssertionResult;
 
-constexpr double kPeak_N = 10.0;
-
 AssertionResult stiff_and_light() {
   ControllerScene scene = with_only(effects::Skin({.law = effects::linear_law(5000.0)}));
   scene.settings.device.mass_kg = 0.1;

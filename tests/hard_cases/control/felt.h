@@ -7,6 +7,9 @@
 
 namespace telepalp::hard_cases {
 
+inline constexpr double kPeak_N = 10.0;  ///< of the device's force
+inline constexpr double kTick_N = 0.17;  ///< the limiter's slew, over one tick
+
 /// Figures of a run at the hand, to compare with their limits.
 struct Felt {
   double worst_step_N = 0.0;    ///< largest change of the force in one tick

@@ -4,6 +4,7 @@
 
 #include "haptic_station/control/encountered_controller.h"
 #include "haptic_station/device/breathing_plane.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/hard_cases/control/felt.h"
 #include "tests/hard_cases/control/loop_scene.h"
 
@@ -23,7 +24,6 @@ struct ForcedPath {
 
 /// The figures of the run, without `fastest_device`, which needs a simulated device.
 inline Felt feel(const ForcedPath& scene) {
-  constexpr double kTick_s = 0.0005;
   control::EncounteredController controller({}, scene.effects);
   device::SimulatedPair at({}, {});
   device::SimulatedPair next({}, {});

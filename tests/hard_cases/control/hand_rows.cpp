@@ -194,7 +194,7 @@ AssertionResult jumps_that_last() {
                  below_N("step", felt.worst_step_N, 0.25)});
 }
 
-AssertionResult swapped_in_contact() {
+AssertionResult hands_swapped_in_contact() {
   double off_m = 0.0;
   const Felt felt = with_swapped_hands(
       presses_to(0.03), [](double t) { return t > 2.5; }, off_m);
@@ -368,7 +368,7 @@ std::vector<HardCase> hand_rows() {
       {"tracker jumps about", "no sample can follow from the one before", "held, counted, then a fault",
        jumps_that_last},
       {"tracker swaps hands in contact", "the pose jumps 0.3 m while pressing", "the skin feels nothing of it",
-       swapped_in_contact},
+       hands_swapped_in_contact},
       {"21 jitter, gaps and bursts", "wrong intervals give wrong speeds", "covariance bounded, no step", jittered},
       {"tracker that smooths, tracker with noise", "the noise that a filter expects is wrong for one of them",
        "never worse than straight-on, 5 to 50 ms ahead", predicted_from_any_tracker},

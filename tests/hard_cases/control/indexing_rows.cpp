@@ -13,7 +13,7 @@ using ::testing::AssertionResult;
 
 constexpr double kDepth_m = 0.02;
 constexpr double kPressed_s = 2.0;  // from here on the finger is kDepth_m deep
-constexpr double kStep_N = 0.0601;  // the damping of a sliding finger begins with 0.06 N, anywhere on the skin
+constexpr double kIndexedStep_N = 0.0601;  // the damping of a sliding finger begins with 0.06 N, anywhere on the skin
 
 /// The finger's distance from the device's axis, along the body [m].
 using Along = std::function<double(double now_s)>;
@@ -75,7 +75,7 @@ AssertionResult out_and_back() {
                  below_N("no force of the body meanwhile", seen.body_N_while_off, 1e-6),
                  below_N("re-entry begins without force", seen.body_N_at_re_entry, 0.05),
                  above("and the skin is felt again", seen.last_N, 0.9, 1.0, "N"),
-                 below_N("step", seen.felt.worst_step_N, kStep_N)});
+                 below_N("step", seen.felt.worst_step_N, kIndexedStep_N)});
 }
 
 AssertionResult to_both_ends() {
@@ -83,7 +83,7 @@ AssertionResult to_both_ends() {
   const Indexing head = index([](double now_s) { return eased(now_s, 2.0, 3.0, 0.0, -0.13); }, 12.0);
   return all_of({{feet.farthest_m == 0.9 && head.farthest_m == 0.9, "0.9 m to each end, with 0.1 m of touch beyond"},
                  below_N("the recall is bounded", feet.most_recall_N, 3.0 + 1e-9),
-                 below_N("step", std::max(feet.felt.worst_step_N, head.felt.worst_step_N), kStep_N)});
+                 below_N("step", std::max(feet.felt.worst_step_N, head.felt.worst_step_N), kIndexedStep_N)});
 }
 
 AssertionResult trembling_at_the_border() {
@@ -92,7 +92,7 @@ AssertionResult trembling_at_the_border() {
         return eased(now_s, 2.5, 3.5, 0.0, 0.1) + 9e-4 * std::sin(2.0 * std::numbers::pi * 8.0 * now_s);
       },
       6.0);
-  return all_of({{seen.switches <= 1, "switches once"}, below_N("step", seen.felt.worst_step_N, kStep_N)});
+  return all_of({{seen.switches <= 1, "switches once"}, below_N("step", seen.felt.worst_step_N, kIndexedStep_N)});
 }
 
 AssertionResult far_outside() {

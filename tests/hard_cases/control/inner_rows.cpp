@@ -15,8 +15,6 @@ namespace {
 using Eigen::Vector3d;
 using ::testing::AssertionResult;
 
-constexpr double kTick_N = 0.17;  // the limiter's slew, over one tick
-
 /// A ball of 25 mm, its middle 55 mm deep, as an organ's shape.
 std::shared_ptr<const solids::DistanceLattice> ball() {
   constexpr int kNodes = 40;

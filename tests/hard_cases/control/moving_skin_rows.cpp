@@ -174,7 +174,7 @@ AfterGap feel(const Gap& gap) {
   pair.place({{0.0, 0.05, 0.0}}, {{0.0, 0.06, 0.0}});
   ShownSurface shown;
   const Person person = presses_to(gap.aim_m);
-  constexpr double kStops_s = 3.0, kReturns_s = 5.0, kPeak_N = 10.0;
+  constexpr double kStops_s = 3.0, kReturns_s = 5.0;
   AfterGap got;
   double force_sum_N = 0.0, law_sum_N = 0.0;
   Eigen::Vector3d last_N = Eigen::Vector3d::Zero();

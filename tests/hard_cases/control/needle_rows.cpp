@@ -16,8 +16,6 @@ using Eigen::Vector3d;
 using ::testing::AssertionResult;
 using tissue::LayerState;
 
-constexpr double kTick_N = 0.17;  // the limiter's slew, over one tick
-
 /// Forces of the controller on a needle that follows a prescribed path through a tissue.
 struct Needle {
   Felt felt;
@@ -152,7 +150,7 @@ AssertionResult as_printed() {
   double slips = 0.0;
   for (int i = 0; i < 16'000; ++i) {
     const double before_N = run.force_N.y();
-    run.tick(in_steps(i * tissue::kTick_s));
+    run.tick(in_steps(i * kTick_s));
     if (before_N - run.force_N.y() > 0.2) ++slips;
   }
   Claim bounded = below_N("step", needle.felt.worst_step_N, kTick_N + 0.05);

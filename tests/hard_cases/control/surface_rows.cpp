@@ -14,8 +14,6 @@ using device::BreathingPlane;
 using ports::SurfaceContact;
 using ::testing::AssertionResult;
 
-constexpr double kPeak_N = 10.0;
-
 AssertionResult swapped_in_contact() {
   LoopScene scene;
   scene.seconds = 4.0;

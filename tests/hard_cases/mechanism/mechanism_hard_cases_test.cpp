@@ -6,9 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "haptic_station/mechanism/held_linkage.h"
 #include "haptic_station/mechanism/crank_range.h"
+#include "haptic_station/mechanism/held_linkage.h"
 #include "haptic_station/mechanism/planar_designs.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/hard_case.h"
 
@@ -18,7 +19,6 @@ namespace {
 using namespace telepalp::mechanism;
 using ::testing::AssertionResult;
 
-constexpr double kTick_s = 0.0005;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const Force<HapticBase> kNeedle{{1.0, 0.3, 0.0}};
 

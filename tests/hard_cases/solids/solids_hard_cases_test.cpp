@@ -8,6 +8,7 @@
 #include "haptic_station/effects/effect_bank.h"
 #include "haptic_station/solids/polish.h"
 #include "haptic_station/solids/solid_proxy.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/hard_case.h"
 
@@ -21,8 +22,6 @@ using solids::SolidAt;
 using solids::SolidProxy;
 using solids::SolidTree;
 using ::testing::AssertionResult;
-
-constexpr double kTick_s = 0.0005;
 
 std::shared_ptr<const SolidTree> tree_of(const std::string& text) {
   return *solids::build_tree(*solids::parse_polish(text, "case"));

@@ -10,6 +10,7 @@
 #include "haptic_station/surface/build/surface_builder.h"
 #include "haptic_station/surface/cloud/cloud_snapshot.h"
 #include "haptic_station/surface/touch/touch.h"
+#include "tests/haptic_station/periods.h"
 #include "tests/haptic_station/surface/analytic_surface.h"
 #include "tests/hard_cases/claims.h"
 #include "tests/hard_cases/surface/rows.h"
@@ -24,7 +25,6 @@ using ::testing::AssertionFailure;
 using ::testing::AssertionResult;
 using namespace hard_cases;
 
-inline constexpr double kTick_s = 0.0005;
 inline constexpr double kStiffness_N_per_m = 500.0;
 inline constexpr double kMostForceStep_N = 0.02;
 

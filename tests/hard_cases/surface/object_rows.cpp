@@ -5,7 +5,6 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kMostStep_N = 0.05;  // a tick, at 500 N/m
 constexpr double kBeyond_N = 0.3;     // most by which the force may exceed that without the object
 constexpr double kMeans_N = 0.6;      // the same while the body rises under the object
 

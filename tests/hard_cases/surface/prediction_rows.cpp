@@ -2,12 +2,12 @@
 #include <numbers>
 #include <random>
 
+#include "tests/haptic_station/periods.h"
 #include "tests/hard_cases/surface/driven.h"
 
 namespace telepalp::surface {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 30.0;
 constexpr double kDelay_s = 0.1;
 constexpr double kNoise_m = 0.001;
 

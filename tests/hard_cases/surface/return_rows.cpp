@@ -6,7 +6,6 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kMostStep_N = 0.05;  // a tick, at 500 N/m
 constexpr double kFeltWithin_s = 1.5;
 constexpr double kRightAfter_s = 3.0;
 

@@ -11,6 +11,8 @@
 
 namespace telepalp::surface {
 
+inline constexpr double kMostStep_N = 0.05;  ///< in a tick, at 500 N/m
+
 struct SeenPatient {
   std::function<double(double)> lift_m = [](double) { return 0.0; };  ///< of the true skin
   std::function<double(double)> tilt = [](double) { return 0.0; };    ///< of depth over x

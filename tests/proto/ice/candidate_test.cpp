@@ -7,17 +7,17 @@
 namespace telepalp::ice {
 namespace {
 
-struct Refused {
+struct RefusedText {
   const char* why;
   std::string text;
 };
-void PrintTo(const Refused& one, std::ostream* out) { *out << one.why; }
+void PrintTo(const RefusedText& one, std::ostream* out) { *out << one.why; }
 
 std::string at(const std::string& address) { return "candidate:1 1 udp 2015363327 " + address + " 40000 typ host"; }
 
 const std::string kGood = at("10.0.0.5");
 
-const Refused kRefused[] = {
+const RefusedText kRefusedTexts[] = {
     {"nothing", ""},
     {"no prefix", kGood.substr(10)},
     {"a word is missing", "candidate:1 1 udp 2015363327 10.0.0.5 40000 host"},
@@ -57,9 +57,9 @@ const Refused kRefused[] = {
     {"unspecified of IPv6", at("::")},
 };
 
-class RefusedCandidate : public testing::TestWithParam<Refused> {};
+class RefusedCandidate : public testing::TestWithParam<RefusedText> {};
 TEST_P(RefusedCandidate, IsNotRead) { EXPECT_FALSE(read_candidate(GetParam().text, Reach::Network)); }
-INSTANTIATE_TEST_SUITE_P(HardCases, RefusedCandidate, testing::ValuesIn(kRefused));
+INSTANTIATE_TEST_SUITE_P(HardCases, RefusedCandidate, testing::ValuesIn(kRefusedTexts));
 
 TEST(Candidate, IsReadAndWrittenAsRfc8839WritesIt) {
   for (const std::string& text :

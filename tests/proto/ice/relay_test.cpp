@@ -30,14 +30,14 @@ msg::IceRelay with_user(std::size_t bytes) {
   return relay;
 }
 
-struct Refused {
+struct RefusedMessage {
   const char* why;
   msg::IceRelay relay;
   const char* says;
 };
-void PrintTo(const Refused& one, std::ostream* out) { *out << one.why; }
+void PrintTo(const RefusedMessage& one, std::ostream* out) { *out << one.why; }
 
-const Refused kRefused[] = {
+const RefusedMessage kRefusedMessages[] = {
     {"loopback, as Debian names a computer in /etc/hosts", relay_at("127.0.1.1"), "address is 127.0.1.1, a loopback"},
     {"loopback of IPv6", relay_at("::1"), "address is ::1, a loopback"},
     {"unspecified", relay_at("0.0.0.0"), "address is 0.0.0.0"},
@@ -52,7 +52,7 @@ const Refused kRefused[] = {
     {"a long user", with_user(257), "longer than 256 B"},
 };
 
-class RefusedRelay : public testing::TestWithParam<Refused> {};
+class RefusedRelay : public testing::TestWithParam<RefusedMessage> {};
 TEST_P(RefusedRelay, IsNamedWithARemedy) {
   const Result<Relay> read = read_relay(GetParam().relay, Reach::Network);
   ASSERT_FALSE(read.ok());
@@ -61,7 +61,7 @@ TEST_P(RefusedRelay, IsNamedWithARemedy) {
   EXPECT_NE(said.find("fix: on the meeting point's computer"), std::string::npos) << said;
   EXPECT_EQ(said.find('\033'), std::string::npos);
 }
-INSTANTIATE_TEST_SUITE_P(HardCases, RefusedRelay, testing::ValuesIn(kRefused));
+INSTANTIATE_TEST_SUITE_P(HardCases, RefusedRelay, testing::ValuesIn(kRefusedMessages));
 
 TEST(Relay, IsReadWholeAtAnAddressOfAnotherComputer) {
   const Result<Relay> read = read_relay(relay_at("192.0.2.1"), Reach::Network);

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const SessionTime kStart{1h};
+const SessionTime kCaptured{1h};
 
 std::shared_ptr<const std::string> payload_of(std::size_t bytes) {
   std::mt19937 random(static_cast<unsigned>(bytes));
@@ -28,7 +28,7 @@ std::shared_ptr<const std::string> payload_of(std::size_t bytes) {
 
 std::shared_ptr<const SharedFrame> frame_of(const std::shared_ptr<const std::string>& payload,
                                             std::size_t prefix = 16) {
-  return std::make_shared<const SharedFrame>(SharedFrame::Label{.number = 1, .captured = kStart},
+  return std::make_shared<const SharedFrame>(SharedFrame::Label{.number = 1, .captured = kCaptured},
                                              std::vector<std::byte>(prefix, std::byte{7}),
                                              std::as_bytes(std::span(*payload)), payload);
 }
@@ -36,7 +36,7 @@ std::shared_ptr<const SharedFrame> frame_of(const std::shared_ptr<const std::str
 /// The frame as one piece: time stamp, prefix, payload, zeros.
 std::vector<std::byte> whole(const std::string& payload, std::size_t prefix, const FrameLayout& layout) {
   std::vector<std::byte> bytes(8);
-  put_little_endian<std::int64_t>(bytes.data(), to_nanoseconds(kStart));
+  put_little_endian<std::int64_t>(bytes.data(), to_nanoseconds(kCaptured));
   bytes.insert(bytes.end(), prefix, std::byte{7});
   for (const char letter : payload) bytes.push_back(static_cast<std::byte>(letter));
   bytes.resize(layout.data_shards * layout.shard_bytes);
@@ -77,7 +77,7 @@ ReadBytes read_by(int links, const std::shared_ptr<const SharedFrame>& frame, co
     FrameSender sender(100ms);
     PathEstimate path;
     sender.offer(frame);
-    while (const auto next = sender.next(kStart, path)) {
+    while (const auto next = sender.next(kCaptured, path)) {
       const bool is_inside =
           next->shard.data() >= begin && next->shard.data() + next->shard.size() <= begin + payload.size();
       if (is_inside)

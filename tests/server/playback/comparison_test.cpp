@@ -13,8 +13,9 @@
 namespace telepalp::playback {
 namespace {
 
+using wire::samples::kStart_ns;
+
 constexpr std::int64_t kStep_ns = 10'000'000;
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
 constexpr std::int64_t kHour_ns = 3'600'000'000'000;
 
 /// A run of 20 s from `begin_ns` on: in contact from the 5th to the 15th second, with 2 N along y.

@@ -22,8 +22,7 @@ namespace telepalp::playback {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
+using wire::samples::kStart_ns;
 
 SessionTime at_ms(std::int64_t ms) { return session_time(kStart_ns + ms * 1'000'000); }
 

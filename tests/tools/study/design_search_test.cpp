@@ -6,9 +6,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "tests/support/child_process.h"
+#include "tests/tools/study/texts.h"
 #include "tools/study/search/judgement_file.h"
 #include "tools/study/search/search_page.h"
 #include "where.h"
@@ -17,11 +17,6 @@ namespace telepalp::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 SearchSettings small(int threads = 1) {
   return {.operators = 2, .penetrations = 1, .held_out = 2, .seed = 1, .evaluations = 44, .threads = threads};

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "tests/tools/study/texts.h"
 #include "tools/study/designer/answers.h"
 #include "tools/study/designer/command.h"
 #include "tools/study/designer/designer_page.h"
@@ -27,8 +28,6 @@ LiveDesign first_design() {
   static const LiveDesign first = *LiveDesign::make();
   return first;
 }
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 struct Refused {
   std::string message;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 
 #include "tests/support/child_process.h"
+#include "tests/tools/study/texts.h"
 #include "tools/study/protocol/desk.h"
 #include "tools/study/protocol/hands/browser_trial.h"
 #include "tools/study/protocol/page_answers.h"
@@ -20,13 +20,6 @@ namespace telepalp::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 Protocol small() {
   return {.design = *parse_design("name=long l_h=180\nname=short l_h=60\n", "two"),
@@ -62,12 +55,12 @@ Prepared prepared(std::size_t mechanism) {
 
 /// A person who pushes at 40 mm/s for 3.5 s, which goes through the sac, and then stands still.
 void penetrate(Desk& desk) {
-  constexpr double kFrame_s = 0.016;
+  constexpr double kStep_s = 0.016;
   ASSERT_TRUE(desk.obey(BeginPenetration{}));
   for (int frame = 0; frame < 3000 && desk.session().stage() != Stage::Resting; ++frame) {
     if (desk.session().stage() == Stage::Finished) return;
-    if (frame < 220) (void)desk.obey(PushHand{0.04 * kFrame_s});
-    (void)desk.step(kFrame_s);
+    if (frame < 220) (void)desk.obey(PushHand{0.04 * kStep_s});
+    (void)desk.step(kStep_s);
   }
   ASSERT_EQ(desk.session().stage(), Stage::Resting);
 }

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "tests/support/child_process.h"
+#include "tests/tools/study/texts.h"
 #include "tools/study/page/files.h"
 #include "tools/study/run/trial_row.h"
 #include "where.h"
@@ -15,11 +15,6 @@ namespace telepalp::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 StudySettings small(const fs::path& out, int threads = 1) {
   StudySettings settings;

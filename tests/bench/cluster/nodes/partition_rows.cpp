@@ -6,7 +6,11 @@
 #include <string>
 #include <thread>
 
+<<<<<<< HEAD:tests/bench/cluster/nodes/partition_rows.cpp
 #include "tests/bench/cluster/nodes/station_watch.h"
+=======
+#include "tests/bench/cluster/nats_cluster.h"
+>>>>>>> d7d4eec893abd94f84bb20bd8d8f00d856dd6a36:tests/bench/cluster/partition_rows.cpp
 #include "tests/bench/cluster/running_server.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/site/two_networks.h"
@@ -36,15 +40,6 @@ struct Seen {
   StationWatch::Facts station_before, station_meanwhile;
 };
 
-bool is_ready(const fs::path& log) {
-  for (const auto until = Clock::now() + 20s; Clock::now() < until; std::this_thread::sleep_for(50ms)) {
-    std::ifstream file(log);
-    for (std::string line; std::getline(file, line);)
-      if (line.find("Server is ready") != std::string::npos) return true;
-  }
-  return false;
-}
-
 Result<std::vector<std::unique_ptr<support::ChildProcess>>> start_nodes(const TwoNetworks& networks,
                                                                         const fs::path& scratch) {
   const auto route_of = [](int node) { return "nats://" + host_of(node) + ":" + std::to_string(6222 + node); };
@@ -56,7 +51,7 @@ Result<std::vector<std::unique_ptr<support::ChildProcess>>> start_nodes(const Tw
                        {"-a", host_of(node), "-p", std::to_string(4222 + node), "--cluster_name", "bench", "--cluster",
                         route_of(node), "--routes", route_of(0) + "," + route_of(1) + "," + route_of(2)},
                        log));
-    if (!is_ready(log))
+    if (!nats_is_ready(log, 20s))
       return Error{.what = "nats-server does not start", .where = log.string(), .fix = "read this file"};
   }
   std::this_thread::sleep_for(1s);  // until the nodes have found each other

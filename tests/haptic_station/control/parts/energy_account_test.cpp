@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::control {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
 constexpr double kBound_N = 10.0;
 
 /// A tick in which the device moves 0.1 mm outwards and the effects give `gave_J` more than they stored.

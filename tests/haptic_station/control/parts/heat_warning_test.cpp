@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::control {
 namespace {
-
-constexpr double kTick_s = 0.0005;
 
 TEST(HeatWarning, VibratesSecondsBeforeTheForceFallsAndNeverSteps) {
   ForceLimiter limiter;

@@ -8,13 +8,13 @@
 
 #include "haptic_station/control/parts/lift.h"
 #include "haptic_station/device/simulated_pair.h"
+#include "tests/haptic_station/periods.h"
 
 namespace telepalp::control {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTick_s = 0.0005;
 constexpr double kPlane_m = 0.031;
 
 ControlInput hand_at(const Vector3d& hand, const Vector3d& device) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/haptic_station/periods.h"
+
 namespace telepalp::control {
 namespace {
-
-constexpr double kTick_s = 0.0005;
 
 ports::SurfaceContact at_depth(double depth_m) {
   ports::SurfaceContact contact;

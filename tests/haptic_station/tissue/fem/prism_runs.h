@@ -25,7 +25,6 @@ class PrismRun {
   }
   /// `cost`: time from the begin of a run of the stage to its hand-over.
   void tick(const Eigen::Vector3d& to_m, Nanoseconds cost) {
-    constexpr double kTick_s = kTickOfPlane_s;
     if (auto result = driver_.finished(now_)) {
       stage_->hand_over(std::move(*result));
       ++handed_over_;
@@ -37,7 +36,7 @@ class PrismRun {
     const double carried_m = std::max(0.0, before.signed_depth_m() - before.normal().dot(by_m));
     const double carried_J = 0.5 * before.stiffness_N_per_m() * carried_m * carried_m;
     in_.device.m = to_m;
-    force_N_ = effect_.step(in_, kTick_s).N;
+    force_N_ = effect_.step(in_, kTickOfPlane_s).N;
     const SlewedPlane& after = effect_.plane();
     const double added_J = after.energy_J() - carried_J;
     const auto booked = [](const SlewedPlane& plane) { return plane.tank().paid_J() - plane.tank().filled_J(); };
