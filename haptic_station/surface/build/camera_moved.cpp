@@ -9,10 +9,10 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kJump_m = 0.012;  // a patient who sits up comes 5 mm nearer from image to image
+constexpr double kPushed_m = 0.012;  // a patient who sits up comes 5 mm nearer from image to image
 constexpr double kDeeper_m = 0.06;
-constexpr double kFlat_m = 0.008;   // rms deviation of the bed from a plane
-constexpr double kSlope_m = 0.004;  // most change of the bed's depth from block to block; a body's flank is steeper
+constexpr double kFlat_m = 0.008;      // rms deviation of the bed from a plane
+constexpr double kBedSlope_m = 0.004;  // most change of the bed's depth from block to block; a body's flank is steeper
 constexpr std::size_t kLeastShare = 20;  // bed and body each cover at least one part in so many
 constexpr int kStep = 3;                 // every ninth block is enough
 
@@ -54,7 +54,7 @@ bool is_flat(const std::vector<Moved>& bed) {
   const Eigen::Vector3d plane = normal.ldlt().solve(right);
   double square = 0.0;
   for (const Moved& one : bed) square += std::pow(one.before_m - plane.dot(one.terms), 2.0);
-  return std::sqrt(square / static_cast<double>(bed.size())) <= kFlat_m && plane.tail<2>().norm() <= kSlope_m;
+  return std::sqrt(square / static_cast<double>(bed.size())) <= kFlat_m && plane.tail<2>().norm() <= kBedSlope_m;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ bool is_flat(const std::vector<Moved>& bed) {
 bool camera_moved(const BlockLattice& lattice, std::span<const float> before_m, std::span<const float> seen_m) {
   const auto nearer_m = [](const Moved& one) { return one.nearer_m; };
   const std::vector<Moved> all = seen_twice(lattice, before_m, seen_m);
-  if (all.empty() || std::abs(median(all, nearer_m)) < kJump_m) return false;
+  if (all.empty() || std::abs(median(all, nearer_m)) < kPushed_m) return false;
   const double middle_m = median(all, [](const Moved& one) { return one.before_m; });
   std::vector<Moved> bed;
   std::vector<Moved> body;
@@ -70,7 +70,7 @@ bool camera_moved(const BlockLattice& lattice, std::span<const float> before_m, 
   if (bed.size() * kLeastShare < all.size() || body.size() * kLeastShare < all.size() || !is_flat(bed)) return false;
   const double bed_m = median(bed, nearer_m);
   const double body_m = median(body, nearer_m);
-  return bed_m * body_m > 0.0 && std::abs(bed_m) > kJump_m && std::abs(body_m) > kJump_m;
+  return bed_m * body_m > 0.0 && std::abs(bed_m) > kPushed_m && std::abs(body_m) > kPushed_m;
 }
 
 }  // namespace telepalp::surface

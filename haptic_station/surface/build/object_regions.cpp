@@ -10,7 +10,7 @@ namespace {
 constexpr float kEdge_m = 0.008F;       // a finger's side steps by half its thickness at least
 constexpr float kSteepSkin_m = 0.025F;  // from one block to the next: a silhouette, where depth changes by any shift
 
-constexpr float kSlope_m = 0.012F;  // over two blocks: 45 degrees
+constexpr float kObjectSlope_m = 0.012F;  // over two blocks: 45 degrees
 
 struct Step {
   int column;
@@ -32,7 +32,7 @@ struct Crossing {
   /// False where a block is not known, or the surface outside is too steep, as at a silhouette, to tell its slope.
   [[nodiscard]] bool is_known(std::span<const float> z_m) const noexcept {
     return z_m[inner] > 0.0F && z_m[outer] > 0.0F && z_m[beyond] > 0.0F &&
-           std::abs(z_m[beyond] - z_m[outer]) < kSlope_m;
+           std::abs(z_m[beyond] - z_m[outer]) < kObjectSlope_m;
   }
 };
 

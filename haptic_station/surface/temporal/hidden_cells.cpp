@@ -9,9 +9,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kFollows_m = 0.006;  // a cell that moved more beside the body does not count
-constexpr double kShiftDoubt = 4.0;   // prior, in cells: with fewer, the body's shared motion alone counts
-constexpr double kTiltDoubt = 15.0;   // the same, against a tilt, which a few cells in a corner do not tell
+constexpr double kCellFollows_m = 0.006;  // a cell that moved more beside the body does not count
+constexpr double kShiftDoubt = 4.0;       // prior, in cells: with fewer, the body's shared motion alone counts
+constexpr double kCellTiltDoubt = 15.0;   // the same, against a tilt, which a few cells in a corner do not tell
 
 /// 1, column and row from the image's middle, in units of half the lattice.
 Vector3d place_of(const CellLattice& lattice, std::size_t at) noexcept {
@@ -26,14 +26,14 @@ Vector3d place_of(const CellLattice& lattice, std::size_t at) noexcept {
 void fill_hidden(const CellLattice& lattice, std::span<const std::uint8_t> hidden, std::span<const double> shared_m,
                  std::span<CellInnovation> seen) {
   if (hidden.empty()) return;
-  Matrix3d normal = Vector3d(kShiftDoubt, kTiltDoubt, kTiltDoubt).asDiagonal();
+  Matrix3d normal = Vector3d(kShiftDoubt, kCellTiltDoubt, kCellTiltDoubt).asDiagonal();
   Vector3d right = Vector3d::Zero();
   double sigma_m = 0.0;
   double count = 1e-9;
   for (std::size_t at = 0; at < seen.size(); ++at) {
     if (hidden[at] != 0 || seen[at].count < kLeastCount) continue;
     const double off_m = seen[at].mean_m - shared_m[at];
-    if (std::abs(off_m) > kFollows_m) continue;
+    if (std::abs(off_m) > kCellFollows_m) continue;
     const Vector3d place = place_of(lattice, at);
     normal += place * place.transpose();
     right += off_m * place;

@@ -23,7 +23,7 @@ constexpr double kOddShare = 0.3;     // … plus this share of its expected inn
 constexpr double kMovesWithIt = 0.3;  // least share of a cell that enters the median
 constexpr double kLeastAgreement =
     0.85;  // share of the cells; with less, the motion is not shared: the camera was pushed
-constexpr int kLooks = 2;
+constexpr int kMotionLooks = 2;
 constexpr double kLearnOver_s = 6.0;
 constexpr double kFirstShare_m2 = 0.09e-6;  // prior: until the variance exceeds (0.3 mm)², all shares are near 1
 constexpr double kJudgeOver_s = 10.0;
@@ -84,7 +84,7 @@ double SharedMotion::median_m(std::span<const SharedInnovation> seen) {
 /// Iterated least squares over the cells, starting at the median; outliers get small weights.
 SharedMotion::Estimate SharedMotion::estimate_of(std::span<const SharedInnovation> seen) {
   Estimate estimate{.m = median_m(seen)};
-  for (int look = 0; look < kLooks; ++look) {
+  for (int look = 0; look < kMotionLooks; ++look) {
     double sum = 1e-30;
     double by = 0.0;
     double noise = 0.0;
