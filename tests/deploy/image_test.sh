@@ -39,4 +39,15 @@ timeout 60 bash -c "$(declare -f inside); root=$root; inside /usr/bin/telepalp-s
   fail "the server with the synthetic patient and the page" "$work/run"
 inside /bin/sh -c ': >/var/lib/telepalp/audit.log' || fail "the image's user may not write its folder"
 inside /bin/sh -c ': >/etc/x' 2>/dev/null && fail "the image's user may write elsewhere"
+
+# The meeting point's image holds its relay, too, which takes the configuration that the package ships.
+"$sources/deploy/image" --of edge --out "$work/edge" >/dev/null 2>"$work/none" && fail "an unknown image is made"
+tag=$("$sources/deploy/image" --of meet --out "$work/meet" 2>"$work/log") || fail "deploy/image --of meet" "$work/log"
+umoci unpack --image "$tag" "$work/meet_unpacked" >"$work/log" 2>&1 || fail "umoci unpack" "$work/log"
+root=$work/meet_unpacked/rootfs
+inside /usr/bin/telepalp-meet --version >"$work/meet_version" 2>&1 || fail "telepalp-meet --version" "$work/meet_version"
+inside /bin/sh -c 'cat /usr/share/telepalp/telepalp-relay.conf >/var/lib/telepalp/relay.conf && echo static-auth-secret=test >>/var/lib/telepalp/relay.conf' || fail "the relay's configuration"
+timeout 20 bash -c "$(declare -f inside); root=$root; inside /usr/bin/timeout 3 /usr/bin/turnserver -c /var/lib/telepalp/relay.conf --log-file stdout --pidfile /var/lib/telepalp/pid" >"$work/relay" 2>&1 || true
+grep -q "listener opened on" "$work/relay" || fail "the relay does not listen" "$work/relay"
+root=$work/unpacked/rootfs
 echo "image: $(du -sm "$root" | cut -f1) MB, starts $(cat "$work/version")"
