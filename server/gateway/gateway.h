@@ -29,6 +29,10 @@
 #include "server/views/view_maker.h"
 #include "server/voice/voice_floor.h"
 
+namespace telepalp::oidc {
+class HospitalSignIn;
+}
+
 namespace telepalp::gateway {
 
 struct GatewayOptions {
@@ -38,7 +42,8 @@ struct GatewayOptions {
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};  ///< why the health check fails; empty: healthy
+  oidc::HospitalSignIn* hospital = nullptr;  ///< lives longer than the gateway; null: people sign in with tokens alone
+  std::function<std::string()> problem{};    ///< why the health check fails; empty: healthy
   /// Who speaks at the patient's side; shared with the microphone at the server itself (voice::RoomVoice).
   std::shared_ptr<voice::VoiceFloor> patient_floor = std::make_shared<voice::VoiceFloor>();
   std::function<std::string()> more_metrics{};       ///< Prometheus text that /metrics ends with

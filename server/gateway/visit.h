@@ -40,6 +40,7 @@ class Visit {
   [[nodiscard]] bool answer(const HttpRequest& request, const Reply& reply);
 
  private:
+  [[nodiscard]] HttpReply sign_in_form(const HttpRequest& request, const std::string& problem) const;
   [[nodiscard]] HttpReply sign_in(const HttpRequest& request);
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
@@ -50,6 +51,7 @@ class Visit {
   void note(access::AuditEvent event, const std::optional<keys::Identity>& who, const std::string& text) const;
 
   GatewayContext& context_;
+  boost::asio::ip::address peer_;
   std::string address_;  // of the peer, without its port
   bool is_on_this_machine_;
   std::optional<Visitor> visitor_;
