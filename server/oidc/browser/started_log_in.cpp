@@ -72,7 +72,7 @@ std::string StartedLogIns::begin(std::string_view page, TimePoint now) const {
 }
 
 std::optional<LogIn> StartedLogIns::read(std::string_view cookie, TimePoint now) const {
-  if (cookie.size() <= kMacDigits) return std::nullopt;
+  if (cookie.size() <= kMacDigits || cookie[kMacDigits] != '.') return std::nullopt;
   const std::string_view body = cookie.substr(kMacDigits + 1);
   if (!is_equal(cookie.substr(0, kMacDigits), mac("cookie", body))) return std::nullopt;
   const std::optional<std::int64_t> begun = begun_s(body);

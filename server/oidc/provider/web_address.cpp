@@ -26,10 +26,11 @@ bool is_this_machine(std::string_view host) {
   return !is_name && address.is_loopback();
 }
 
-/// "127.0.0.1:8080/login" -> "127.0.0.1", "[::1]:8080" -> "::1"
+/// "127.0.0.1:8080/login" -> "127.0.0.1", "[::1]:8080" -> "::1"; empty for a bracket that is not closed.
 std::string_view host_of(std::string_view rest) {
   rest = rest.substr(0, rest.find_first_of("/?#"));
-  if (rest.starts_with('[')) return rest.substr(1, std::min(rest.find(']'), rest.size()) - 1);
+  const std::size_t closed = rest.find(']');
+  if (rest.starts_with('[')) return closed == std::string_view::npos ? std::string_view{} : rest.substr(1, closed - 1);
   return rest.substr(0, rest.find(':'));
 }
 
