@@ -115,9 +115,8 @@ Result<std::optional<gateway::HealthPort::Options>> health_options(const program
 }
 
 Result<std::optional<access::Access::Options>> key_options(const program::Arguments& arguments) {
-  for (const auto& [one, other] :
-       {std::pair{"web-cert", "web-key"}, std::pair{"web-key", "web-cert"}, std::pair{"web-cert", "http-port"},
-        std::pair{"sign-in", "http-port"}})
+  for (const auto& [one, other] : {std::pair{"web-cert", "web-key"}, std::pair{"web-key", "web-cert"},
+                                   std::pair{"web-cert", "http-port"}, std::pair{"sign-in", "http-port"}})
     if (arguments.has(one) && !arguments.has(other)) return no_effect_without(other, one);
   if (arguments.has("key"))
     return std::optional(access::Access::Options{.key = arguments.text("key"),

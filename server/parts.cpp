@@ -207,7 +207,7 @@ Result<void> open_hospital(Parts& parts, Asked& asked) {
   Result<oidc::Settings> settings = oidc::read_settings(asked.sign_in);
   if (!settings) return settings.error();
   log_line("browsers sign in at " + settings->issuer + ", which leads them back to " + settings->back());
-  parts.hospital = std::make_unique<oidc::HospitalSignIn>(parts.io, std::move(settings).value());
+  parts.hospital = std::make_unique<oidc::HospitalSignIn>(parts.io, std::move(settings).value(), log_line);
   asked.gateway->hospital = parts.hospital.get();
   return {};
 }

@@ -24,7 +24,7 @@ constexpr std::string_view kStyle =
     "padding:.6rem;font:inherit;color:inherit;background:#05070b;border:1px solid #3a4d5e;border-radius:8px}"
     "button{width:100%;padding:.6rem;font:inherit;font-weight:600;color:#04121a;background:#5fd0e8;border:0;"
     "border-radius:8px;cursor:pointer}:focus-visible{outline:2px solid #ffd166;outline-offset:2px}"
-    "summary{margin:1.5rem 0 1rem;color:#a9bac8;cursor:pointer}a{color:#5fd0e8}"
+    "summary{margin:1.5rem 0 0;color:#a9bac8;cursor:pointer}[open] summary{margin-bottom:1rem}a{color:#5fd0e8}"
     "[role=alert]{margin:0 0 1rem;padding:.6rem .8rem;color:#ffd9a0;background:#3a2a0b;border-radius:8px}";
 
 std::string sha256_in_base64(std::string_view text) {
@@ -96,9 +96,10 @@ std::string token_form(const std::string& query) {
 HttpReply sign_in_page(const HttpRequest& request, const SignInForm& form) {
   const std::string why = form.problem.empty() ? "" : "<p role=\"alert\">" + html_escaped(form.problem) + "</p>";
   const std::string query = html_escaped(form.page.substr(1));
-  const std::string forms = form.has_hospital ? hospital_form(query) + "<details><summary>Sign in with a token</summary>" +
-                                                    token_form(query) + "</details>"
-                                              : token_form(query);
+  const std::string forms =
+      form.has_hospital
+          ? hospital_form(query) + "<details><summary>Sign in with a token</summary>" + token_form(query) + "</details>"
+          : token_form(query);
   return page(request, http::status::unauthorized, "<h1>telepalp</h1>" + why + forms);
 }
 
@@ -155,7 +156,8 @@ std::string token_in_form(std::string_view body) {
 }
 
 bool states_consent(std::string_view body) noexcept {
-  return body == "consent=yes" || body.ends_with("&consent=yes") || body.find("&consent=yes&") != std::string_view::npos;
+  return body == "consent=yes" || body.ends_with("&consent=yes") ||
+         body.find("&consent=yes&") != std::string_view::npos;
 }
 
 bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {

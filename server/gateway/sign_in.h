@@ -29,8 +29,8 @@ struct SignInForm {
 /// The page with a field for the token.
 [[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, const SignInForm& form);
 /// A page that says `text` and goes on to `address` by itself, as a link of this server's own page. A redirect would
-/// not do: it belongs to the page that led here, so the browser would keep the cookie kCookieName from it after a log-in
-/// at another host, and would not follow it out of a form.
+/// not do: it belongs to the page that led here, so the browser would keep the cookie kCookieName from it after a
+/// log-in at another host, and would not follow it out of a form.
 [[nodiscard]] HttpReply going_on_page(const HttpRequest& request, const std::string& text, const std::string& address);
 /// The page with a button that signs out.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);

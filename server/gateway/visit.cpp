@@ -133,8 +133,7 @@ HttpReply Visit::sign_in_form(const HttpRequest& request, const std::string& pro
 HttpReply Visit::sign_in(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
     return refuse(request, http::status::forbidden, kSignAtOwnPage);
-  if (!states_consent(request.body()))
-    return sign_in_form(request, kAskPatientFirst);
+  if (!states_consent(request.body())) return sign_in_form(request, kAskPatientFirst);
   access::Access& access = *context_.options.access;
   const Result<keys::Identity> who =
       access.sign_in(token_in_form(request.body()), address_, our_cookie(view(request[http::field::cookie])));

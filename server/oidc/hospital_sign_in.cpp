@@ -28,8 +28,9 @@ std::string word(std::string_view error) {
 
 }  // namespace
 
-HospitalSignIn::HospitalSignIn(boost::asio::io_context& network, Settings settings)
-    : network_(network), settings_(std::move(settings)), provider_(settings_) {}
+HospitalSignIn::HospitalSignIn(boost::asio::io_context& network, Settings settings,
+                               std::function<void(const std::string&)> say)
+    : network_(network), settings_(std::move(settings)), say_(std::move(say)), provider_(settings_) {}
 
 HospitalSignIn::~HospitalSignIn() {
   provider_.stop();
@@ -43,9 +44,12 @@ HospitalSignIn::Departure HospitalSignIn::departure(const std::string& log_in_ad
   const LogIn log_in = *started_.read(cookie, now);
   std::string address = log_in_address + (log_in_address.find('?') == std::string::npos ? "?" : "&");
   address += "response_type=code&code_challenge_method=S256";
-  const std::pair<const char*, std::string> told[] = {
-      {"client_id", settings_.client_id}, {"redirect_uri", settings_.back()}, {"scope", settings_.scope},
-      {"state", log_in.state},            {"nonce", log_in.nonce},            {"code_challenge", log_in.challenge}};
+  const std::pair<const char*, std::string> told[] = {{"client_id", settings_.client_id},
+                                                      {"redirect_uri", settings_.back()},
+                                                      {"scope", settings_.scope},
+                                                      {"state", log_in.state},
+                                                      {"nonce", log_in.nonce},
+                                                      {"code_challenge", log_in.challenge}};
   for (const auto& [name, value] : told) address += std::string("&") + name + "=" + percent_encoded(value);
   return {.address = address, .cookie = cookie};
 }
@@ -55,6 +59,7 @@ void HospitalSignIn::leave(const std::string& page, const boost::asio::ip::addre
   add({.browser = {.from = from, .since = std::chrono::steady_clock::now()},
        .ask = [this, page, done]() -> std::function<void()> {
          return [this, page, done, address = provider_.log_in_address()] {
+           if (!address) say(address.error());
            done(address ? Result<Departure>(departure(*address, page)) : Result<Departure>(address.error()));
          };
        },
@@ -77,6 +82,7 @@ void HospitalSignIn::arrive(const Return& brought, const boost::asio::ip::addres
   const auto answered = [this, address = from.to_string(), tried, page = log_in->page,
                          done](const Result<Person>& person) {
     if (!person) back_off_.failed(address, tried, std::chrono::steady_clock::now());
+    if (!person) say(person.error());
     done(person ? Result<Arrival>(Arrival{*person, page}) : Result<Arrival>(person.error()));
   };
   add({.browser = {.from = from, .since = std::chrono::steady_clock::now()},
@@ -84,6 +90,11 @@ void HospitalSignIn::arrive(const Return& brought, const boost::asio::ip::addres
          return [answered, person = provider_.person(code, log_in.verifier, log_in.nonce)] { answered(person); };
        },
        .dropped = done});
+}
+
+void HospitalSignIn::say(const Error& failed) {
+  if (const auto line = failed_.line("a log-in at the hospital failed", failed, std::chrono::steady_clock::now()))
+    say_(*line);
 }
 
 void HospitalSignIn::add(Job job) {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "proto/keys/identity.h"
+#include "proto/words/repeated_errors.h"
 #include "proto/words/result.h"
 #include "server/access/access.h"
 #include "server/access/unproven.h"
@@ -20,13 +21,14 @@
 namespace telepalp::oidc {
 
 /// Signs people in at the hospital's provider: leave() sends a browser there, arrive() takes it back. The provider is
-/// asked on a thread of its own, one request after the other, so nothing waits on the network thread. Owner: the network
-/// thread.
+/// asked on a thread of its own, one request after the other, so nothing waits on the network thread. Owner: the
+/// network thread.
 class HospitalSignIn {
  public:
   static constexpr std::size_t kMostWaiting = 64;  ///< browsers for which the provider is to be asked
 
-  HospitalSignIn(boost::asio::io_context& network, Settings settings);
+  /// `say`: takes log lines for the technician, about the provider.
+  HospitalSignIn(boost::asio::io_context& network, Settings settings, std::function<void(const std::string&)> say);
   HospitalSignIn(const HospitalSignIn&) = delete;
   HospitalSignIn& operator=(const HospitalSignIn&) = delete;
   /// Ends the request that is under way; those that wait get no answer.
@@ -66,12 +68,15 @@ class HospitalSignIn {
     std::function<void(const Error&)> dropped;
   };
   void add(Job job);
+  void say(const Error& failed);
   void drop_one();
   void start_next();
   [[nodiscard]] Departure departure(const std::string& log_in_address, const std::string& page) const;
 
   boost::asio::io_context& network_;
   const Settings settings_;
+  std::function<void(const std::string&)> say_;
+  RepeatedErrors failed_;
   StartedLogIns started_;
   access::TokenBackOff back_off_;
   std::list<Job> waiting_;

@@ -24,6 +24,12 @@ std::string log_in_cookie(const std::string& value, std::chrono::seconds kept) {
          "; Path=/; Secure; HttpOnly; SameSite=Lax; Max-Age=" + std::to_string(kept.count());
 }
 
+/// What the person at the browser reads. An error with a place is for the technician, who finds it in the server's log.
+std::string for_person(const Error& why) {
+  if (why.where.empty()) return why.what + ". " + why.fix;
+  return "the hospital's log-in does not work now: " + why.what + ". Tell the technician, or sign in with a token";
+}
+
 /// One browser on its way. Copied into the provider's answer.
 struct HospitalVisit {
   GatewayContext& context;
@@ -37,8 +43,7 @@ struct HospitalVisit {
 
   void refuse_with(const Error& why, const std::string& page) const {
     note(access::AuditEvent::Refused, std::nullopt, "why=" + keys::audit_text(why.what));
-    if (context.options.log && !why.where.empty()) context.options.log("a hospital's log-in failed: " + to_string(why));
-    reply(sign_in_page(head, {.problem = why.what + ". " + why.fix, .page = page, .has_hospital = true}));
+    reply(sign_in_page(head, {.problem = for_person(why), .page = page, .has_hospital = true}));
   }
 
   void left(const Result<HospitalSignIn::Departure>& departure, const std::string& page) const {
@@ -74,7 +79,8 @@ void leave(const HospitalVisit& visit, const HttpRequest& request, const boost::
     return visit.reply(sign_in_page(request, {.problem = kAskPatientFirst, .page = page, .has_hospital = true}));
   const std::string& own = options.hospital->settings().page;  // the cookie must be there when the browser comes back
   if (own != "https://" + std::string(view(request[http::field::host])))
-    return visit.reply(going_on_page(request, "The hospital's log-in leads to " + own + ": sign in there.", own + page));
+    return visit.reply(
+        going_on_page(request, "The hospital's log-in leads to " + own + ": sign in there.", own + page));
   options.hospital->leave(
       page, peer, [visit, page](const Result<HospitalSignIn::Departure>& departure) { visit.left(departure, page); });
 }

@@ -10,11 +10,11 @@ namespace telepalp::oidc {
 
 /// One request to the provider. With a form it is a POST, else a GET.
 struct WebRequest {
-  std::string address;     ///< is_safe_address()
-  std::string form{};      ///< URL-encoded
-  std::string user{};      ///< with `password`, for HTTP Basic; empty: none
+  std::string address;  ///< is_safe_address()
+  std::string form{};   ///< URL-encoded
+  std::string user{};   ///< with `password`, for HTTP Basic; empty: none
   std::string password{};
-  std::string bearer{};    ///< access token; empty: none
+  std::string bearer{};  ///< access token; empty: none
 };
 
 struct WebReply {

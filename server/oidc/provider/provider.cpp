@@ -18,7 +18,8 @@ std::string plain_name(const std::string& name, const std::string& serial) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._@-";
   std::string plain = name.substr(0, kLongestName);
   for (std::size_t at = 0; (at = plain.find_first_not_of(kPlain, at)) != std::string::npos;) plain[at] = '_';
-  return plain == name && !name.empty() ? plain : plain + "-" + serial.substr(0, 6);
+  if (plain == name && !name.empty()) return plain;
+  return (plain.empty() ? "person" : plain) + "-" + serial.substr(0, 6);
 }
 
 std::string in_form(const char* name, const std::string& value) {
@@ -48,10 +49,11 @@ Result<Claims> Provider::ask(const WebRequest& request) const {
   if (reply->status == kOk) return read_claims(reply->body, request.address);
   const Result<Claims> why = read_claims(reply->body, request.address);
   const std::string code = why ? text_of(*why, "error") : "";
-  return Error{.what = "the provider answers " + std::to_string(reply->status) + (code.empty() ? "" : " (" + code + ")"),
-               .where = request.address,
-               .fix = "compare client_id, the client's secret and the registered address " + settings_.back() +
-                      " with the provider's settings"};
+  return Error{
+      .what = "the provider answers " + std::to_string(reply->status) + (code.empty() ? "" : " (" + code + ")"),
+      .where = request.address,
+      .fix = "compare client_id, the client's secret and the registered address " + settings_.back() +
+             " with the provider's settings"};
 }
 
 /// The provider's own description, if it can be used.

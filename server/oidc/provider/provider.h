@@ -52,9 +52,9 @@ class Provider {
 
   const Settings& settings_;
   std::atomic<bool> stopped_ = false;
-  Claims addresses_;                  // of the provider; empty: unknown
+  Claims addresses_;  // of the provider; empty: unknown
   std::optional<Clock::time_point> discovered_;
-  std::optional<Error> unreached_;    // of the last call of discover()
+  std::optional<Error> unreached_;  // of the last call of discover()
   Claims key_set_;
   std::optional<Clock::time_point> keys_fetched_;
 };

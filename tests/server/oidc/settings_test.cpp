@@ -102,8 +102,8 @@ TEST_F(SettingsFile, EachMistakeIsNamedWithItsPlace) {
 }
 
 TEST_F(SettingsFile, TheSecretIsOneLineThatOthersCannotRead) {
-  for (const std::string& bad : {std::string(), std::string("\n"), std::string("two\nlines"), std::string("\x01\x02"),
-                                std::string(1025, 's')}) {
+  for (const std::string& bad :
+       {std::string(), std::string("\n"), std::string("two\nlines"), std::string("\x01\x02"), std::string(1025, 's')}) {
     write_secret(bad);
     EXPECT_FALSE(read(kGood)) << bad.substr(0, 20);
   }
