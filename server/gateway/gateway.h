@@ -23,15 +23,12 @@
 #include "server/gateway/static_files.h"
 #include "server/hub/hub.h"
 #include "server/hub/server_stats.h"
+#include "server/oidc/hospital_sign_in.h"
 #include "server/origin/origin.h"
 #include "server/origin/reading.h"
 #include "server/origin/state_publisher.h"
 #include "server/views/view_maker.h"
 #include "server/voice/voice_floor.h"
-
-namespace telepalp::oidc {
-class HospitalSignIn;
-}
 
 namespace telepalp::gateway {
 

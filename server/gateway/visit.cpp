@@ -8,7 +8,6 @@
 #include "server/gateway/request/reading_request.h"
 #include "server/gateway/request_policy.h"
 #include "server/gateway/sign_in.h"
-#include "server/gateway/sign_in/hospital_visit.h"
 #include "support/program/message_json.h"
 
 namespace telepalp::gateway {
@@ -102,7 +101,7 @@ bool Visit::answer(const HttpRequest& request, const Reply& reply) {
     resource(request, *row, reply);
     return true;
   }
-  if (context_.options.hospital != nullptr && answer_hospital(context_, request, peer_, reply)) return true;
+  if (answer_hospital(request, reply)) return true;
   std::optional<HttpReply> answer = page(request);
   if (answer) reply(std::move(*answer));
   return answer.has_value();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "proto/keys/audit_chain.h"
-#include "server/oidc/provider/web_address.h"
+#include "server/oidc/web/web_address.h"
 
 namespace telepalp::oidc {
 namespace {

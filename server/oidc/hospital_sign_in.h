@@ -15,7 +15,7 @@
 #include "server/access/access.h"
 #include "server/access/unproven.h"
 #include "server/oidc/browser/started_log_in.h"
-#include "server/oidc/provider/provider.h"
+#include "server/oidc/provider.h"
 #include "server/oidc/settings.h"
 
 namespace telepalp::oidc {

@@ -6,7 +6,7 @@
 #include "messages/sign_in.pb.h"
 #include "proto/keys/key_file.h"
 #include "proto/words/error_line.h"
-#include "server/oidc/provider/web_address.h"
+#include "server/oidc/web/web_address.h"
 #include "support/program/text/text_format.h"
 
 namespace telepalp::oidc {

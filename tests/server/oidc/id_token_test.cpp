@@ -5,8 +5,8 @@
 #include <functional>
 #include <random>
 
-#include "server/oidc/provider/provider.h"
-#include "server/oidc/provider/web_address.h"
+#include "server/oidc/provider.h"
+#include "server/oidc/web/web_address.h"
 #include "tests/server/oidc/signing_key.h"
 
 namespace telepalp::oidc {

@@ -1,4 +1,4 @@
-#include "server/oidc/provider/fetch.h"
+#include "server/oidc/web/fetch.h"
 
 #include <curl/curl.h>
 #include <pthread.h>

@@ -1,10 +1,10 @@
-#include "server/oidc/provider/provider.h"
+#include "server/oidc/provider.h"
 
 #include <algorithm>
 
 #include "proto/keys/audit_chain.h"
-#include "server/oidc/provider/web_address.h"
 #include "server/oidc/token/id_token.h"
+#include "server/oidc/web/web_address.h"
 
 namespace telepalp::oidc {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/oidc/provider/web_address.h"
+#include "server/oidc/web/web_address.h"
 
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "proto/keys/identity.h"
-#include "server/oidc/provider/fetch.h"
 #include "server/oidc/settings.h"
 #include "server/oidc/token/claims.h"
+#include "server/oidc/web/fetch.h"
 
 namespace telepalp::oidc {
 
