@@ -11,6 +11,7 @@ namespace telepalp::oidc {
 namespace {
 
 constexpr std::size_t kLongestCode = 4096;
+constexpr std::chrono::seconds kLongestWaiting{15};  // the provider may hang for 5 s each time
 
 Error refused(std::string what, std::string fix) {
   return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
@@ -71,14 +72,14 @@ void HospitalSignIn::arrive(const Return& brought, const boost::asio::ip::addres
   const std::string tried = keys::sha256_hex(brought.state);
   if (!back_off_.may_try(from.to_string(), tried, std::chrono::steady_clock::now())) return done(too_many());
   const std::optional<LogIn> log_in = started_.end(brought.cookie, brought.state, std::chrono::system_clock::now());
-  if (!log_in || brought.code.size() > kLongestCode) {
+  if (!log_in || brought.code.empty() || brought.code.size() > kLongestCode) {
     back_off_.failed(from.to_string(), tried, std::chrono::steady_clock::now());
-    return done(refused("this browser did not begin this log-in, has ended it already, or took longer than 10 minutes",
-                        "sign in again"));
+    return done(log_in ? refused("the hospital's provider did not sign you in (" + word(brought.error) + ")",
+                                 "sign in again, or ask who runs the provider")
+                       : refused("this browser did not begin this log-in, has ended it already, or took longer than "
+                                 "10 minutes",
+                                 "sign in again"));
   }
-  if (brought.code.empty())
-    return done(refused("the hospital's provider did not sign you in (" + word(brought.error) + ")",
-                        "sign in again, or ask who runs the provider"));
   const auto answered = [this, address = from.to_string(), tried, page = log_in->page,
                          done](const Result<Person>& person) {
     if (!person) back_off_.failed(address, tried, std::chrono::steady_clock::now());
@@ -116,6 +117,12 @@ void HospitalSignIn::drop_one() {
 
 void HospitalSignIn::start_next() {
   if (is_asking_ || waiting_.empty()) return;
+  if (std::chrono::steady_clock::now() - waiting_.front().browser.since > kLongestWaiting) {
+    const auto tell = std::move(waiting_.front().dropped);
+    waiting_.pop_front();
+    tell(too_many());
+    return start_next();
+  }
   is_asking_ = true;
   auto ask = std::move(waiting_.front().ask);
   waiting_.pop_front();

@@ -36,7 +36,8 @@ Result<void> check_addresses(const Read& read) {
     return read.wrong("issuer", message.issuer(), "the issuer is not an address that begins with https://",
                       R"(give the provider's address as it calls itself: issuer: "https://login.hospital.example")");
   if (!is_https_origin(message.page()))
-    return read.wrong("page", message.page(), "the page is not https:// and a host, without a path",
+    return read.wrong("page", message.page(),
+                      "the page is not https:// and a host, in lower case, without a path and without :443",
                       R"(give the address by which browsers reach this server: page: "https://tele.hospital.example")");
   if (message.client_id().empty())
     return read.wrong("client_id", "", "no client_id is given",

@@ -44,7 +44,8 @@ bool is_safe_address(std::string_view address) {
 
 bool is_https_origin(std::string_view address) {
   return is_safe_address(address) && address.starts_with(kHttps) &&
-         address.find_first_of("/?#", kHttps.size()) == std::string_view::npos;
+         address.find_first_of("/?#", kHttps.size()) == std::string_view::npos && !address.ends_with(":443") &&
+         std::ranges::none_of(address, [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
 std::string percent_encoded(std::string_view text) {

@@ -9,7 +9,8 @@ namespace telepalp::oidc {
 /// punctuation that need no escape in HTML, in a header or in a command of HTTP.
 [[nodiscard]] bool is_safe_address(std::string_view address);
 
-/// True if `address` is safe and has neither path, query nor fragment: "https://tele.hospital.example:8443".
+/// True if `address` is the origin of a page as browsers write it: https, in lower case, without the port 443, without
+/// path, query and fragment: "https://tele.hospital.example:8443".
 [[nodiscard]] bool is_https_origin(std::string_view address);
 
 /// `text` in a query or a posted form: all but letters, digits and -._~ as %XX (RFC 3986, 2.1).

@@ -218,7 +218,7 @@ TEST(WebAddress, OnlyHttpsOrThisMachineAndNothingThatNeedsAnEscape) {
     EXPECT_FALSE(is_safe_address(bad)) << bad;
   EXPECT_FALSE(is_safe_address("https://" + std::string(1024, 'a')));
   EXPECT_TRUE(is_https_origin("https://a.example:8443"));
-  for (const char* bad : {"https://a.example/", "http://localhost", "https://a?b", "https://a#b"})
+  for (const char* bad : {"https://a.example/", "http://localhost", "https://a?b", "https://a#b", "https://a:443", "https://A"})
     EXPECT_FALSE(is_https_origin(bad)) << bad;
   EXPECT_EQ(percent_encoded("a b&c=ü/~"), "a%20b%26c%3D%C3%BC%2F~");
 }
