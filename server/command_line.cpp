@@ -20,8 +20,8 @@ program::Usage usage() {
           .purpose = "streams a patient to stations, recorders and browsers",
           .positional = {},
           .options = {{"source", "SOURCE",
-                       "camera openni2[:URI], recording oni:FILE, images:DIR, pcd:FILE or session:FILE.mcap, "
-                       "synthetic[:MODEL], or another server's nats://HOST/SITE",
+                       "openni2[:URI], oni:, pcd: or session:FILE, images:DIR, another server's nats://HOST/SITE, or "
+                       "synthetic[:MODEL]",
                        "synthetic"},
                       {"check", "", "look at keys, ports, files and disks; start nothing"},
                       {"loop", "yes|no", "repeat a recording when it ends", "yes"},
@@ -30,6 +30,7 @@ program::Usage usage() {
                       {"key", "FILE", "this server's key; clients then need one each"},
                       {"web-cert", "FILE", "certificate that browsers see; default: that of --key"},
                       {"web-key", "FILE", "private key of --web-cert"},
+                      {"sign-in", "FILE", "log-in of a hospital (OpenID Connect) for browsers"},
                       {"revoked", "FILE", "list of revoked keys; default: revoked.crl beside --key"},
                       {"audit", "FILE", "log of who did what; default: audit.log beside the key"},
                       {"port", "PORT", "port for stations and recorders; 0: any free one", program::kServerPort},
@@ -114,8 +115,8 @@ Result<std::optional<gateway::HealthPort::Options>> health_options(const program
 }
 
 Result<std::optional<access::Access::Options>> key_options(const program::Arguments& arguments) {
-  for (const auto& [one, other] :
-       {std::pair{"web-cert", "web-key"}, std::pair{"web-key", "web-cert"}, std::pair{"web-cert", "http-port"}})
+  for (const auto& [one, other] : {std::pair{"web-cert", "web-key"}, std::pair{"web-key", "web-cert"},
+                                   std::pair{"web-cert", "http-port"}, std::pair{"sign-in", "http-port"}})
     if (arguments.has(one) && !arguments.has(other)) return no_effect_without(other, one);
   if (arguments.has("key"))
     return std::optional(access::Access::Options{.key = arguments.text("key"),
@@ -124,7 +125,7 @@ Result<std::optional<access::Access::Options>> key_options(const program::Argume
                                                  .web_certificate = arguments.text("web-cert"),
                                                  .web_key = arguments.text("web-key"),
                                                  .say = log_line});
-  for (const char* option : {"revoked", "audit", "web-cert", "web-key"})
+  for (const char* option : {"revoked", "audit", "web-cert", "web-key", "sign-in"})
     if (arguments.has(option)) return no_effect_without("key", option);
   return std::optional<access::Access::Options>{};
 }
@@ -227,6 +228,7 @@ Result<Asked> read_asked(const program::Arguments& arguments) {
                           .video_kbit_per_s = static_cast<int>(*video_rate)},
                .relay = *relay,
                .gateway = *gateway,
+               .sign_in = arguments.text("sign-in"),
                .health = *health,
                .meet = *meet,
                .recorder = *recorder,

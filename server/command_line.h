@@ -31,6 +31,7 @@ struct Asked {
   pipeline::EncodeOptions encode;
   relay::RelayOptions relay;
   std::optional<gateway::GatewayOptions> gateway;               // nullopt: browsers are not served
+  std::filesystem::path sign_in;                                // empty: people sign in with tokens alone
   std::optional<gateway::HealthPort::Options> health;           // nullopt: no port for monitoring
   std::optional<meet::MeetDialer::Options> meet;                // nullopt: no meeting point
   std::optional<recording::SessionRecorder::Options> recorder;  // nullopt: the web viewer records nothing

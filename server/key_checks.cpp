@@ -9,6 +9,7 @@
 #include "proto/keys/secret/passphrase.h"
 #include "proto/keys/web_certificate.h"
 #include "proto/words/counted.h"
+#include "server/oidc/hospital_sign_in.h"
 
 namespace telepalp::server {
 namespace {
@@ -68,6 +69,15 @@ Finding check_web_certificate(const access::Access::Options& options, keys::Wall
   return validity(kWhat, "of " + read->hosts.front(), read->expires, now);
 }
 
+/// The hospital's provider is asked for its addresses. Nobody is signed in.
+Finding check_sign_in(const fs::path& file) {
+  constexpr const char* kWhat = "hospital's log-in";
+  const Result<oidc::Settings> settings = oidc::read_settings(file);
+  if (!settings) return problem(kWhat, settings.error());
+  if (const Result<void> answers = oidc::check_provider(*settings); !answers) return problem(kWhat, answers.error());
+  return good(kWhat, settings->issuer + " answers; it must know the address " + settings->back());
+}
+
 }  // namespace
 
 Finding validity(std::string what, const std::string& whose, keys::WallTime expires, keys::WallTime now) {
@@ -89,6 +99,7 @@ Findings check_keys(const Asked& asked, keys::WallTime now) {
   found.push_back(check_revoked(options, *key));
   found.push_back(check_audit(options.audit_log(*key)));
   if (!options.web_certificate.empty()) found.push_back(check_web_certificate(options, now));
+  if (!asked.sign_in.empty()) found.push_back(check_sign_in(asked.sign_in));
   return found;
 }
 

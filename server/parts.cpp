@@ -202,6 +202,16 @@ Result<void> open_voice(Parts& parts, Asked& asked) {
   return {};
 }
 
+Result<void> open_hospital(Parts& parts, Asked& asked) {
+  if (!asked.gateway || asked.sign_in.empty()) return {};
+  Result<oidc::Settings> settings = oidc::read_settings(asked.sign_in);
+  if (!settings) return settings.error();
+  log_line("browsers sign in at " + settings->issuer + ", which leads them back to " + settings->back());
+  parts.hospital = std::make_unique<oidc::HospitalSignIn>(parts.io, std::move(settings).value(), log_line);
+  asked.gateway->hospital = parts.hospital.get();
+  return {};
+}
+
 Result<void> open_gateway(Parts& parts, Asked& asked) {
   if (!asked.gateway) return {};
   Server& server = *parts.server;
@@ -253,8 +263,8 @@ Result<void> open_meet(Parts& parts, Asked& asked) {
 }  // namespace
 
 Result<void> open_parts(Parts& parts, Asked& asked) {
-  for (const auto open_part :
-       {open_upstream, open_server, open_recorder, open_voice, open_gateway, open_health, open_meet, open_publisher})
+  for (const auto open_part : {open_upstream, open_server, open_recorder, open_voice, open_hospital, open_gateway,
+                               open_health, open_meet, open_publisher})
     if (const Result<void> opened = open_part(parts, asked); !opened) return opened.error();
   return {};
 }

@@ -8,6 +8,7 @@
 #include "server/gateway/gateway.h"
 #include "server/gateway/monitoring/health_port.h"
 #include "server/meet/site/meet_dialer.h"
+#include "server/oidc/hospital_sign_in.h"
 #include "server/origin/opening_pool.h"
 #include "server/origin/origin.h"
 #include "server/origin/session_shelf.h"
@@ -29,6 +30,7 @@ struct Parts {
   std::unique_ptr<origin::Origin> origin;                // handed to the server at the start
   std::unique_ptr<recording::SessionRecorder> recorder;  // null: visitors may not record
   std::unique_ptr<voice::RoomVoice> voice;               // null: the server does not hear the patient's room
+  std::unique_ptr<oidc::HospitalSignIn> hospital;        // null: people sign in with tokens alone
   std::unique_ptr<gateway::Gateway> gateway;             // null: no browsers
   std::unique_ptr<gateway::HealthPort> health;           // null: no port for monitoring
   std::unique_ptr<meet::MeetDialer> meet;                // null: no meeting point

@@ -23,6 +23,7 @@
 #include "server/gateway/static_files.h"
 #include "server/hub/hub.h"
 #include "server/hub/server_stats.h"
+#include "server/oidc/hospital_sign_in.h"
 #include "server/origin/origin.h"
 #include "server/origin/reading.h"
 #include "server/origin/state_publisher.h"
@@ -38,7 +39,8 @@ struct GatewayOptions {
   std::string server_name = "telepalp";  ///< shown by viewers
   RequestPolicy policy{};
   std::shared_ptr<access::Access> access = access::Access::without_keys();  ///< shared with the listener for stations
-  std::function<std::string()> problem{};  ///< why the health check fails; empty: healthy
+  oidc::HospitalSignIn* hospital = nullptr;  ///< lives longer than the gateway; null: people sign in with tokens alone
+  std::function<std::string()> problem{};    ///< why the health check fails; empty: healthy
   /// Who speaks at the patient's side; shared with the microphone at the server itself (voice::RoomVoice).
   std::shared_ptr<voice::VoiceFloor> patient_floor = std::make_shared<voice::VoiceFloor>();
   std::function<std::string()> more_metrics{};       ///< Prometheus text that /metrics ends with

@@ -6,6 +6,7 @@
 
 #include "proto/keys/audit_chain.h"
 #include "server/gateway/request/reading_request.h"
+#include "server/gateway/request_policy.h"
 
 namespace telepalp::gateway {
 namespace {
@@ -23,6 +24,7 @@ constexpr std::string_view kStyle =
     "padding:.6rem;font:inherit;color:inherit;background:#05070b;border:1px solid #3a4d5e;border-radius:8px}"
     "button{width:100%;padding:.6rem;font:inherit;font-weight:600;color:#04121a;background:#5fd0e8;border:0;"
     "border-radius:8px;cursor:pointer}:focus-visible{outline:2px solid #ffd166;outline-offset:2px}"
+    "summary{margin:1.5rem 0 0;color:#a9bac8;cursor:pointer}[open] summary{margin-bottom:1rem}a{color:#5fd0e8}"
     "[role=alert]{margin:0 0 1rem;padding:.6rem .8rem;color:#ffd9a0;background:#3a2a0b;border-radius:8px}";
 
 std::string sha256_in_base64(std::string_view text) {
@@ -71,18 +73,41 @@ HttpReply page(const HttpRequest& request, http::status status, const std::strin
   return reply;
 }
 
+constexpr std::string_view kConsentBox =
+    "<label><input name=\"consent\" type=\"checkbox\" value=\"yes\" required> The patient has agreed that I "
+    "watch</label>";
+
+/// `query`: of the page that the browser requested, escaped.
+std::string hospital_form(const std::string& query) {
+  return "<form method=\"post\" action=\"/sign-in/hospital" + query + "\">" + std::string(kConsentBox) +
+         "<button autofocus>Sign in with your hospital's account</button></form>";
+}
+
+std::string token_form(const std::string& query) {
+  return "<form method=\"post\" action=\"/sign-in" + query +
+         "\"><label>Token <input name=\"token\" type=\"password\" autocomplete=\"off\" autofocus required></label> " +
+         std::string(kConsentBox) +
+         "<button>Sign in</button></form>"
+         "<p>The token is all that follows <code>token:</code> in the file that the technician gave you.</p>";
+}
+
 }  // namespace
 
-HttpReply sign_in_page(const HttpRequest& request, std::string_view problem) {
-  const std::string why = problem.empty() ? "" : "<p role=\"alert\">" + html_escaped(problem) + "</p>";
-  const std::string query = page_asked({request.target().data(), request.target().size()}).substr(1);
-  return page(request, http::status::unauthorized,
-              "<h1>telepalp</h1>" + why + "<form method=\"post\" action=\"/sign-in" + html_escaped(query) +
-                  "\"><label>Token <input name=\"token\" type=\"password\" "
-                  "autocomplete=\"off\" autofocus required></label> <label><input name=\"consent\" type=\"checkbox\" "
-                  "value=\"yes\" "
-                  "required> The patient has agreed that I watch</label><button>Sign in</button></form>"
-                  "<p>The token is all that follows <code>token:</code> in the file that the technician gave you.</p>");
+HttpReply sign_in_page(const HttpRequest& request, const SignInForm& form) {
+  const std::string why = form.problem.empty() ? "" : "<p role=\"alert\">" + html_escaped(form.problem) + "</p>";
+  const std::string query = html_escaped(form.page.substr(1));
+  const std::string forms =
+      form.has_hospital
+          ? hospital_form(query) + "<details><summary>Sign in with a token</summary>" + token_form(query) + "</details>"
+          : token_form(query);
+  return page(request, http::status::unauthorized, "<h1>telepalp</h1>" + why + forms);
+}
+
+HttpReply going_on_page(const HttpRequest& request, const std::string& text, const std::string& address) {
+  const std::string safe = html_escaped(address);
+  return page(request, http::status::ok,
+              "<meta http-equiv=\"refresh\" content=\"0; url=" + safe + "\"><h1>telepalp</h1><p>" + html_escaped(text) +
+                  "</p><p><a href=\"" + safe + "\">Go on</a></p>");
 }
 
 HttpReply sign_out_page(const HttpRequest& request, const std::string& who) {
@@ -100,11 +125,14 @@ HttpReply go_to(const HttpRequest& request, std::string_view target) {
 HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie,
                 std::chrono::system_clock::duration valid) {
   HttpReply reply = go_to(request, target);
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(valid).count();
-  reply.set(http::field::set_cookie,
-            std::string(kCookieName) + "=" + cookie +
-                "; Path=/; Secure; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds));
+  reply.set(http::field::set_cookie, kept_cookie(cookie, valid));
   return reply;
+}
+
+std::string kept_cookie(const std::string& cookie, std::chrono::system_clock::duration valid) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(valid).count();
+  return std::string(kCookieName) + "=" + cookie +
+         "; Path=/; Secure; HttpOnly; SameSite=Strict; Max-Age=" + std::to_string(seconds);
 }
 
 std::string_view path_of(std::string_view target) noexcept { return target.substr(0, target.find('?')); }
@@ -128,16 +156,25 @@ std::string token_in_form(std::string_view body) {
 }
 
 bool states_consent(std::string_view body) noexcept {
-  return body.ends_with("&consent=yes") || body.find("&consent=yes&") != std::string_view::npos;
+  return body == "consent=yes" || body.ends_with("&consent=yes") ||
+         body.find("&consent=yes&") != std::string_view::npos;
 }
 
-std::string_view our_cookie(std::string_view cookies) noexcept {
+bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
+  const auto host = request[http::field::host];
+  const auto origin = request[http::field::origin];
+  return host_is_ours(policy, {host.data(), host.size()}) &&
+         std::string_view(origin.data(), origin.size()) == "https://" + std::string(host.data(), host.size());
+}
+
+std::string_view our_cookie(std::string_view cookies) noexcept { return cookie_named(cookies, kCookieName); }
+
+std::string_view cookie_named(std::string_view cookies, std::string_view name) noexcept {
   while (!cookies.empty()) {
     std::string_view one = cookies.substr(0, cookies.find(';'));
     cookies.remove_prefix(std::min(cookies.size(), one.size() + 1));
     while (one.starts_with(' ')) one.remove_prefix(1);
-    if (one.starts_with(kCookieName) && one.substr(kCookieName.size()).starts_with('='))
-      return one.substr(kCookieName.size() + 1);
+    if (one.starts_with(name) && one.substr(name.size()).starts_with('=')) return one.substr(name.size() + 1);
   }
   return {};
 }

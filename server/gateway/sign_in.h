@@ -13,13 +13,31 @@ namespace telepalp::gateway {
 inline constexpr std::string_view kCookieName = "__Host-telepalp";
 inline constexpr std::string_view kSignInTarget = "/sign-in";
 inline constexpr std::string_view kSignOutTarget = "/sign-out";
+inline constexpr std::string_view kSignAtOwnPage =
+    "this page is not from this server, or was opened by a name that the server's key does not have. fix: open this "
+    "server's page by its IP address or a host that its key names";
+inline constexpr const char* kAskPatientFirst =
+    "nobody is watched without knowing it. Ask the patient, then check the box";
 
-/// The page with a field for the token. `problem`: why the last token was refused; empty: no token was sent.
-[[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, std::string_view problem);
+/// What the page for signing in shows.
+struct SignInForm {
+  std::string problem{};      ///< why the browser is not signed in; empty: it has not tried
+  std::string page = "/";     ///< page_asked() of what the browser requested first
+  bool has_hospital = false;  ///< the hospital's account signs in, too
+};
+
+/// The page with a field for the token.
+[[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, const SignInForm& form);
+/// A page that says `text` and goes on to `address` by itself, as a link of this server's own page. A redirect would
+/// not do: it belongs to the page that led here, so the browser would keep the cookie kCookieName from it after a
+/// log-in at another host, and would not follow it out of a form.
+[[nodiscard]] HttpReply going_on_page(const HttpRequest& request, const std::string& text, const std::string& address);
 /// The page with a button that signs out.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);
 /// A redirect to `target`.
 [[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target);
+/// The Set-Cookie header for the cookie kCookieName, which the browser keeps for `valid`.
+[[nodiscard]] std::string kept_cookie(const std::string& cookie, std::chrono::system_clock::duration valid);
 /// A redirect to `target` that sets the cookie kCookieName to `cookie`, which the browser keeps for `valid`.
 [[nodiscard]] HttpReply go_to(const HttpRequest& request, std::string_view target, const std::string& cookie,
                               std::chrono::system_clock::duration valid);
@@ -35,6 +53,10 @@ inline constexpr std::string_view kSignOutTarget = "/sign-out";
 [[nodiscard]] std::string token_in_form(std::string_view body);
 /// True if a posted form states that the patient has agreed to be watched.
 [[nodiscard]] bool states_consent(std::string_view body) noexcept;
+/// True if the request comes from a page of this server: a page of another origin must not sign anybody in or out.
+[[nodiscard]] bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy);
+/// The value of the cookie `name` in a Cookie header; empty: the header does not have it.
+[[nodiscard]] std::string_view cookie_named(std::string_view cookies, std::string_view name) noexcept;
 /// The value of the cookie kCookieName in a Cookie header; empty: the header does not have it.
 [[nodiscard]] std::string_view our_cookie(std::string_view cookies) noexcept;
 /// The token of an Authorization header `Bearer TOKEN`; empty: the header has no token.

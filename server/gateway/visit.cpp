@@ -26,16 +26,6 @@ std::string_view token_of(const HttpRequest& request) {
   return token.empty() && is_stream ? token_in_target(view(request.target())) : token;
 }
 
-/// A page of another origin must not sign anybody in or out.
-bool is_from_our_page(const HttpRequest& request, const RequestPolicy& policy) {
-  const std::string_view host = view(request[http::field::host]);
-  return host_is_ours(policy, host) && view(request[http::field::origin]) == "https://" + std::string(host);
-}
-
-constexpr std::string_view kSignAtOwnPage =
-    "this page is not from this server, or was opened by a name that the server's key does not have. fix: open this "
-    "server's page by its IP address or a host that its key names";
-
 constexpr std::string_view kSignInFirst =
     "sign in first: open this server's page, or send the header Authorization: Bearer TOKEN";
 
@@ -80,7 +70,7 @@ constexpr std::string_view kReadingIsOver =
 }  // namespace
 
 Visit::Visit(GatewayContext& context, const HttpRequest& request, const boost::asio::ip::address& peer)
-    : context_(context), address_(peer.to_string()), is_on_this_machine_(peer.is_loopback()) {
+    : context_(context), peer_(peer), address_(peer.to_string()), is_on_this_machine_(peer.is_loopback()) {
   access::Access& access = *context_.options.access;
   const std::string_view token = token_of(request);
   const std::string cookie(our_cookie(view(request[http::field::cookie])));
@@ -109,6 +99,7 @@ bool Visit::answer(const HttpRequest& request, const Reply& reply) {
     resource(request, *row, reply);
     return true;
   }
+  if (answer_hospital(request, reply)) return true;
   std::optional<HttpReply> answer = page(request);
   if (answer) reply(std::move(*answer));
   return answer.has_value();
@@ -122,7 +113,7 @@ std::optional<HttpReply> Visit::page(const HttpRequest& request) {
   if (!has_keys) return std::nullopt;
   if (target == kSignInTarget && request.method() == http::verb::post) return sign_in(request);
   if (!may(keys::Operation::Watch)) {
-    if (target == "/" || target == kSignInTarget) return sign_in_page(request, problem_);
+    if (target == "/" || target == kSignInTarget) return sign_in_form(request, problem_);
     return refuse(request, http::status::unauthorized, kSignInFirst);
   }
   if (target == kSignInTarget) return go_to(request, page_asked(view(request.target())));
@@ -130,17 +121,22 @@ std::optional<HttpReply> Visit::page(const HttpRequest& request) {
   return request.method() == http::verb::post ? sign_out(request) : sign_out_page(request, describe(visitor_->who));
 }
 
+HttpReply Visit::sign_in_form(const HttpRequest& request, const std::string& problem) const {
+  return sign_in_page(request, {.problem = problem,
+                                .page = page_asked(view(request.target())),
+                                .has_hospital = context_.options.hospital != nullptr});
+}
+
 HttpReply Visit::sign_in(const HttpRequest& request) {
   if (!is_from_our_page(request, context_.options.policy))
     return refuse(request, http::status::forbidden, kSignAtOwnPage);
-  if (!states_consent(request.body()))
-    return sign_in_page(request, "nobody is watched without knowing it. Ask the patient, then check the box");
+  if (!states_consent(request.body())) return sign_in_form(request, kAskPatientFirst);
   access::Access& access = *context_.options.access;
   const Result<keys::Identity> who =
       access.sign_in(token_in_form(request.body()), address_, our_cookie(view(request[http::field::cookie])));
   if (!who) {
     note(access::AuditEvent::Refused, std::nullopt, "why=" + keys::audit_text(who.error().what));
-    return sign_in_page(request, who.error().what + ". " + who.error().fix);
+    return sign_in_form(request, who.error().what + ". " + who.error().fix);
   }
   note(access::AuditEvent::SignedIn, *who, "consent=stated");
   const std::string cookie = context_.sessions.begin(*who, steady_now());

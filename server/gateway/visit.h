@@ -40,7 +40,14 @@ class Visit {
   [[nodiscard]] bool answer(const HttpRequest& request, const Reply& reply);
 
  private:
+  [[nodiscard]] HttpReply sign_in_form(const HttpRequest& request, const std::string& problem) const;
   [[nodiscard]] HttpReply sign_in(const HttpRequest& request);
+  /// True: the request begins or ends a log-in at the hospital's provider, and `reply` is called once, now or later.
+  [[nodiscard]] bool answer_hospital(const HttpRequest& request, const Reply& reply);
+  void leave_for_hospital(const HttpRequest& request, const Reply& reply);
+  void arrive_from_hospital(const HttpRequest& request, const Reply& reply);
+  [[nodiscard]] HttpReply hospital_refused(const HttpRequest& request, const Error& why, const std::string& page) const;
+  [[nodiscard]] HttpReply let_in(const HttpRequest& request, const oidc::Person& person, const std::string& page) const;
   [[nodiscard]] HttpReply sign_out(const HttpRequest& request);
   [[nodiscard]] HttpReply metrics(const HttpRequest& request) const;
   [[nodiscard]] std::optional<HttpReply> page(const HttpRequest& request);
@@ -50,6 +57,7 @@ class Visit {
   void note(access::AuditEvent event, const std::optional<keys::Identity>& who, const std::string& text) const;
 
   GatewayContext& context_;
+  boost::asio::ip::address peer_;
   std::string address_;  // of the peer, without its port
   bool is_on_this_machine_;
   std::optional<Visitor> visitor_;

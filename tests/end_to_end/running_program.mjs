@@ -45,10 +45,10 @@ export class Workplace {
     return child;
   }
 
-  /** telepalp-server on free ports; resolves with them when it listens. */
+  /** telepalp-server on free ports, unless `args` name one for browsers; resolves with them when it listens. */
   async server(program, args = []) {
     const ready = join(this.folder, `ready_${this.programs.length}`);
-    const child = this.start(program, ['--port', '0', '--http-port', '0', '--ready-file', ready, ...args]);
+    const child = this.start(program, ['--port', '0', ...(args.includes('--http-port') ? [] : ['--http-port', '0']), '--ready-file', ready, ...args]);
     await until('the server listens', () => {
       if (child.exitCode !== null) throw new Error(`the server left: ${child.heard}`);
       return existsSync(ready);
