@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "proto/keys/identity.h"
-#include "proto/words/repeated_errors.h"
+#include "proto/words/repeats/repeated_errors.h"
 #include "proto/words/result.h"
 #include "server/access/access.h"
 #include "server/access/unproven.h"
