@@ -6,11 +6,8 @@
 #include <string>
 #include <thread>
 
-<<<<<<< HEAD:tests/bench/cluster/nodes/partition_rows.cpp
-#include "tests/bench/cluster/nodes/station_watch.h"
-=======
 #include "tests/bench/cluster/nats_cluster.h"
->>>>>>> d7d4eec893abd94f84bb20bd8d8f00d856dd6a36:tests/bench/cluster/partition_rows.cpp
+#include "tests/bench/cluster/nodes/station_watch.h"
 #include "tests/bench/cluster/running_server.h"
 #include "tests/bench/cluster/watching.h"
 #include "tests/bench/site/two_networks.h"
@@ -24,10 +21,10 @@ using Clock = Watched::Clock;
 using Side = TwoNetworks::Side;
 
 constexpr SiteLine kWide{.Mbit_per_s = 2000.0, .buffer_ms = 30.0};
-constexpr int kNodes = 3;
+constexpr int kOfCluster = 3;
 constexpr int kAlone = 2;  // the node that is cut off
 constexpr auto kCutOff = 5s;
-constexpr auto kAfter = 6s;
+constexpr auto kWatchedAfter = 6s;
 
 Side side_of(int node) { return node == kAlone ? Side::Doctor : Side::Patient; }
 std::string host_of(int node) { return node == kAlone ? TwoNetworks::kDoctor : TwoNetworks::kPatient; }
@@ -44,7 +41,7 @@ Result<std::vector<std::unique_ptr<support::ChildProcess>>> start_nodes(const Tw
                                                                         const fs::path& scratch) {
   const auto route_of = [](int node) { return "nats://" + host_of(node) + ":" + std::to_string(6222 + node); };
   std::vector<std::unique_ptr<support::ChildProcess>> nodes;
-  for (int node = 0; node < kNodes; ++node) {
+  for (int node = 0; node < kOfCluster; ++node) {
     const fs::path log = scratch / ("part" + std::to_string(node) + ".log");
     nodes.push_back(
         networks.start(side_of(node), "/usr/sbin/nats-server",
@@ -76,7 +73,7 @@ Result<Seen> watch(const TwoNetworks& networks, const fs::path& scratch) {
   if (!station) return station.error();
   viewers.run_for(2s);
   const StationWatch::Moment began = (*station)->moment();
-  viewers.run_for(kCutOff + kAfter);
+  viewers.run_for(kCutOff + kWatchedAfter);
   const StationWatch::Moment cut_at = (*station)->moment();
   const std::size_t before = at_site.arrived.size();
   const std::uint64_t first = at_site.arrived.rbegin()->first;
@@ -85,7 +82,7 @@ Result<Seen> watch(const TwoNetworks& networks, const fs::path& scratch) {
   viewers.run_for(kCutOff);
   if (Result<void> done = networks.set_joined(true); !done) return done.error();
   const Clock::time_point healed = Clock::now();
-  viewers.run_for(kAfter);
+  viewers.run_for(kWatchedAfter);
   const double numbers = static_cast<double>(at_site.arrived.rbegin()->first - first);
   return Seen{.gap_while_s = at_edge.longest_gap_s(cut, healed),
               .gap_after_s = at_edge.longest_gap_s(healed, Clock::now()),
