@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "proto/keys/audit_text.h"
+#include "server/gateway/http_reply.h"
 #include "server/gateway/request/reading_request.h"
 #include "server/gateway/sign_in.h"
 #include "server/gateway/visit.h"
@@ -15,8 +16,6 @@ using oidc::HospitalSignIn;
 constexpr std::string_view kLeaveTarget = "/sign-in/hospital";
 /// Comes back from the provider's pages, so SameSite=Strict would not do.
 constexpr std::string_view kLogInCookie = "__Host-telepalp-log-in";
-
-std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 std::string log_in_cookie(const std::string& value, std::chrono::seconds kept) {
   return std::string(kLogInCookie) + "=" + value +
