@@ -22,11 +22,11 @@ constexpr std::size_t kRowsPerCounted = 2;
 /// For each rank, how many neighbour pairs differ by 0, 1, … kMostAcross ranks; the last entry counts larger
 /// differences, which are edges and cost the same with any reconstruction levels. Every other row is counted. The
 /// entries of rank 0 (holes) have no meaning.
-using Neighbours = std::vector<std::array<std::int32_t, kMostAcross + 2>>;
+using LevelNeighbours = std::vector<std::array<std::int32_t, kMostAcross + 2>>;
 
-Neighbours neighbours_of(const DepthImage& depth, const LevelPalette& palette) {
+LevelNeighbours neighbours_of(const DepthImage& depth, const LevelPalette& palette) {
   const RankOfLevel rank_of = ranks_of(palette);
-  Neighbours neighbours(palette.size());
+  LevelNeighbours neighbours(palette.size());
   const auto count = [&](std::uint16_t a, std::uint16_t b) {  // without a branch: it would be mispredicted
     ++neighbours[std::min(a, b)][static_cast<std::size_t>(std::min(std::abs(a - b), kMostAcross + 1))];
   };
@@ -62,7 +62,7 @@ Reach reach_of(const LevelPalette& palette, const BoundInUnits& bound_at) {
 }
 
 /// Counts the neighbour pairs that the cut between `from` and `first_apart` separates although their bounds overlap.
-std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_t from, std::size_t first_apart) {
+std::int64_t parted(const Reach& reach, const LevelNeighbours& neighbours, std::size_t from, std::size_t first_apart) {
   std::int64_t sum = 0;
   for (std::size_t across = first_apart - from; across <= std::size_t{kMostAcross}; ++across) {
     const std::size_t to = from + across;
@@ -75,7 +75,7 @@ std::int64_t parted(const Reach& reach, const Neighbours& neighbours, std::size_
 /// Chooses levels by dynamic programming. Candidates are the farthest depths of the levels' bounds, which suffice:
 /// every level must have a chosen candidate within its bound. The cost is the number of separated neighbour pairs plus
 /// `level_cost` for each chosen candidate. Returns indices into `reach`.
-std::vector<std::size_t> best_depths(const Reach& reach, const Neighbours& neighbours, std::int64_t level_cost) {
+std::vector<std::size_t> best_depths(const Reach& reach, const LevelNeighbours& neighbours, std::int64_t level_cost) {
   const std::size_t count = reach.nearest.size();
   constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();

@@ -14,7 +14,7 @@ readonly BAD_LAYOUT='int  f( ){return 1;}'
 readonly FAULT='#include <cstddef>
 std::size_t f(int a) { return a * 1024; }'
 
-# A checkout with the scripts, sound sources, and a compilation database, of one commit. The network's sanitizers, which
+# A checkout with the scripts, and sound sources that cmake configures, of one commit. The network's sanitizers, which
 # would build the whole network, leave a mark.
 checkout() { # NAME
   local at=$work/$1
@@ -24,11 +24,15 @@ checkout() { # NAME
   printf '#!/bin/sh\ntouch sanitized\n' >"$at/deploy/sanitize"
   touch "$at/build/release/generated/messages/station.pb.h"
   printf 'build/\nsanitized\n' >"$at/.gitignore"
+  cat >"$at/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(small CXX)
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+add_library(small codec/a.cpp codec/b.cpp proto/wire/c.cpp)
+END
+  echo '{"version": 5, "configurePresets": [{"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"}]}' >"$at/CMakePresets.json"
   local file
-  for file in codec/a.cpp codec/b.cpp proto/wire/c.cpp; do
-    echo "$SOUND" >"$at/$file"
-    echo "{\"directory\": \"$at\", \"file\": \"$at/$file\", \"command\": \"c++ -std=c++20 -Winvalid-pch -include $at/cmake_pch.hxx -c $at/$file\"}"
-  done | paste -sd, | sed 's/^/[/; s/$/]/' >"$at/build/release/compile_commands.json"
   for file in codec/a.cpp codec/b.cpp proto/wire/c.cpp; do echo "$SOUND" >"$at/$file"; done
   git init -q -b main "$at"
   git_as "$at" add -A
@@ -62,8 +66,7 @@ write fault codec/a.cpp "$FAULT
 int g() { return 3; }"
 check fault || failed "an old fault in a line that did not change is refused"
 printf '%s\n' "$FAULT" >"$work/fault/codec/new.cpp"
-sed 's/c\.cpp/new.cpp/g' "$work/fault/build/release/compile_commands.json" | sed 's/proto.wire.new/codec\/new/g' >"$work/commands"
-mv "$work/commands" "$work/fault/build/release/compile_commands.json"
+sed -i 's#proto/wire/c.cpp#codec/new.cpp#' "$work/fault/CMakeLists.txt"
 check fault && failed "a fault in a file that is not yet known to git passes"
 grep -q 'codec/new.cpp:2:.*bugprone-implicit-widening' "$work/log" || failed "the fault of the new file is not named"
 

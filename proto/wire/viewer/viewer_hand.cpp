@@ -5,8 +5,8 @@ namespace {
 
 /// False for NaN, too.
 bool is_near(double coordinate_m) noexcept {
-  constexpr double kFurthest_m = 10.0;
-  return coordinate_m >= -kFurthest_m && coordinate_m <= kFurthest_m;
+  constexpr double kFurthestHand_m = 10.0;
+  return coordinate_m >= -kFurthestHand_m && coordinate_m <= kFurthestHand_m;
 }
 
 }  // namespace
