@@ -254,7 +254,7 @@ test('when the provider does not answer, the page says so, and tokens still sign
   assert.equal(back.status, 401);
   assert.match(back.text, /the hospital's log-in does not work now: .*connect.*Tell the technician/);
   assert.ok(Date.now() - began < 6000);
-  assert.match(server.child.heard, /a log-in at the hospital failed: https:\/\/127\.0\.0\.1:\d+\/token: /);
+  await until('the server names the address', () => /a log-in at the hospital failed: https:\/\/127\.0\.0\.1:\d+\/token: /.test(server.child.heard), 5000);
   await page.click('summary');
   await page.fill('input[name=token]', /^token: (.*)$/m.exec(readFileSync(join(site, 'vera.token'), 'utf8'))[1]);
   await page.check('details input[name=consent]');
