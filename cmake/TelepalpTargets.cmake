@@ -104,9 +104,10 @@ function(telepalp_make_precompiled_headers)
   endif()
 endfunction()
 
-# Half of what the precompiled headers leave goes into the repository's own headers, so eight sources of a target share
-# one reading of them. A source with compile options of its own stays alone. BY_FOLDER: those of one folder are compiled
-# together instead, for a target of many folders, whose names need to differ within each folder only.
+# Each source would read the repository's own headers again, which takes most of the time that precompiled system headers
+# do not save. So eight sources of a target are compiled as one unit, and their names must differ, also in unnamed
+# namespaces. A source with compile options of its own is compiled alone. BY_FOLDER: the sources of each folder are one
+# unit, however many they are; so names need to differ only within a folder.
 function(telepalp_together name)
   if(NOT TELEPALP_UNITY)
     return()

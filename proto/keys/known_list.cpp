@@ -9,10 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error list_refused(std::string what, std::string fix) {
-  return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
-}
-
 }  // namespace
 
 KnownList::KnownList(const KeyFile& key)
@@ -26,10 +22,10 @@ KnownList::KnownList(const KeyFile& key)
 Result<void> KnownList::take(std::string_view pem) {
   Result<Revocations> read = Revocations::read(pem, authority_, "");
   if (!read)
-    return list_refused("the server's list of revoked keys is damaged, or another authority signed it",
-                        "ask the technician to copy revoked.crl to the server again");
+    return error_without_place("the server's list of revoked keys is damaged, or another authority signed it",
+                               "ask the technician to copy revoked.crl to the server again");
   if (known_ && read->number() < known_->number())
-    return list_refused(
+    return error_without_place(
         "the server's list of revoked keys is older (number " + std::to_string(read->number()) +
             ") than one that was shown before (" + std::to_string(known_->number()) + ")",
         "ask the technician to copy the newest revoked.crl to the server; until then this may be a server "
@@ -42,12 +38,12 @@ Result<void> KnownList::take(std::string_view pem) {
 
 Result<void> KnownList::check(const ServerCertificate& server, bool shown) const {
   if (known_ && known_->contains(server.serial))
-    return list_refused(
+    return error_without_place(
         "the server's key is revoked: it was replaced or stolen",
         "ask the technician which server to connect to; the technician makes a new key for it: telepalp-keys "
         "server");
   if (shown || (!server.promises_list && !known_)) return {};
-  return list_refused(
+  return error_without_place(
       "the server shows no list of revoked keys",
       "ask the technician to install the same version of telepalp at the server and to copy revoked.crl "
       "there; until then this may be a server whose key was stolen");

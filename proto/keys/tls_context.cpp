@@ -59,34 +59,30 @@ Result<TlsContextPtr> make_context(const SSL_METHOD* method, const KeyFile& key)
   return context;
 }
 
-Error handshake_refused(std::string what, std::string fix) {
-  return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
-}
-
 /// The client refused the server's certificate.
 Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
   switch (verdict) {
     case X509_V_ERR_HOSTNAME_MISMATCH:
     case X509_V_ERR_IP_ADDRESS_MISMATCH:
-      return handshake_refused(
+      return error_without_place(
           "the server's key is not for the host " + host,
           "connect to a host that the server's key names, or ask the technician to make the server's key "
           "again with --host " +
               host);
     case X509_V_ERR_PERMITTED_VIOLATION:
-      return handshake_refused("the server's key names a host for which its authority may not sign",
-                               "ask the technician; this may be a server that pretends to be another one");
+      return error_without_place("the server's key names a host for which its authority may not sign",
+                                 "ask the technician; this may be a server that pretends to be another one");
     case X509_V_ERR_CERT_HAS_EXPIRED:
-      return handshake_refused(
+      return error_without_place(
           "the server's key has expired",
           "ask the technician to renew it (telepalp-keys renew server.key) and to restart the server");
     case X509_V_ERR_CERT_NOT_YET_VALID:
-      return handshake_refused(
+      return error_without_place(
           "the server's key is not valid yet",
           "set the clock of this computer; if it is right, ask the technician to make the server's key "
           "again, at a computer whose clock is right");
     default:
-      return handshake_refused(
+      return error_without_place(
           "the server's key was not made by the authority " + key.authority_name + ", which made your key (" +
               X509_verify_cert_error_string(verdict) + ")",
           "give a key that the authority of this server made, or connect to the address of the server that "
@@ -98,18 +94,18 @@ Error bad_server(long verdict, const KeyFile& key, const std::string& host) {
 std::optional<Error> bad_client(int reason) {
   switch (reason) {
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
-      return handshake_refused("the server refuses your key: it has expired",
-                               "ask the technician of the server to renew it: telepalp-keys renew FILE");
+      return error_without_place("the server refuses your key: it has expired",
+                                 "ask the technician of the server to renew it: telepalp-keys renew FILE");
     case SSL_R_SSLV3_ALERT_CERTIFICATE_REVOKED:
-      return handshake_refused("the server refuses your key: it is revoked", kAskTechnician);
+      return error_without_place("the server refuses your key: it is revoked", kAskTechnician);
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
-      return handshake_refused("the server refuses your key: another authority made it", kAskTechnician);
+      return error_without_place("the server refuses your key: another authority made it", kAskTechnician);
     case SSL_R_TLSV13_ALERT_CERTIFICATE_REQUIRED:
     case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
     case SSL_R_SSLV3_ALERT_UNSUPPORTED_CERTIFICATE:
     case SSL_R_SSLV3_ALERT_CERTIFICATE_UNKNOWN:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return handshake_refused(
+      return error_without_place(
           "the server refuses your key: it is damaged, is not a person's key, or is not valid yet by the server's "
           "clock",
           kAskTechnician);
@@ -212,7 +208,7 @@ std::optional<Error> refusal_of(SSL& session, unsigned long code, const KeyFile&
   const int reason = ERR_GET_REASON(code);
   if (reason == SSL_R_CERTIFICATE_VERIFY_FAILED) return bad_server(SSL_get_verify_result(&session), key, host);
   if (reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_HTTP_REQUEST || reason == SSL_R_UNSUPPORTED_PROTOCOL)
-    return handshake_refused(
+    return error_without_place(
         "the server does not use TLS 1.3, so it cannot check a key",
         "start the server with --key; or leave out --key of this program, if the server is on this machine");
   return bad_client(reason);

@@ -16,6 +16,11 @@ struct Error {
   std::string fix;    ///< how to fix it
 };
 
+/// An error that has no place, such as a refused key.
+[[nodiscard]] inline Error error_without_place(std::string what, std::string fix) {
+  return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
+}
+
 /// One line for stderr: `where: what. fix: fix`.
 [[nodiscard]] inline std::string to_string(const Error& error) {
   std::string line = error.where.empty() ? error.what : error.where + ": " + error.what;

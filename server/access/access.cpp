@@ -27,12 +27,8 @@ std::uint64_t number_in(const std::optional<std::string>& text) {
   return number;
 }
 
-Error refused(std::string what, std::string fix) {
-  return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
-}
-
 Error is_sent_out(const keys::Identity& who) {
-  return refused("the technician has sent " + describe(who) + " out", "ask the technician to let you in");
+  return error_without_place("the technician has sent " + describe(who) + " out", "ask the technician to let you in");
 }
 
 keys::Identity local() {
@@ -158,33 +154,34 @@ Result<keys::Identity> Access::who(const Shown& shown) {
   if (!has_keys()) return local();
   if (is_revoked()) return own_key_is_revoked();
   if (!shown.is_sealed)
-    return refused("this server accepts only TLS connections with a key",
-                   "give --key FILE; the technician of the server makes it: telepalp-keys client");
+    return error_without_place("this server accepts only TLS connections with a key",
+                               "give --key FILE; the technician of the server makes it: telepalp-keys client");
   if (shown.certificate) {
     if (people_.is_sent_out(shown.certificate->serial, std::chrono::steady_clock::now()))
       return is_sent_out(*shown.certificate);
     return *shown.certificate;
   }
   if (shown.token.empty())
-    return refused("the client sent no key",
-                   "give --key FILE; the technician of the server makes it: telepalp-keys client");
+    return error_without_place("the client sent no key",
+                               "give --key FILE; the technician of the server makes it: telepalp-keys client");
   return read(shown.token, shown.address, shown.proof);
 }
 
 Result<keys::Identity> Access::read(std::string_view token, const std::string& address, const keys::TokenProof& proof) {
   const auto now = std::chrono::steady_clock::now();
   if (!key_)
-    return refused("this server has no keys, so it checks no token", "open this server's web page without a token");
+    return error_without_place("this server has no keys, so it checks no token",
+                               "open this server's web page without a token");
   if (is_revoked()) return own_key_is_revoked();
   const std::string tried = keys::sha256_hex(token);
   if (!back_off_.may_try(address, tried, now))
-    return refused("this token was wrong too often, or too many wrong tokens came from " + address,
-                   "wait a minute, then try again");
+    return error_without_place("this token was wrong too often, or too many wrong tokens came from " + address,
+                               "wait a minute, then try again");
   Result<keys::Identity> identity = keys::read_token(token, key_->authority, std::chrono::system_clock::now(), proof);
   if (identity && revoked_.list().contains(identity->serial)) {
     note(AuditEvent::Refused, *identity, "why=\"its token is revoked\" from=" + address);
-    identity = refused("the token of " + describe(*identity) + " is revoked",
-                       "ask the technician for a new one: telepalp-keys token");
+    identity = error_without_place("the token of " + describe(*identity) + " is revoked",
+                                   "ask the technician for a new one: telepalp-keys token");
   }
   if (identity && people_.is_sent_out(identity->serial, now)) return is_sent_out(*identity);
   if (identity)
@@ -198,8 +195,9 @@ Result<keys::Identity> Access::bearer(std::string_view token, const std::string&
   Result<keys::Identity> who = read(token, address, {});
   if (!who || !kept_->get(kBrowserOf + who->serial)) return who;
   note(AuditEvent::Refused, *who, "why=\"a browser has signed in with this token\" from=" + address);
-  return refused("a browser has signed in with the token of " + describe(*who) + ", so no program may use it",
-                 "ask the technician for a token of its own for this program: telepalp-keys token");
+  return error_without_place(
+      "a browser has signed in with the token of " + describe(*who) + ", so no program may use it",
+      "ask the technician for a token of its own for this program: telepalp-keys token");
 }
 
 Result<keys::Identity> Access::sign_in(std::string_view token, const std::string& address, std::string_view cookie) {
@@ -208,7 +206,7 @@ Result<keys::Identity> Access::sign_in(std::string_view token, const std::string
   const std::optional<std::string> browser = kept_->get(kBrowserOf + who->serial);
   if (!browser || (!cookie.empty() && *browser == keys::sha256_hex(cookie))) return who;
   note(AuditEvent::Refused, *who, "why=\"another browser has signed in with this token\" from=" + address);
-  return refused(
+  return error_without_place(
       "another browser has signed in with the token of " + describe(*who) + ", or this browser's cookies were deleted",
       "ask the technician for a new token: telepalp-keys token; and to revoke this one if you never used it");
 }
@@ -230,9 +228,9 @@ Error Access::own_key_is_revoked() const {
 
 Result<void> Access::may(const keys::Identity& who, keys::Operation operation) const {
   if (keys::allows(who.role, operation)) return {};
-  return refused("the role " + std::string(keys::name(who.role)) + " of " + who.name + " lacks the right '" +
-                     std::string(keys::name(operation)) + "'",
-                 "use a key whose role allows it; `telepalp-keys show FILE` tells what a key allows");
+  return error_without_place("the role " + std::string(keys::name(who.role)) + " of " + who.name +
+                                 " lacks the right '" + std::string(keys::name(operation)) + "'",
+                             "use a key whose role allows it; `telepalp-keys show FILE` tells what a key allows");
 }
 
 std::optional<Error> Access::why_over(const keys::Identity& who) const {
@@ -240,11 +238,11 @@ std::optional<Error> Access::why_over(const keys::Identity& who) const {
   if (is_revoked()) return own_key_is_revoked();
   if (people_.is_sent_out(who.serial, std::chrono::steady_clock::now())) return is_sent_out(who);
   if (who.expires <= std::chrono::system_clock::now())
-    return refused("the key of " + describe(who) + " has expired",
-                   "ask the technician to renew it: telepalp-keys renew FILE");
+    return error_without_place("the key of " + describe(who) + " has expired",
+                               "ask the technician to renew it: telepalp-keys renew FILE");
   if (revoked_.list().contains(who.serial))
-    return refused("the key of " + describe(who) + " is revoked",
-                   "ask the technician for a key: telepalp-keys client --name NAME --role ROLE");
+    return error_without_place("the key of " + describe(who) + " is revoked",
+                               "ask the technician for a key: telepalp-keys client --name NAME --role ROLE");
   return std::nullopt;
 }
 
@@ -313,12 +311,14 @@ void Access::leave(std::uint64_t number, const std::string& more) {
 Result<void> Access::send_out(const std::string& serial, const std::string& by) {
   for (const auto& [number, stream] : people_.present()) {
     if (stream.who.serial != serial) continue;
-    if (describe(stream.who) == by) return refused("you cannot send yourself out", "close this page instead");
+    if (describe(stream.who) == by)
+      return error_without_place("you cannot send yourself out", "close this page instead");
     note(AuditEvent::SentOut, stream.who, "by=" + keys::audit_text(by));
     people_.send_out(keys::Identity(stream.who), std::chrono::steady_clock::now());
     return {};
   }
-  return refused("nobody with this key sees the patient now", "load the page again: this person has left already");
+  return error_without_place("nobody with this key sees the patient now",
+                             "load the page again: this person has left already");
 }
 
 void Access::let_in(const std::string& serial, const std::string& by) {
@@ -329,7 +329,7 @@ void Access::let_in(const std::string& serial, const std::string& by) {
 
 Result<void> Access::take_touch_away(const std::string& by) {
   const std::optional<std::string> from = touch_.take_away(std::chrono::steady_clock::now());
-  if (!from) return refused("nobody holds the touch", "nothing is to do: no station gives a force");
+  if (!from) return error_without_place("nobody holds the touch", "nothing is to do: no station gives a force");
   note_own(AuditEvent::TookAwayTouch, "from=" + keys::audit_text(*from) + " by=" + keys::audit_text(by));
   keep_touch();
   return {};
@@ -341,8 +341,8 @@ void Access::keep_touch() {
 
 Result<void> Access::may_join(const keys::Identity& who) {
   if (!audit_ || audit_->may_join(who.serial, std::chrono::system_clock::now())) return {};
-  return refused("the key of " + describe(who) + " connects too often",
-                 "wait a minute; then look which program connects again and again with this key");
+  return error_without_place("the key of " + describe(who) + " connects too often",
+                             "wait a minute; then look which program connects again and again with this key");
 }
 
 Access::Counts Access::counts() const {

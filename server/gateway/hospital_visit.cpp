@@ -14,7 +14,7 @@ namespace http = boost::beast::http;
 using oidc::HospitalSignIn;
 
 constexpr std::string_view kLeaveTarget = "/sign-in/hospital";
-/// Comes back from the provider's pages, so SameSite=Strict would not do.
+/// Not SameSite=Strict: browsers do not send such a cookie when a page of the provider leads them here.
 constexpr std::string_view kLogInCookie = "__Host-telepalp-log-in";
 
 std::string log_in_cookie(const std::string& value, std::chrono::seconds kept) {
@@ -54,10 +54,11 @@ void Visit::leave_for_hospital(const HttpRequest& request, const Reply& reply) {
   if (!states_consent(request.body()))
     return reply(sign_in_page(request, {.problem = kAskPatientFirst, .page = page, .has_hospital = true}));
   HospitalSignIn& hospital = *context_.options.hospital;
-  const std::string& own = hospital.settings().page;  // the cookie must be there when the browser comes back
+  const std::string& own =
+      hospital.settings().page;  // under another name of this server, the browser would not send the cookie back
   if (own != "https://" + std::string(view(request[http::field::host])))
     return reply(going_on_page(request, "The hospital's log-in leads to " + own + ": sign in there.", own + page));
-  // `reply` keeps the connection, and so this visit.
+  // `reply` owns the connection, which owns this visit.
   hospital.leave(
       page, peer_,
       [this, page, reply, head = HttpRequest(request.base())](const Result<HospitalSignIn::Departure>& departure) {

@@ -12,7 +12,7 @@ namespace telepalp::gateway {
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 using HttpReply = boost::beast::http::response<boost::beast::http::string_body>;
 
-/// `text` of Boost as the standard library has it.
+/// Boost's string view as the standard library's.
 [[nodiscard]] inline std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 /// Path of the session clock, served as decimal nanoseconds. The viewer estimates the offset between the browser's

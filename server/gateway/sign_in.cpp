@@ -77,7 +77,7 @@ constexpr std::string_view kConsentBox =
     "<label><input name=\"consent\" type=\"checkbox\" value=\"yes\" required> The patient has agreed that I "
     "watch</label>";
 
-/// `query`: of the page that the browser requested, escaped.
+/// `query`: the query of the page that the browser requested, escaped for HTML.
 std::string hospital_form(const std::string& query) {
   return "<form method=\"post\" action=\"/sign-in/hospital" + query + "\">" + std::string(kConsentBox) +
          "<button autofocus>Sign in with your hospital's account</button></form>";

@@ -23,14 +23,15 @@ inline constexpr const char* kAskPatientFirst =
 struct SignInForm {
   std::string problem{};      ///< why the browser is not signed in; empty: it has not tried
   std::string page = "/";     ///< page_asked() of what the browser requested first
-  bool has_hospital = false;  ///< the hospital's account signs in, too
+  bool has_hospital = false;  ///< the page offers the hospital's account, too
 };
 
-/// The page with a field for the token.
+/// The page for signing in.
 [[nodiscard]] HttpReply sign_in_page(const HttpRequest& request, const SignInForm& form);
-/// A page that says `text` and goes on to `address` by itself, as a link of this server's own page. A redirect would
-/// not do: it belongs to the page that led here, so the browser would keep the cookie kCookieName from it after a
-/// log-in at another host, and would not follow it out of a form.
+/// A page that says `text` and goes on to `address` by itself. Browsers take this for a link on this server's own page;
+/// they take a redirect for a step of the page before. After a redirect from the provider they would not send the
+/// cookie kCookieName (SameSite=Strict), and the sign-in page's form may not be redirected to another host
+/// (form-action).
 [[nodiscard]] HttpReply going_on_page(const HttpRequest& request, const std::string& text, const std::string& address);
 /// The page with a button that signs out.
 [[nodiscard]] HttpReply sign_out_page(const HttpRequest& request, const std::string& who);

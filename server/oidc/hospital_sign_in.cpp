@@ -13,12 +13,9 @@ namespace {
 constexpr std::size_t kLongestCode = 4096;
 constexpr std::chrono::seconds kLongestWaiting{15};  // the provider may hang for 5 s each time
 
-Error refused(std::string what, std::string fix) {
-  return {.what = std::move(what), .where = {}, .fix = std::move(fix)};
-}
-
 Error too_many() {
-  return refused("too many people sign in at the hospital's provider now", "wait a few seconds, then try again");
+  return error_without_place("too many people sign in at the hospital's provider now",
+                             "wait a few seconds, then try again");
 }
 
 /// The provider's word for a refusal is shown on a page and written to the audit log: only letters and '_' (RFC 6749).
@@ -74,11 +71,13 @@ void HospitalSignIn::arrive(const Return& brought, const boost::asio::ip::addres
   const std::optional<LogIn> log_in = started_.end(brought.cookie, brought.state, std::chrono::system_clock::now());
   if (!log_in || brought.code.empty() || brought.code.size() > kLongestCode) {
     back_off_.failed(from.to_string(), tried, std::chrono::steady_clock::now());
-    return done(log_in ? refused("the hospital's provider did not sign you in (" + word(brought.error) + ")",
-                                 "sign in again, or ask who runs the provider")
-                       : refused("this browser did not begin this log-in, has ended it already, or took longer than "
-                                 "10 minutes",
-                                 "sign in again"));
+    return done(
+        log_in
+            ? error_without_place("the hospital's provider did not sign you in (" + word(brought.error) + ")",
+                                  "sign in again, or ask who runs the provider")
+            : error_without_place("this browser did not begin this log-in, has ended it already, or took longer than "
+                                  "10 minutes",
+                                  "sign in again"));
   }
   const auto answered = [this, address = from.to_string(), tried, page = log_in->page,
                          done](const Result<Person>& person) {
@@ -104,7 +103,7 @@ void HospitalSignIn::add(Job job) {
   start_next();
 }
 
-/// Too many wait: a browser of the network for which most wait is told to come again.
+/// Tells one waiting browser to come again: one of the network from which most wait.
 void HospitalSignIn::drop_one() {
   std::vector<access::Unproven> browsers;
   for (const Job& job : waiting_) browsers.push_back(job.browser);

@@ -25,7 +25,7 @@ namespace telepalp::oidc {
 /// network thread.
 class HospitalSignIn {
  public:
-  static constexpr std::size_t kMostWaiting = 64;  ///< browsers for which the provider is to be asked
+  static constexpr std::size_t kMostWaiting = 64;  ///< most browsers that wait until the provider is asked
 
   /// `say`: takes log lines for the technician, about the provider.
   HospitalSignIn(boost::asio::io_context& network, Settings settings, std::function<void(const std::string&)> say);
@@ -37,7 +37,7 @@ class HospitalSignIn {
   [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
 
   struct Departure {
-    std::string address;  ///< of the provider's page, with what it must know
+    std::string address;  ///< of the provider's page, with this log-in in its query
     std::string cookie;   ///< for this browser, for StartedLogIns::kLongest
   };
   /// Calls `done` once, now or later. `page`: where the browser goes after signing in. Error: the provider is not
@@ -64,7 +64,8 @@ class HospitalSignIn {
   /// A question to the provider; its answer is for a browser at `from`.
   struct Job {
     access::Unproven browser;
-    std::function<std::function<void()>()> ask;  // on the other thread; returns what is to do on this one
+    std::function<std::function<void()>()>
+        ask;  // called on pool_'s thread; what it returns is called on the network thread
     std::function<void(const Error&)> dropped;
   };
   void add(Job job);

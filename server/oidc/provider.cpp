@@ -9,11 +9,12 @@
 namespace telepalp::oidc {
 namespace {
 
-constexpr std::size_t kSerialDigits = 40;  // as of a certificate
+constexpr std::size_t kSerialDigits = 40;  // as many as the serial number of a certificate has
 constexpr std::size_t kLongestName = 57;   // with a hyphen and six digits it is as long as that of a key
 constexpr long kOk = 200;
 
-/// A name as keys have it. A name that had to be changed gets digits of `serial`, so that it equals no other one.
+/// `name` with no letters but those that a key's name may have. If it had to be changed, digits of `serial` follow, so
+/// that two people do not get one name.
 std::string plain_name(const std::string& name, const std::string& serial) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._@-";
   std::string plain = name.substr(0, kLongestName);
@@ -56,7 +57,7 @@ Result<Claims> Provider::ask(const WebRequest& request) const {
              " with the provider's settings"};
 }
 
-/// The provider's own description, if it can be used.
+/// What the provider publishes about itself. Error: it is not reached, or lacks what a log-in needs.
 Result<Claims> Provider::discovered() const {
   std::string address = settings_.issuer;
   while (address.ends_with('/')) address.pop_back();
@@ -121,7 +122,8 @@ Result<void> Provider::look_for_key(const std::string& token) {
   return {};
 }
 
-/// Adds what the provider tells about the person, but does not write into ID tokens. What the token states stays.
+/// Adds the claims that the provider tells at its userinfo address alone. Where the ID token states one, too, that
+/// stays.
 Result<void> Provider::add_user_info(const std::string& access_token, Claims& claims) const {
   const std::string address = text_of(addresses_, "userinfo_endpoint");
   if (access_token.empty() || !is_safe_address(address)) return {};

@@ -32,7 +32,7 @@ class Provider {
 
   explicit Provider(const Settings& settings) : settings_(settings) {}
 
-  /// The page where people log in. Error: the provider is not reached, or calls itself otherwise.
+  /// The page where people log in. Error: the provider is not reached, or names another issuer than the settings.
   [[nodiscard]] Result<std::string> log_in_address();
   /// The person for whom the provider gave `code` to the browser. Error: the provider is not reached, refuses the code,
   /// or sends a wrong ID token; or no rule gives the person a role.

@@ -10,7 +10,7 @@
 
 namespace telepalp::oidc {
 
-/// Who has `value` in the claim `claim` gets `role`.
+/// A person whose claim `claim` is `value`, or a list with it, gets `role`.
 struct Rule {
   std::string claim;
   std::string value;

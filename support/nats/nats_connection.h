@@ -20,8 +20,8 @@ class NatsConnection {
     Address address;
     std::string name;                                    ///< which the NATS server's monitoring shows
     std::function<void(bool is_connected)> on_change{};  ///< after a loss or a new connection; on a library's thread
-    /// publish() writes all of the payload to the socket. Else a thread of the library writes its end up to a
-    /// millisecond later, together with what is published meanwhile.
+    /// True: publish() writes the whole payload to the socket. False: a thread of the library writes its last bytes,
+    /// a millisecond later or more, together with what was published meanwhile.
     bool writes_at_once = false;
   };
   struct Note {

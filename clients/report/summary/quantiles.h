@@ -10,7 +10,7 @@ namespace telepalp::report {
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  ///< not measured; written as null in JSON
 
-/// `count` as a number.
+/// `count` as a floating-point number; kUnknown if there is none.
 [[nodiscard]] inline double known(const std::optional<std::uint64_t>& count) noexcept {
   return count ? static_cast<double>(*count) : kUnknown;
 }

@@ -9,10 +9,11 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kPushed_m = 0.012;  // a patient who sits up comes 5 mm nearer from image to image
+constexpr double kPushed_m = 0.012;  // least jump from image to image; a patient who sits up comes 5 mm nearer
 constexpr double kDeeper_m = 0.06;
-constexpr double kFlat_m = 0.008;      // rms deviation of the bed from a plane
-constexpr double kBedSlope_m = 0.004;  // most change of the bed's depth from block to block; a body's flank is steeper
+constexpr double kFlat_m = 0.008;  // rms deviation of the bed from a plane
+constexpr double kBedSlope_m =
+    0.004;  // the bed's depth changes no more between neighbouring blocks; a body's flank does
 constexpr std::size_t kLeastShare = 20;  // bed and body each cover at least one part in so many
 constexpr int kStep = 3;                 // every ninth block is enough
 

@@ -7,7 +7,7 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kErredLately_s = 0.3;  // a shift of 0.2 to 0.9 s must be found while it lasts
-constexpr double kLong_s = 10.0;   // three breaths; a patient who coughs does so again within this time
+constexpr double kLong_s = 10.0;        // three breaths; a patient who coughs does so again within this time
 constexpr double kLatelyPower = 2.0;
 constexpr double kLongPower = 16.0;  // with 8, a cough errs by 1.06 times as much as the better prediction
 constexpr double kNoise_m = 2e-5;    // adds to each error, so that a patient at rest does not choose by noise

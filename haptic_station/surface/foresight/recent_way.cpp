@@ -7,8 +7,8 @@ namespace telepalp::surface {
 namespace {
 
 constexpr double kWayWindow_s = 0.5;
-constexpr double kLivedPerFreeze = 1.5;  // a prediction that stops at twice the age has then lived 1.5 times this age
-constexpr double kSlow_m_per_s = 1e-4;   // a slower prediction goes nowhere
+constexpr double kLivedPerFreeze = 1.5;   // a prediction that stops at twice the age has then lived 1.5 times this age
+constexpr double kSlow_m_per_s = 1e-4;    // a slower prediction goes nowhere
 constexpr double kShortestStop_s = 1e-3;  // a prediction needs some time to stop
 
 }  // namespace

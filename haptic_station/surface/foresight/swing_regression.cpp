@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMemory_s = 10.0;
 constexpr double kFirstWay_m2_s = 9e-8;  // prior: a way of 0.3 mm was not gone for 1 s
-constexpr double kMostToMean = 2.0;   // skin that swings comes as far to the other side of its mean place
+constexpr double kMostToMean = 2.0;      // skin that swings comes as far to the other side of its mean place
 constexpr double kMostStraight = 1.0;
 
 }  // namespace

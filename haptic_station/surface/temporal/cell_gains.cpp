@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/surface/temporal/leaning_mean.h"
+
 namespace telepalp::surface {
 namespace {
 
@@ -11,17 +13,10 @@ namespace {
 // all its pixels together, and the average of the pixels cannot remove it.
 constexpr double kQuickTheta = 0.60;
 constexpr double kCalmTheta = 0.90;
-constexpr double kCellLeanGain = 0.3;
 constexpr double kCellCalmUpTo = 2.5;  // below this mean innovation [sigma] a cell counts as calm
 constexpr double kCellQuickFrom = 6.5;
 constexpr double kFramesForVelocity = 3.0;  // before this frame, a cell's position is not known well enough
 constexpr double kRoughnessLeak = 0.1;      // share of the velocities' roughness removed per frame
-
-/// How significant a running mean of innovations is: 0 within the noise, 1 certain.
-double leaning(double lean_m, double sigma_m) noexcept {
-  const double chance_m = sigma_m * std::sqrt(kCellLeanGain / (2.0 - kCellLeanGain)) + 1e-6;
-  return std::clamp((std::abs(lean_m) / chance_m - kCellCalmUpTo) / (kCellQuickFrom - kCellCalmUpTo), 0.0, 1.0);
-}
 
 }  // namespace
 
@@ -34,8 +29,8 @@ void CellGains::add(std::span<const CellInnovation> seen, std::span<const CellMe
   frames_ += 1.0;
   for (std::size_t at = 0; at < seen.size(); ++at) {
     const double narrower = std::sqrt(seen[at].count / std::max(wide[at].count, 1.0));
-    lean_m_[at] += kCellLeanGain * (wide[at].mean - lean_m_[at]);
-    moving_[at] = {leaning(lean_m_[at], narrower * seen[at].sigma_m), seen[at].count};
+    lean_m_[at] += kLeanGain * (wide[at].mean - lean_m_[at]);
+    moving_[at] = {leaning(lean_m_[at], narrower * seen[at].sigma_m, kCellCalmUpTo, kCellQuickFrom), seen[at].count};
   }
   moving_ = wide_means(lattice_, moving_);
 }

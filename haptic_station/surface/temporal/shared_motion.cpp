@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic_station/surface/temporal/leaning_mean.h"
 #include "proto/words/numbers/quantile.h"
 
 namespace telepalp::surface {
@@ -15,7 +16,6 @@ constexpr double kCalm_s = 0.12;
 constexpr double kQuick_s = 0.07;
 constexpr double kSharedCalmUpTo = 2.0;   // mean innovation [sigma]
 constexpr double kSharedQuickFrom = 6.0;  // mean innovation [sigma]
-constexpr double kSharedLeanGain = 0.3;
 constexpr double kDoubt =
     3.0;  // of an innovation of so many sigma, half moves the surface at once; of a larger one, more
 constexpr double kOutlier = 4.0;      // a cell counts less if it deviates by more than this [sigma] …
@@ -117,10 +117,8 @@ void SharedMotion::correct(std::span<const SharedInnovation> seen, double dt_s) 
     return;
   }
   innovation_m_ = estimate.m;
-  lean_m_ += kSharedLeanGain * (estimate.m - lean_m_);
-  const double chance_m = estimate.sigma_m * std::sqrt(kSharedLeanGain / (2.0 - kSharedLeanGain)) + 1e-6;
-  const double quick =
-      std::clamp((std::abs(lean_m_) / chance_m - kSharedCalmUpTo) / (kSharedQuickFrom - kSharedCalmUpTo), 0.0, 1.0);
+  lean_m_ += kLeanGain * (estimate.m - lean_m_);
+  const double quick = leaning(lean_m_, estimate.sigma_m, kSharedCalmUpTo, kSharedQuickFrom);
   const double theta = std::exp(-dt_s / (kCalm_s + quick * (kQuick_s - kCalm_s)));
   const double forgets = 1.0 - theta;
   const double doubt_m = kDoubt * (estimate.sigma_m + 1e-5);

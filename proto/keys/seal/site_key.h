@@ -70,8 +70,8 @@ class SiteKey {
 /// The text of NAME.pub, and the text before the private part in NAME.key.
 [[nodiscard]] Result<std::string> public_text(EVP_PKEY& key);
 
-/// `id` in hexadecimal digits.
-[[nodiscard]] std::string in_hexadecimal_digits(std::string_view id);
+/// `bytes`, such as the number of a key, in hexadecimal digits.
+[[nodiscard]] std::string in_hexadecimal_digits(std::string_view bytes);
 
 /// The keys that TELEPALP_SITE_KEYS names, separated by ':'. The first one encrypts new recordings; all that have their
 /// private part decrypt. Read again when the variable has changed. Any thread. Empty: the variable is not set. Error: a

@@ -6,8 +6,8 @@
 
 namespace telepalp {
 
-/// Remembers which texts have been said, so that each is said once. A peer may have written a part of a text; so at most
-/// kMost texts are remembered, and after them no further one is said.
+/// Remembers which texts have been said, so that each is said once. A peer may have written a part of a text; so at
+/// most kMost texts are remembered, and after them no further one is said.
 class SaidOnce {
  public:
   static constexpr std::size_t kMost = 16;

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "proto/keys/audit_chain.h"
+#include "proto/keys/seal/site_key.h"
 #include "proto/keys/token.h"
 #include "proto/words/demand.h"
 
@@ -18,13 +19,6 @@ namespace telepalp::oidc {
 namespace {
 
 constexpr std::size_t kMacDigits = 64;
-
-std::string hex(const unsigned char* bytes, std::size_t size) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (std::size_t i = 0; i < size; ++i) text += {kDigits[bytes[i] >> 4U], kDigits[bytes[i] & 15U]};
-  return text;
-}
 
 std::string base64url(const std::array<unsigned char, 32>& bytes) {
   char* text = nullptr;
@@ -63,7 +57,7 @@ std::string StartedLogIns::mac(std::string_view label, std::string_view text) co
   unsigned size = 0;
   HMAC(EVP_sha256(), key_.data(), static_cast<int>(key_.size()), reinterpret_cast<const unsigned char*>(all.data()),
        all.size(), code.data(), &size);
-  return hex(code.data(), size);
+  return keys::in_hexadecimal_digits({reinterpret_cast<const char*>(code.data()), size});
 }
 
 std::string StartedLogIns::begin(std::string_view page, TimePoint now) const {

@@ -26,8 +26,9 @@ class StartedLogIns {
  public:
   using TimePoint = std::chrono::system_clock::time_point;
   static constexpr std::chrono::seconds kLongest{600};  ///< from leaving for the provider until coming back
-  /// Most log-ins that are remembered; then the oldest is forgotten. An address that TokenBackOff slows down ends fewer
-  /// in kLongest. Of a forgotten one, the provider still takes the code once.
+  /// The most ended log-ins that are remembered; beyond it, the oldest is forgotten. One address cannot end as many
+  /// within kLongest, because TokenBackOff slows it down. Who ends a forgotten one again is refused by the provider,
+  /// which takes each code once.
   static constexpr std::size_t kMost = 16'384;
 
   StartedLogIns();
@@ -36,14 +37,14 @@ class StartedLogIns {
   [[nodiscard]] std::string begin(std::string_view page, TimePoint now) const;
   /// The log-in of a cookie. nullopt: begin() did not make the cookie, or it is older than kLongest.
   [[nodiscard]] std::optional<LogIn> read(std::string_view cookie, TimePoint now) const;
-  /// As read(), once for each cookie, and only with the state that came back.
+  /// The log-in of a cookie, if `state` is its own. A second call for the same log-in returns nullopt.
   [[nodiscard]] std::optional<LogIn> end(std::string_view cookie, std::string_view state, TimePoint now);
 
  private:
   [[nodiscard]] std::string mac(std::string_view label, std::string_view text) const;
 
   std::string key_;
-  std::set<std::string> ended_;  // by state
+  std::set<std::string> ended_;  // their states
   std::deque<std::string> order_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace telepalp::oidc {
 
-/// A JSON object. All of it is a peer's word until a signature was checked.
+/// A JSON object. Nothing in it is trusted before its signature was checked.
 using Claims = google::protobuf::Struct;
 
 /// Error: `json` is not a JSON object, or is nested deeper than 100. `whose`: for the error.

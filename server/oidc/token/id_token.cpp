@@ -52,7 +52,7 @@ bool may_have_signed(const Claims& key, const std::string& algorithm, const std:
          is_or_is_left_out("alg", algorithm) && (id.empty() || text_of(key, "kid") == id);
 }
 
-/// The key that signed `token`; null: none, or several of which the token names none.
+/// The key that may have signed `token`; null: there is none, or there are several and the token does not say which.
 const Claims* key_of(cjose_jws_t* token, const Claims& key_set) {
   const Value* const keys = find(key_set, "keys");
   if (keys == nullptr || !keys->has_list_value()) return nullptr;
@@ -76,7 +76,7 @@ Key import(const Claims& key) {
   return bits >= kLeastRsaBits && bits <= kMostRsaBits ? std::move(imported) : nullptr;
 }
 
-/// The claims of a token whose signature is right.
+/// The claims of `text`. Error: it is no token that a key of `key_set` signed.
 Result<Claims> signed_claims(const std::string& text, const Claims& key_set) {
   const Token token = import(text);
   if (!token) return refused("cannot be read, or is longer than 16 KiB");

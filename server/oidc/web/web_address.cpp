@@ -10,7 +10,7 @@ constexpr std::size_t kLongest = 1024;
 constexpr std::string_view kHttps = "https://";
 constexpr std::string_view kHttp = "http://";
 
-bool is_letter_or_digit(char letter) {  // in no locale but that of ASCII
+bool is_letter_or_digit(char letter) {  // of ASCII, whatever the locale
   return (letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
 }
 

@@ -115,7 +115,8 @@ void compare(const DepthImage& sent, const DepthImage& got, DepthPrice& into, Ro
   }
 }
 
-/// `captured`, `got`: the images of `sequence` as captured and as decoded, of both what the station makes surface of.
+/// Compares forces. `captured`, `got`: the images of `sequence` as captured and as decoded; where they have a window,
+/// without the pixels outside it.
 void feel(const DepthSequence& sequence, const std::vector<DepthImage>& captured, const std::vector<DepthImage>& got,
           DepthPrice& price) {
   const std::vector<Press> presses = presses_on(sequence);

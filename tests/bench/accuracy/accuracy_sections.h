@@ -40,8 +40,8 @@ struct Section {
 [[nodiscard]] Result<Section> z_width_section();
 /// The depth codec's modes, and the force error that Bounded causes.
 [[nodiscard]] Result<Section> depth_section();
-/// What a thin line gets: a window of exact depth over its size and the bound around it, and colour as VP8 over its
-/// rate, beside JPEG.
+/// What it costs to send less over a thin line: depth that is exact in a window, for several sizes of the window and
+/// bounds outside it; and colour as VP8, for several rates, beside JPEG.
 [[nodiscard]] Result<Section> thin_section();
 
 }  // namespace telepalp::bench

@@ -25,7 +25,7 @@ constexpr std::array kShapes{
     Shape{0.30, WindowGrowth::Flat, "2 times the default bound"}, Shape{0.15, WindowGrowth::Flat, "2 times"},
     Shape{0.15, WindowGrowth::Growing, "2 to 4 times"}, Shape{0.07, WindowGrowth::Growing, "2 to 4 times"}};
 
-/// Shares of a core that coding at 30 Hz needs, at one end of the line and at the other.
+/// The shares of a core that encoding and decoding at 30 Hz need [%].
 std::string shares(double encode_ms, double decode_ms) {
   return cell(0.1 * encode_ms * Film::kFrames_per_s) + " / " + cell(0.1 * decode_ms * Film::kFrames_per_s);
 }

@@ -18,8 +18,8 @@ namespace telepalp::bench {
 namespace {
 
 constexpr double kLeastSoak_s = 60.0;
-constexpr double kWarm_s = 15.0;                                    // until a program has made what it keeps
-constexpr double kWindow_s = 10.0;                                  // memory is the median of so many seconds
+constexpr double kWarm_s = 15.0;                                          // until a program has made what it keeps
+constexpr double kWindow_s = 10.0;                                        // memory is the median of so many seconds
 constexpr SiteLine kSoakedLine{.Mbit_per_s = 1000.0, .buffer_ms = 30.0};  // the profile lte is telepalp-link's
 
 /// What a program has.

@@ -13,11 +13,11 @@ namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kComes_s = 6.0;
-constexpr int kJudgedEvery = 4;      // judges each fourth tick
+constexpr int kJudgedEvery = 4;         // judges each fourth tick
 constexpr double kArmBeside_px = 80.0;  // from the pressed place to the arm's middle: 50 px, 75 mm, to its side
-constexpr double kPalm_px = -120.0;  // from the image's middle: the forearm crosses the whole image
-constexpr double kPalmOver_m = 0.06;  // height of the palm's underside over the skin
-constexpr double kArmAway_m = 0.8;    // at this distance from its place, the arm is outside the image
+constexpr double kPalm_px = -120.0;     // from the image's middle: the forearm crosses the whole image
+constexpr double kPalmOver_m = 0.06;    // height of the palm's underside over the skin
+constexpr double kArmAway_m = 0.8;      // at this distance from its place, the arm is outside the image
 constexpr double kArm_m_per_s = 0.3;
 constexpr double kCovers_m = 0.015;  // where the arm makes the depth smaller by more, it covers the pixel
 

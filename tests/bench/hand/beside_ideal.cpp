@@ -11,7 +11,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr int kIdealEvery = 4;      // judges each fourth tick
+constexpr int kIdealEvery = 4;  // judges each fourth tick
 
 /// Sums of squared errors of the station and the ideal display.
 struct SquaredErrors {

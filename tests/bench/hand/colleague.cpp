@@ -92,7 +92,7 @@ struct VisitedTick {
 
 struct Played {
   std::vector<VisitedTick> ticks;  ///< from the beginning of the visit on
-  double first_without_s = 0.0;  ///< time at which the first image after the visit arrived
+  double first_without_s = 0.0;    ///< time at which the first image after the visit arrived
   double step_N = 0.0;
 };
 

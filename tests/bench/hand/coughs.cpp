@@ -57,7 +57,7 @@ std::vector<Rise> events_of(const Eventful& motion) {
 
 /// How one event was displayed.
 struct Shown {
-  double share = 0.0;    ///< rise of the displayed force, divided by the rise of the force on the true skin
+  double share = 0.0;  ///< rise of the displayed force, divided by the rise of the force on the true skin
   double after_s =
       0.0;  ///< time from the arrival of the peak's image until share >= kShownShare; infinite: it stays below
 };

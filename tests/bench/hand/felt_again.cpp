@@ -14,10 +14,10 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kEvent_s = 3.0;       // time of the event; the hand presses by then
+constexpr double kEvent_s = 3.0;        // time of the event; the hand presses by then
 constexpr double kJudgedAfter_s = 3.0;  // time after which the force is compared with the law's
-constexpr double kAveraged_s = 0.5;    // interval over which the force is compared with the law's
-constexpr double kAimDepth_m = 0.024;  // aim of a soft arm; the hand is 7 mm deep, and 15 mm after a shift of 30 mm
+constexpr double kAveraged_s = 0.5;     // interval over which the force is compared with the law's
+constexpr double kAimDepth_m = 0.024;   // aim of a soft arm; the hand is 7 mm deep, and 15 mm after a shift of 30 mm
 constexpr double kSoftArm_N_per_m = 200.0;
 constexpr double kLongest_s = 60.0;  // a run whose frames are still missing at this time misses its budget
 

@@ -12,7 +12,7 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kLeaves_s = 31.0;  // the patient, who has sat up a second time, begins to lie down
+constexpr double kLeaves_s = 31.0;     // the patient, who has sat up a second time, begins to lie down
 constexpr double kLiesAgain_s = 35.0;  // the patient lies again
 constexpr double kFelt_N = 0.3;
 constexpr double kFeltAway_m = 0.001;

@@ -28,10 +28,10 @@ constexpr double kAmplitude_m =
     (kEntry_m_per_s * kEntry_m_per_s / (kOmega_rad_per_s * kOmega_rad_per_s) + kTapDepth_m * kTapDepth_m) /
     (2.0 * kTapDepth_m);
 constexpr double kClearOfSkin_m = 0.001;  // closer to the skin, the force may come from an error of the displayed skin
-constexpr double kWayIn_m_per_s = 0.01;  // a slower hand is not on its way in
-constexpr double kFeltTap_N = 0.5;       // the law's least peak in a tap
-constexpr double kFlesh_m = 0.001;       // a fingertip this close to the end-effector touches it
-constexpr double kPressedIn_m = 0.01;    // the fingertip yields less; a lower hand has passed beside the end-effector
+constexpr double kWayIn_m_per_s = 0.01;   // a slower hand is not on its way in
+constexpr double kFeltTap_N = 0.5;        // the law's least peak in a tap
+constexpr double kFlesh_m = 0.001;        // a fingertip this close to the end-effector touches it
+constexpr double kPressedIn_m = 0.01;     // the fingertip yields less; a lower hand has passed beside the end-effector
 constexpr double kReach_m = device::SimulatedHandSettings{}.reach_m;  // a hand farther aside misses the end-effector
 constexpr double kWrist_N_per_m = 2000.0;
 

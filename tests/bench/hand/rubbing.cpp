@@ -17,7 +17,7 @@ namespace telepalp::bench::hand {
 namespace {
 
 constexpr double kRubsUntil_s = 40.0;
-constexpr double kRub_m = 0.015;    // amplitude of the rubbing
+constexpr double kRub_m = 0.015;  // amplitude of the rubbing
 constexpr std::array kRubs_m_per_s{0.0, 0.018, 0.088};
 constexpr OfDelays kMostInContact_mJ{5.0, 5.0, 30.0};
 constexpr OfDelays kMostInWindow_mJ{15.0, 20.0, 30.0};

@@ -20,7 +20,7 @@ constexpr double kPressesUntil_s = 44.0;
 constexpr std::int64_t kPressJudgedEvery = 4;  // judges each fourth tick, because judging takes as long as a tick
 constexpr double kPressPeriod_s = 1.7;         // period of the presses; not a multiple of a breath's
 constexpr double kPressAbove_m = 0.005, kPressDepth_m = 0.008;  // heights over and below the skin at full exhale
-constexpr double kBelowPeak_N = 9.9;                  // above this, the device's peak limits the law's force
+constexpr double kBelowPeak_N = 9.9;                            // above this, the device's peak limits the law's force
 constexpr std::size_t kFewest = 25;  // least number of judged ticks in the skin for a press that counts
 
 /// The least-squares line of force over depth, or over the hand's way, of the ticks of one press.

@@ -22,7 +22,8 @@ struct Film {
 };
 
 /// The first colour images of a server's --source, Film::kFrames of them. A shorter source is run forwards and
-/// backwards, so that no jump needs more bytes than a camera's motion does. Error: it has no two colour images.
+/// backwards, so that no jump needs more bytes than a camera's motion does. Error: the source has fewer than two colour
+/// images.
 [[nodiscard]] Result<Film> film_of(const std::string& spec);
 
 /// Bytes, similarity and times of one coding of a film.

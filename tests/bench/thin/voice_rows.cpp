@@ -33,7 +33,7 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds kOneWay = 25ms;
 constexpr double kRate_B_per_s = 4e6 / 8.0;
 constexpr std::uint32_t kSpokenFrames = 1'500;  // 30 s
-constexpr std::uint32_t kSettled = 250;   // 5 s, in which the jitter buffer has met the first bursts
+constexpr std::uint32_t kSettled = 250;         // 5 s, in which the jitter buffer has met the first bursts
 
 SessionTime steady_now() {
   return SessionTime{std::chrono::duration_cast<Nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())};

@@ -12,7 +12,7 @@ namespace {
 using ::testing::AssertionResult;
 
 constexpr double kDepth_m = 0.02;
-constexpr double kPressed_s = 2.0;  // from here on the finger is kDepth_m deep
+constexpr double kPressed_s = 2.0;         // from here on the finger is kDepth_m deep
 constexpr double kIndexedStep_N = 0.0601;  // the damping of a sliding finger begins with 0.06 N, anywhere on the skin
 
 /// The finger's distance from the device's axis, along the body [m].

@@ -5,8 +5,8 @@
 namespace telepalp::surface {
 namespace {
 
-constexpr double kBeyond_N = 0.3;     // most by which the force may exceed that without the object
-constexpr double kMeans_N = 0.6;      // the same while the body rises under the object
+constexpr double kBeyond_N = 0.3;  // most by which the force may exceed that without the object
+constexpr double kMeans_N = 0.6;   // the same while the body rises under the object
 
 /// An object of 60 × 60 pixels (90 mm) at the depth `z_m`, with an arm 40 pixels wide to the image's edge, comes from
 /// the right at 0.3 m/s, is over the device at 2 s, stays for `stays_s` and leaves as it came.

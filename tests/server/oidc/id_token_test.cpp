@@ -21,7 +21,7 @@ std::string header(const std::string& algorithm, const std::string& id = "one", 
   return R"({"alg":")" + algorithm + R"(","kid":")" + id + "\"" + more + "}";
 }
 
-/// The claims of a good token, except those that `changed` states again. A changed claim "null" is left out.
+/// The claims of a good token, with the values of `changed` where it has some; the value "null" leaves the claim out.
 std::string claims(const std::map<std::string, std::string>& changed = {}) {
   std::map<std::string, std::string> all{{"iss", R"("https://login.example")"},
                                          {"sub", R"("248289")"},
@@ -218,7 +218,8 @@ TEST(WebAddress, OnlyHttpsOrThisMachineAndNothingThatNeedsAnEscape) {
     EXPECT_FALSE(is_safe_address(bad)) << bad;
   EXPECT_FALSE(is_safe_address("https://" + std::string(1024, 'a')));
   EXPECT_TRUE(is_https_origin("https://a.example:8443"));
-  for (const char* bad : {"https://a.example/", "http://localhost", "https://a?b", "https://a#b", "https://a:443", "https://A"})
+  for (const char* bad :
+       {"https://a.example/", "http://localhost", "https://a?b", "https://a#b", "https://a:443", "https://A"})
     EXPECT_FALSE(is_https_origin(bad)) << bad;
   EXPECT_EQ(percent_encoded("a b&c=ü/~"), "a%20b%26c%3D%C3%BC%2F~");
 }

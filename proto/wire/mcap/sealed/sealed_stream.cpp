@@ -23,7 +23,7 @@ constexpr std::size_t kMostWaiting_B = std::size_t{1} << 20;
 constexpr std::size_t kRead_B = std::size_t{64} << 10;
 constexpr mode_t kOwnerAndGroup = 0640;
 
-/// A file under its final name from the beginning.
+/// A file that has its final name from the beginning; a session's gets it in the end.
 class OpenFile final : public ByteSink {
  public:
   OpenFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}

@@ -9,7 +9,7 @@
 
 namespace telepalp::wire::mcap {
 
-/// An empty file for what is no session but shows a patient, such as a station's journal: encrypted like a session with
+/// Makes an empty file for data that shows a patient and is no session, such as a station's journal: encrypted with
 /// the first key of TELEPALP_SITE_KEYS, or plain if the variable is not set. Its owner and group may read it. Each
 /// flush() writes what came since the last one, and a crash loses no more. The stream is bad after a failed write. An
 /// existing file is emptied. Error: the file cannot be made, or the key cannot be read.

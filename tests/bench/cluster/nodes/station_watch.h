@@ -25,14 +25,14 @@ class StationWatch {
                                                                    const std::filesystem::path& scratch,
                                                                    const std::string& name);
 
-  /// What came since an earlier moment().
+  /// What came between two moments.
   struct Facts {
     std::size_t images = 0;       ///< that became touchable
     std::uint64_t missed = 0;     ///< images between these that did not
     double longest_gap_ms = 0.0;  ///< between two instants at which an image became touchable, by the session's clock
     std::size_t releases = 0;     ///< and faults
   };
-  /// Now, as a place in what came.
+  /// How much has come at some moment.
   struct Moment {
     std::size_t surfaces = 0;
     std::size_t releases = 0;
@@ -57,7 +57,8 @@ class StationWatch {
   std::unique_ptr<support::ChildProcess> process_;
 };
 
-/// Rows of the station `while_lost`, beside an equally long time before. `what`: begins each name.
+/// Rows of what the station could touch while a node was lost, and in an equally long time `before`. `what`: begins
+/// each row's name.
 void add_station_rows(const std::string& what, const StationWatch::Facts& before, const StationWatch::Facts& while_lost,
                       std::vector<Row>& rows);
 
