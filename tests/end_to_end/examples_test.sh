@@ -120,13 +120,13 @@ run() { # EXAMPLE
   esac
   if [ "$(bounded "$line")" != "$line" ]; then
     say "bounded: $line"
-    timeout 100 bash -c "$(bounded "$line")" >"$work/log" 2>&1 </dev/null || failed "$line ended with $?"
+    timeout 300 bash -c "$(bounded "$line")" >"$work/log" 2>&1 </dev/null || failed "$line ended with $?"
   elif [[ $line == deploy/demo* || $line == "telepalp-study designer"* || $line == "telepalp-study protocol"* || ($line == telepalp-s* && $line == *--connect*) ]]; then
     say "ctrl-c: $line"
     until_ctrl_c 6 "$line" || failed "$line ended with $?"
   else
     say "$line"
-    timeout 100 bash -c "$line" >"$work/log" 2>&1 </dev/null || failed "$line ended with $?"
+    timeout 300 bash -c "$line" >"$work/log" 2>&1 </dev/null || failed "$line ended with $?"
   fi
 }
 

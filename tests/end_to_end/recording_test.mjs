@@ -8,7 +8,7 @@ import {after, before, test} from 'node:test';
 import {promisify} from 'node:util';
 
 import {lookAtMiddle, openBrowser, untilStatus} from './browser.mjs';
-import {until, Workplace} from './running_program.mjs';
+import {sleep, until, Workplace} from './running_program.mjs';
 
 const [binDir, viewer] = process.argv.slice(2);
 const run = promisify(execFile);
@@ -98,6 +98,8 @@ test('words and an arrow on the patient reach the other pages', async () => {
   const arrow = await until('the other page draws the arrow', async () => {
     // An arrow stands for 20 s, which a slow machine can take for one picture of a page: it is said again before that.
     await fetch(`${address}marks`, {method: 'POST', body: JSON.stringify({text: said.text, at_m: said.at_m})});
+    await other.bringToFront();  // counting the colours opens a page of its own, and a page that is not in front draws nothing
+    await sleep(500);
     const seen = await lookAtMiddle(browser.context, await other.screenshot(), [255, 95, 162]);
     return seen.alike > 50 ? seen : undefined;
   });
