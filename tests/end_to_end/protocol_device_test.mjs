@@ -60,7 +60,7 @@ test('the device moves the needle and gets its force; the mouse moves nothing', 
 });
 
 test('the report says that force was felt, and the sitting is a session', async () => {
-  await child.over;
+  await until('the program ends', () => child.exitCode !== null);
   assert.equal(child.exitCode, 0, child.heard);
   assert.match(readFileSync(join(out, 'report.html'), 'utf8'), /worked at a haptic device and felt the force/);
   const files = readdirSync(join(out, 'sessions'));
