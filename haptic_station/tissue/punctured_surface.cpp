@@ -134,6 +134,12 @@ void PuncturedSurface::pass(const LayerSettings& layer, const Vector3d& by_m, do
   const double left = std::max(0.0, whole_ - dt_s / layer.surface->falls_in_s);
   dissipated_J_ += (whole_ - left) * net_J(layer);
   whole_ = left;
+  // A tip that goes on faster than the net falls would stretch it beyond its puncture; the net slips over it instead.
+  if (const double pushes_N = whole_ * net_N(layer).norm(); pushes_N > layer.surface->punctures_at_N) {
+    const double before_J = net_J(layer);
+    spring_.shorten(layer.surface->punctures_at_N / pushes_N);
+    dissipated_J_ += whole_ * (before_J - net_J(layer));
+  }
   const double most_N = (1.0 - whole_) * layer.surface->friction_N * std::min(1.0, depth_m / kFull_m);
   drag_.step(by_m, layer.surface->bristle_N_per_m, most_N, layer.relaxation, dt_s);
 }

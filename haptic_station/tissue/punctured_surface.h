@@ -17,9 +17,10 @@ enum class LayerState { Removed, Touching, Inserted };
 /// tip's displacement from the place of contact (eq. 2 and 6). Where the sideways force exceeds `side_grip` times the
 /// force along the normal, the place of contact follows the tip over the mesh, so that a tip that grazes the skin
 /// slides off without a jump. Above the threshold the layer is punctured: the net goes back to its shape within
-/// `falls_in_s`, and its energy is dissipated. From then on the hole drags on the needle against its motion (eq. 3 and
-/// 7). S4's constant force along -v / |v| is not defined at rest, where it would chatter; a Bristle carries the same
-/// force, and holds a needle at rest.
+/// `falls_in_s`, and its energy is dissipated; however fast the tip goes on, the net never pushes with more than the
+/// threshold. From then on the hole drags on the needle against its motion (eq. 3 and 7). S4's constant force along
+/// -v / |v| is not defined at rest, where it would chatter; a Bristle carries the same force, and holds a resting
+/// needle.
 ///
 /// The net works from both sides. Positions are relative to the layer's mesh.
 class PuncturedSurface {

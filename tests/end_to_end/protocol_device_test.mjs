@@ -8,7 +8,7 @@ import {after, before, test} from 'node:test';
 
 import {openBrowser, savePicture} from './browser.mjs';
 import {NeedleDevice} from './needle_device.mjs';
-import {until, Workplace} from './running_program.mjs';
+import {sleep, until, Workplace} from './running_program.mjs';
 
 const [binDir, pictures] = process.argv.slice(2);  // PICTURES: a folder for screenshots, to be looked at
 const place = new Workplace('protocol-device');
@@ -40,8 +40,12 @@ const protocol = () => page.evaluate(() => ({state: window.protocol.state, frame
 
 test('the device moves the needle and gets its force; the mouse moves nothing', async () => {
   assert.equal((await protocol()).state.device, true);
-  await page.keyboard.press('Space');
-  await page.waitForFunction(() => window.protocol.frame?.seen !== undefined);
+  // Where the device was silent for a moment, the page refuses to begin, says so, and waits for the next press.
+  await until('the needle is seen', async () => {
+    await page.keyboard.press('Space');
+    await sleep(1000);
+    return (await protocol()).frame?.seen !== undefined;
+  });
   assert.match(await page.textContent('#do'), /Hold the end-effector/);
   await page.keyboard.press('ArrowRight', {delay: 200});
   assert.equal((await protocol()).state.stage, 'ready', 'an arrow key is no hand');
