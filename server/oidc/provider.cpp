@@ -9,7 +9,7 @@
 namespace telepalp::oidc {
 namespace {
 
-constexpr std::size_t kSerialDigits = 40;  // as many as the serial number of a certificate has
+constexpr std::size_t kSerialDigits = 40;  // a certificate's serial number has as many
 constexpr std::size_t kLongestName = 57;   // with a hyphen and six digits it is as long as that of a key
 constexpr long kOk = 200;
 

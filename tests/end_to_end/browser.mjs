@@ -57,7 +57,7 @@ export const untilStatus = (page, what, holds, timeout_ms = 120_000) =>
 
 /**
  * For the middle of the picture: the share that differs from the empty background, the number of colours, and the number
- * of pixels that are nearly of the colour `sought`, and of pink ones, also where they mix with skin.
+ * of pixels that are nearly of the colour `sought`.
  */
 export async function lookAtMiddle(context, png, sought = [0, 0, 0]) {
   const page = await context.newPage();
@@ -73,15 +73,13 @@ export async function lookAtMiddle(context, png, sought = [0, 0, 0]) {
       const colors = new Set();
       let drawn = 0;
       let alike = 0;
-      let pink = 0;
       for (let at = 0; at < data.length; at += 4) {
         const [red, green, blue] = data.subarray(at, at + 3);
         if (Math.abs(red - 7) + Math.abs(green - 11) + Math.abs(blue - 16) > 24) ++drawn;
         if (Math.max(Math.abs(red - sought[0]), Math.abs(green - sought[1]), Math.abs(blue - sought[2])) < 24) ++alike;
-        if (red - green > 60 && blue - green > 30) ++pink;
         colors.add((red << 16) | (green << 8) | blue);
       }
-      return {drawn: drawn / (width * height), colors: colors.size, alike, pink};
+      return {drawn: drawn / (width * height), colors: colors.size, alike};
     }, [png.toString('base64'), sought]);
   } finally {
     await page.close();

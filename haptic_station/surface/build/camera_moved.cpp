@@ -11,9 +11,8 @@ namespace {
 
 constexpr double kPushed_m = 0.012;  // least jump from image to image; a patient who sits up comes 5 mm nearer
 constexpr double kDeeper_m = 0.06;
-constexpr double kFlat_m = 0.008;  // rms deviation of the bed from a plane
-constexpr double kBedSlope_m =
-    0.004;  // the bed's depth changes no more between neighbouring blocks; a body's flank does
+constexpr double kFlat_m = 0.008;        // rms deviation of the bed from a plane
+constexpr double kBedSlope_m = 0.004;    // most change of the bed's depth to the next block; a body's flank has more
 constexpr std::size_t kLeastShare = 20;  // bed and body each cover at least one part in so many
 constexpr int kStep = 3;                 // every ninth block is enough
 

@@ -13,11 +13,11 @@
 namespace telepalp::bench::hand {
 namespace {
 
-constexpr double kPress_s = 3.0;         // time of the press, or at which the headset's hand starts to move
+constexpr double kPress_s = 3.0;         // from the start until the pointer presses, or the headset's hand moves
 constexpr double kReleases_s = 5.0;      // time from the press until the button is released
 constexpr double kJudgedFrom_s = 10.0;   // time from the press until the judging begins
 constexpr double kJudgingLasts_s = 6.0;  // duration of the judging
-constexpr double kWindow_s = 0.5;        // window of the moving mean that takes out the patient's breath
+constexpr double kWindow_s = 0.5;        // a mean over this time is taken off, which removes the patient's breath
 // Speed and way of the hand that a headset tracks, and its height above H's origin.
 constexpr double kGoes_m_per_s = 0.5, kGoes_m = 0.15, kGoesOver_m = 0.12;
 
