@@ -43,6 +43,11 @@ HeldMechanism::HeldMechanism(const PlanarMechanism& mechanism, const PlanarPose&
   adopt(pose_, linear_at(pose_));
 }
 
+void HeldMechanism::hold_at(const BodyPoint& point) noexcept {
+  mechanism_.grasp = point;
+  adopt(pose_, linear_at(pose_));
+}
+
 HeldMechanism::Linear HeldMechanism::linear_at(const PlanarPose& pose) const noexcept {
   const JointEquations equations = joint_equations(mechanism_, pose);
   Solutions solutions = solutions_of(equations);

@@ -82,6 +82,8 @@ class HeldMechanism {
   /// Moves the mechanism to the hand at `hand_m` [m, in the frame's axes]. A hand that is not finite leaves it as it
   /// is.
   void step(const Eigen::Vector2d& hand_m) noexcept;
+  /// The hand holds the mechanism at `point` from now on. The pose stays.
+  void hold_at(const BodyPoint& point) noexcept;
 
   [[nodiscard]] const PlanarPose& pose() const noexcept { return pose_; }
   [[nodiscard]] Eigen::Vector2d grasp_m() const noexcept;

@@ -41,6 +41,13 @@ class SolidProxy {
   /// nearest point of the surface (for a single shape, at that point).
   void forget() noexcept { *this = SolidProxy(settings_); }
 
+  /// The same, but the next step() starts the proxy at `at`, a point on the surface or outside.
+  void start_at(const Eigen::Vector3d& at) noexcept {
+    forget();
+    proxy_ = at;
+    started_ = true;
+  }
+
   /// One tick. `device`: in the tree's frame [m]. `swell_m`: the touched surface lies this far outside the tree's
   /// surface, as for a pulsating artery; small compared with the solid.
   [[nodiscard]] ProxyAt step(const SolidTree& tree, const Eigen::Vector3d& device, double swell_m = 0.0) noexcept;
