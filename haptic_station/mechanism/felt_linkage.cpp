@@ -13,6 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kInside_m = 1e-4;  // a held point may lie this deep in a part, by rounding or at a joint
 constexpr std::string_view kNames[kLinkParts] = {"link1", "link2", "link3", "handle", "needle", "base"};
 
 /// The body of four_bar_design() of which a part is a piece; 0: the frame.
@@ -132,6 +133,18 @@ void FeltLinkage::let_go() noexcept {
   held_.reset();
   place_rods();
   touch_.start_at(proxy_m_);
+  inside_ = solids::solid_at(rods_.tree(), proxy_m_).m < -kInside_m;
+}
+
+/// The proxy of a hand that holds nothing, and the part that it touches.
+void FeltLinkage::touch() noexcept {
+  if (inside_ && solids::solid_at(rods_.tree(), hand_m_).m > 0.0) {
+    inside_ = false;
+    touch_.start_at(hand_m_);
+  }
+  const solids::ProxyAt at = inside_ ? solids::ProxyAt{.at = hand_m_} : touch_.step(rods_.tree(), hand_m_);
+  proxy_m_ = at.at;
+  touched_ = at.depth_m > 0.0 ? std::optional(part_at(proxy_m_)) : std::nullopt;
 }
 
 void FeltLinkage::step(const Point<HapticBase>& hand, bool pressed, double dt_s) noexcept {
@@ -152,9 +165,7 @@ void FeltLinkage::step(const Point<HapticBase>& hand, bool pressed, double dt_s)
   const Vector3d grasp_N = spring_N();  // where the hand now is
   const bool lets_go = held_.has_value();
   let_go();
-  const solids::ProxyAt at = touch_.step(rods_.tree(), hand_m_);
-  proxy_m_ = at.at;
-  touched_ = at.depth_m > 0.0 ? std::optional(part_at(proxy_m_)) : std::nullopt;
+  touch();
   if (lets_go) fading_N_ += grasp_N - spring_N();
   if (pressed_now && touched_) attach(*touched_, proxy_m_);
 }

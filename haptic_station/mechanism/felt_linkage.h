@@ -34,8 +34,9 @@ struct FeltSettings {
 ///
 /// Neither taking hold nor letting go makes a step of force. The proxy of the touch becomes the held point, and the
 /// spring to it has the same stiffness; the linkage, which has no mass, then comes to the hand within kComes_s, not at
-/// once. After letting go, what the grasp's force was more than the touch's falls off within kFades_s. Pure: step() does
-/// not allocate. Owner: the thread that calls step().
+/// once. After letting go, what the grasp's force was more than the touch's falls off within kFades_s. A hand that begins
+/// or lets go inside a part feels no part until it has left all of them. Pure: step() does not allocate. Owner: the
+/// thread that calls step().
 class FeltLinkage {
  public:
   static constexpr double kComes_s = 0.05;  ///< time constant
@@ -91,6 +92,7 @@ class FeltLinkage {
   [[nodiscard]] double radius_m(LinkPart part) const noexcept;
   [[nodiscard]] LinkPart part_at(const Eigen::Vector3d& at_m) const noexcept;
   void place_rods() noexcept;
+  void touch() noexcept;
   void attach(LinkPart part, const Eigen::Vector3d& at_m) noexcept;
 
   FourBar bar_;
@@ -107,6 +109,7 @@ class FeltLinkage {
   Eigen::Vector2d still_to_come_m_ = Eigen::Vector2d::Zero();  // from the hand to the place that the linkage follows
   Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();
   bool pressed_ = false;
+  bool inside_ = true;  // the hand has not been outside all parts since it began or let go
 };
 
 }  // namespace telepalp::mechanism

@@ -26,6 +26,7 @@ struct DeviceReading {
   /// tool's axes are those of the frame, and a needle points down, along -y.
   std::optional<Eigen::Quaterniond> attitude = {};
   Vector<HapticBase> turning = {};  ///< angular velocity [rad/s]; counts only with `attitude`
+  bool pressed = false;             ///< the hand presses the device's button; false: it has none
   DevicePower power = {};
   /// Age of this reading plus age of the newest command that the device had received before it: the time since the
   /// station gave that command. nullopt: the device does not tell which command it has received.

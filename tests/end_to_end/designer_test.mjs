@@ -8,7 +8,7 @@ import {after, before, test} from 'node:test';
 
 import {checkNarrowInLight, violations} from './accessibility.mjs';
 import {openBrowser, savePicture} from './browser.mjs';
-import {until, Workplace} from './running_program.mjs';
+import {sleep, until, Workplace} from './running_program.mjs';
 
 const [binDir, pictures] = process.argv.slice(2);  // PICTURES: a folder for screenshots, to be looked at
 const place = new Workplace('designer');
@@ -84,6 +84,33 @@ test('the handle follows the mouse, back to whole tissue', async () => {
   await page.mouse.move(x - 60, y - 60, {steps: 15});
   await page.mouse.up();
   await until('the handle has moved', async () => force((await frame()).c.map((value, axis) => value - c[axis])) > 5);
+});
+
+test('any part follows the mouse from where it is taken', async () => {
+  for (const [part, one, other] of [['link1', 'a', 'p'], ['needle', 'p', 'tip']]) {
+    const at = await frame();
+    const middle = at[one].map((value, axis) => 0.3 * value + 0.7 * at[other][axis]);
+    const [x, y] = await page.evaluate(([mmX, mmY]) => {
+      const seen = new DOMPoint(mmX, -mmY).matrixTransform(document.getElementById('drawing').getScreenCTM());
+      return [seen.x, seen.y];
+    }, middle);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await until(`the ${part} is held`, async () => (await frame()).held === part);
+    let most = 0;  // of the tip; the part moves along one of the ways alone
+    for (const [right, down] of [[30, 0], [0, 30], [-30, 0], [0, -30]]) {
+      await page.mouse.move(x + right, y + down, {steps: 10});
+      await sleep(300);
+      most = Math.max(most, force((await frame()).tip.map((value, axis) => value - at.tip[axis])));
+    }
+    assert.ok(most > 3, `the tip moved by ${most} mm`);
+    if (part === 'link1') await picture('link-held');
+    await page.mouse.up();
+  }
+  await page.focus('#handle');
+  await page.keyboard.press('ArrowLeft');
+  await until('a key takes the handle', async () => (await frame()).held === 'handle');
+  assert.deepEqual(await violations(page), []);
 });
 
 test('a slider changes the linkage while the needle is in, and the prediction says that it is old', async () => {

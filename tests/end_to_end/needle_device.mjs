@@ -8,12 +8,14 @@ import {poseOf, stepTowards} from './udp_pose.mjs';
 
 const COMMAND_BYTES = [108, 132];  // of version 1, which a station sends first, and of version 2
 const ATTITUDE_MEASURED = 2;
+const PRESSED = 4;
 const STEP_M = 0.00002;  // from command to command: 0.04 m/s
 const PEAK_N = 10;
 const PEAK_N_M = 0.5;
 
 export class NeedleDevice {
   attitude_xyzw = [0, 0, 0, 1];
+  pressed = false;  // its button
   wrench = {force_N: [0, 0, 0], torque_N_m: [0, 0, 0]};
   #at_m = [0, 0.1, 0];
   #to_m = [0, 0.1, 0];
@@ -47,7 +49,7 @@ export class NeedleDevice {
     const {at, arrives} = stepTowards(this.#at_m, this.#to_m, STEP_M);
     this.#at_m = at;
     if (arrives) this.#arrived();
-    const pose = poseOf({version: 2, flags: ATTITUDE_MEASURED, sequence: ++this.#sequence, command, heard: 0},
+    const pose = poseOf({version: 2, flags: ATTITUDE_MEASURED | (this.pressed ? PRESSED : 0), sequence: ++this.#sequence, command, heard: 0},
                         [...at, 0, 0, 0, ...this.attitude_xyzw, 0, 0, 0, PEAK_N, PEAK_N_M]);
     this.#socket.send(pose, from.port, from.address);
   }

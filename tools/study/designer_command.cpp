@@ -9,6 +9,7 @@
 #include "support/program/options.h"
 #include "tools/study/commands.h"
 #include "tools/study/designer/designer_page.h"
+#include "tools/study/device/device_thread.h"
 
 namespace telepalp::study {
 namespace {
@@ -26,12 +27,15 @@ const program::Usage kDesignerUsage{
                  "127.0.0.1"},
                 {"operators", "N", "simulated operators who judge each linkage", "12"},
                 {"seed", "N", "the same seed gives the same operators, as for telepalp-study", "1"},
-                {"threads", "N", "of a search; 0: one for each processor", "0"}},
+                {"threads", "N", "of a search; 0: one for each processor", "0"},
+                {"device", "DEVICE",
+                 "a haptic device at which links, handle and needle are felt and grasped: haply[:URL] or udp:HOST:PORT"}},
     .example = "telepalp-study designer --port 8766",
 };
 
 struct DesignerAsked {
   Door door;
+  std::string device;
   JudgeSettings judges;
 };
 
@@ -47,13 +51,20 @@ Result<DesignerAsked> read_designer_options(const program::Arguments& arguments)
   Result<Door> door = new_door(arguments.text("listen"), *port);
   if (!door) return door.error();
   return DesignerAsked{.door = std::move(*door),
+                       .device = arguments.text("device"),
                        .judges = {.operators = static_cast<int>(*operators), .seed = *seed, .threads = *threads}};
 }
 
 int run(const DesignerAsked& asked) {
+  std::unique_ptr<DeviceThread> device;  // ends after the pages, whose linkages it works on
+  if (!asked.device.empty()) {
+    Result<std::unique_ptr<DeviceThread>> connected = connect_device_thread(asked.device);
+    if (!connected) return program::fail(connected.error());
+    device = std::move(*connected);
+  }
   asio::io_context io(1);
   Workers workers(asked.judges);  // ends before `io`, to which its threads post
-  Result<Page> page = designer_page(workers);
+  Result<Page> page = designer_page(workers, device.get());
   if (!page) return program::fail(page.error());
   Result<std::unique_ptr<PageServer>> server = PageServer::open(io, asked.door, std::move(*page));
   if (!server) return program::fail(server.error());

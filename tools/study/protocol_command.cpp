@@ -159,14 +159,14 @@ Result<void> follow(const ProtocolAsked& asked) {
   program::log(kProgram, asked.participant.name + ": " + std::to_string(session->done()) + " of " +
                              std::to_string(session->all()) + " penetrations are done");
   if (session->stage() == Stage::Finished) return {};
-  std::unique_ptr<DeviceHand> hand;
+  std::unique_ptr<DeviceThread> hand;
   Place place;
   if (!asked.device.empty()) {
-    Result<std::unique_ptr<DeviceHand>> connected = connect_hand(asked.device);
+    Result<std::unique_ptr<DeviceThread>> connected = connect_device_thread(asked.device);
     if (!connected) return connected.error();
     hand = std::move(*connected);
     place.hand = [&hand = *hand](Prepared prepared, Condition condition) {
-      return hand.begin(std::move(prepared), condition);
+      return begin_at_device(hand, std::move(prepared), condition);
     };
   }
   Result<SittingFile> kept = SittingFile::open(asked.out, asked.participant.name, identity_of(asked.protocol));

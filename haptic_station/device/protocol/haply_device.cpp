@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::chrono::microseconds kPace{400};
 constexpr std::chrono::milliseconds kForceCountsFor{50};
-constexpr std::chrono::milliseconds kAttitudeCountsFor{100};
+constexpr std::chrono::milliseconds kHandleCountsFor{100};
 
 }  // namespace
 
@@ -53,11 +53,13 @@ void HaplyDevice::on_text(std::string_view text) {
     if (!std::exchange(line_is_up_, true))
       say_(name_ + ": the Haply Inverse service answers; device_id of its Inverse3: " + state.device_id);
     device_id_ = state.device_id;
+    if (state.pressed) pressed_ = {Clock::now(), *state.pressed};
     if (state.attitude) attitude_ = {Clock::now(), haply::in_haptic_axes(*state.attitude)};
     readings_.put({Clock::now(),
                    {.at = haptic_from_inverse_ * state.cursor,
                     .velocity = haptic_from_inverse_ * state.velocity,
-                    .attitude = newest_attitude()},
+                    .attitude = newest_attitude(),
+                    .pressed = pressed_.second && Clock::now() - pressed_.first < kHandleCountsFor},
                    answered_});
     thread_.answered();
   }
@@ -66,7 +68,7 @@ void HaplyDevice::on_text(std::string_view text) {
 
 /// A handle sends more slowly than the Inverse3, so not every text has its attitude.
 std::optional<Eigen::Quaterniond> HaplyDevice::newest_attitude() const {
-  if (!attitude_ || Clock::now() - attitude_->first > kAttitudeCountsFor) return std::nullopt;
+  if (!attitude_ || Clock::now() - attitude_->first > kHandleCountsFor) return std::nullopt;
   return attitude_->second;
 }
 

@@ -73,6 +73,7 @@ class HaplyDevice final : public ports::Device {
   std::optional<Clock::time_point> answered_;  // owner: thread_; when the haptic thread gave the force of the newest
                                                // text; nullopt: its force is zero
   std::optional<std::pair<Clock::time_point, Eigen::Quaterniond>> attitude_;  // owner: thread_; of the handle
+  std::pair<Clock::time_point, bool> pressed_{};                              // owner: thread_; the handle's button
   bool line_is_up_ = false;                                                   // owner: thread_
   std::atomic<std::uint64_t> refused_{0};
   LatestValue<TimedReading> readings_;  // thread_ to haptic thread

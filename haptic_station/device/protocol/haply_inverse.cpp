@@ -53,6 +53,15 @@ std::optional<Eigen::Quaterniond> attitude_of(const haply_inverse::Text& message
   return std::nullopt;
 }
 
+std::optional<bool> pressed_on(const haply_inverse::Text& message) {
+  std::optional<bool> pressed;
+  for (const haply_inverse::Handle& one : message.wireless_verse_grip()) {
+    const haply_inverse::Buttons& buttons = one.state().buttons();
+    pressed = pressed.value_or(false) || buttons.a() || buttons.b() || buttons.c();
+  }
+  return pressed;
+}
+
 std::string number(double value) {
   std::array<char, 32> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 6);
@@ -78,7 +87,7 @@ Result<std::optional<State>> parse_text(std::string_view text, std::string_view 
     const auto velocity = all_three(one.state().cursor_velocity(), kFastest_m_per_s);
     if (!cursor || !velocity)
       return refused("the position or velocity is incomplete, not finite, beyond 2 m or above 50 m/s");
-    return std::optional{State{one.device_id(), {*cursor}, {*velocity}, attitude_of(message)}};
+    return std::optional{State{one.device_id(), {*cursor}, {*velocity}, attitude_of(message), pressed_on(message)}};
   }
   return std::optional<State>{};
 }

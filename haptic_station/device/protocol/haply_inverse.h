@@ -22,6 +22,8 @@ struct State {
   /// Rotation from the handle's axes to those of InverseBase, as the service sent it, perhaps of length zero: the
   /// haptic loop bridges such a glitch. nullopt: no handle is listed.
   std::optional<Eigen::Quaterniond> attitude = {};
+  /// Any of the buttons of a wireless handle is pressed. nullopt: no such handle is listed.
+  std::optional<bool> pressed = {};
 };
 
 inline constexpr std::size_t kMostTextBytes = 64U << 10U;

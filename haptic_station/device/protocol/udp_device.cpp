@@ -14,6 +14,7 @@ constexpr std::uint16_t kSurfaceValid = 2;
 constexpr std::uint16_t kLetGo = 4;
 constexpr std::uint16_t kFaulted = 1;
 constexpr std::uint16_t kAttitudeMeasured = 2;
+constexpr std::uint16_t kPressed = 4;
 constexpr double kFurthest_m = 2.0;
 constexpr double kFastest_m_per_s = 50.0;
 constexpr double kStrongest_N = 100.0;
@@ -147,7 +148,8 @@ Datagram encode(const Pose& pose) noexcept {
   out.put(kMagicUp);
   out.put(pose.version);
   out.put(static_cast<std::uint16_t>((pose.faulted ? kFaulted : 0) |
-                                     (pose.attitude && pose.version == kVersion2 ? kAttitudeMeasured : 0)));
+                                     (pose.attitude && pose.version == kVersion2 ? kAttitudeMeasured : 0) |
+                                     (pose.pressed ? kPressed : 0)));
   out.put(pose.session);
   out.put(pose.sequence);
   out.put(pose.taken_us);
@@ -200,6 +202,7 @@ std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept {
   pose.taken_us = in.get<std::uint64_t>();
   pose.heard = in.get<std::uint32_t>();
   pose.faulted = (flags & kFaulted) != 0;
+  pose.pressed = (flags & kPressed) != 0;
   pose.end_effector.m = in.three();
   pose.velocity.v = in.three();
   if (pose.version == kVersion2) {
@@ -210,7 +213,7 @@ std::optional<Pose> decode_pose(std::span<const std::byte> datagram) noexcept {
     pose.power.most_N = in.number();
     pose.power.most_N_m = in.number();
   }
-  const int known = pose.version == kVersion2 ? kFaulted | kAttitudeMeasured : kFaulted;
+  const int known = kFaulted | kPressed | (pose.version == kVersion2 ? kAttitudeMeasured : 0);
   return is_sane(pose) && (flags & ~known) == 0 ? std::optional(pose) : std::nullopt;
 }
 

@@ -40,6 +40,7 @@ struct Pose {
   std::uint64_t taken_us = 0;  ///< when the encoders were read, on the device's clock
   std::uint32_t heard = 0;     ///< sequence number of the newest command received
   bool faulted = false;        ///< the device has switched its motors off by itself
+  bool pressed = false;        ///< the hand presses the device's button
   Point<HapticBase> end_effector{};
   Vector<HapticBase> velocity{};
   /// The next three: version 2 only. `attitude` is as the device sent it, perhaps not finite or of length zero: the

@@ -94,6 +94,7 @@ void UdpDevice::take(std::span<const std::byte> datagram) noexcept {
              .velocity = pose->velocity,
              .attitude = pose->attitude,
              .turning = pose->turning,
+             .pressed = pose->pressed,
              .power = pose->power};
   note_echo(*pose);
   version_ = pose->version;

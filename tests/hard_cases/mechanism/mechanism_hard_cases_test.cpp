@@ -7,6 +7,7 @@
 #include <string>
 
 #include "haptic_station/mechanism/crank_range.h"
+#include "haptic_station/mechanism/felt_linkage.h"
 #include "haptic_station/mechanism/held_linkage.h"
 #include "haptic_station/mechanism/planar_designs.h"
 #include "tests/haptic_station/periods.h"
@@ -172,6 +173,110 @@ AssertionResult five_bar_stretched() {
                  below_N("and bounded", force_N.norm(), 10.0)});
 }
 
+constexpr FeltSettings kFelt;
+
+FeltLinkage felt_linkage(const FourBar& bar = links(80, 150, 120, 131)) {
+  return *FeltLinkage::make(HeldLinkage(bar, {}, 1.5, Branch::Open));
+}
+Eigen::Vector3d place(const InPlane<double>& at, double z_m = 0.0) { return {at.x, at.y, z_m}; }
+
+/// Moves the hand evenly, and returns the largest step of the force beyond the spring's own.
+double felt_step_N(FeltLinkage& felt, Eigen::Vector3d& hand, const Eigen::Vector3d& to, bool pressed, int ticks) {
+  const Eigen::Vector3d each = (to - hand) / ticks;
+  double most_N = 0.0;
+  for (int i = 0; i < ticks; ++i) {
+    const Eigen::Vector3d before = felt.contact_force().N;
+    hand += each;
+    felt.step({hand}, pressed, kTick_s);
+    const double own_N = kFelt.stiffness_N_per_m * each.norm();
+    most_N = std::max(most_N, (felt.contact_force().N - before).norm() - own_N);
+  }
+  return most_N;
+}
+
+AssertionResult fast_hand_at_the_needle() {
+  FeltLinkage felt = felt_linkage();
+  const Eigen::Vector3d middle = 0.5 * (place(felt.pose().p) + place(felt.pose().tip));
+  felt.step({middle + Eigen::Vector3d(0, 0, 0.02)}, false, kTick_s);
+  felt.step({middle - Eigen::Vector3d(0, 0, 0.02)}, false, kTick_s);  // 80 m/s, through 7.4 mm
+  const double N = felt.contact_force().N.z();
+  return all_of({{felt.touched() == LinkPart::Needle, "it is stopped by the needle"},
+                 below_N("and held on the side from which it came: 11.85 N less", std::abs(N - 11.85), 0.01)});
+}
+
+AssertionResult around_a_joint() {
+  FeltLinkage felt = felt_linkage();
+  const Eigen::Vector3d joint = place(felt.pose().p);  // of links 1 and 2, where the needle begins
+  Eigen::Vector3d hand = joint + Eigen::Vector3d(0, 0, 0.006);
+  felt.step({joint + Eigen::Vector3d(0, 0, 0.03)}, false, kTick_s);
+  double most_N = felt_step_N(felt, hand, hand, false, 400);
+  most_N = 0.0;
+  for (int turn = 0; turn <= 80; ++turn) {
+    const double rad = 2.0 * std::numbers::pi * turn / 80;
+    const Eigen::Vector3d to = joint + 0.01 * Eigen::Vector3d(std::cos(rad), std::sin(rad), 0.5);
+    most_N = std::max(most_N, felt_step_N(felt, hand, to, false, 100));
+  }
+  return all_of({below_N("no step where one rod ends and the next begins", most_N, 0.05)});
+}
+
+AssertionResult grasp_deep_in_two_parts() {
+  FeltLinkage felt = felt_linkage();
+  const Eigen::Vector3d joint = place(felt.pose().p);
+  Eigen::Vector3d hand = joint + Eigen::Vector3d(0, 0, 0.03);
+  (void)felt_step_N(felt, hand, joint + Eigen::Vector3d(0.004, -0.004, 0.004), false, 400);
+  const double most_N = felt_step_N(felt, hand, hand, true, 1000);
+  return all_of({{felt.held().has_value(), "it takes hold"}, below_N("without a step", most_N, 0.05)});
+}
+
+AssertionResult grasp_at_a_pivot() {
+  FeltLinkage felt = felt_linkage();
+  felt.hold(LinkPart::Link1, {Eigen::Vector3d::Zero()});  // pivot A, which does not move
+  const Eigen::Vector3d tip = felt.tip().m;
+  for (int i = 0; i < 400; ++i) felt.step({{0.0001 * i, 0.0, 0.0}}, true, kTick_s);
+  return all_of({below_m("nothing moves", (felt.tip().m - tip).norm(), 1e-9),
+                 {felt.hand_force(kNeedle).N.allFinite() && felt.contact_force().N.allFinite(), "finite"}});
+}
+
+AssertionResult link1_through_the_handles_dead_point() {
+  FeltLinkage felt = felt_linkage();  // link 1 can turn fully, link 3 rocks: it turns back twice in each turn
+  felt.hold(LinkPart::Link1, {place(felt.pose().p)});
+  const double from_rad = std::atan2(felt.pose().p.y, felt.pose().p.x);
+  double most_N = 0.0;
+  double worst_m = 0.0;
+  double least_sine = 1.0;
+  double last_sine = felt.sine_of_links();
+  int crossed = 0;
+  for (int i = 0; i <= 6000; ++i) {
+    const double rad = from_rad + 2.0 * std::numbers::pi * i / 6000;
+    felt.step({0.08 * Eigen::Vector3d(std::cos(rad), std::sin(rad), 0.0)}, true, kTick_s);
+    const FourBarPose<double> at = felt.pose();
+    worst_m = std::max(worst_m, std::abs((place(at.p) - place(at.b)).norm() - 0.15));
+    most_N = std::max(most_N, felt.hand_force(kNeedle).N.norm());
+    crossed += std::signbit(last_sine) != std::signbit(felt.sine_of_links()) ? 1 : 0;
+    last_sine = felt.sine_of_links();
+    least_sine = std::min(least_sine, std::abs(last_sine));
+  }
+  const double turned = std::remainder(std::atan2(felt.pose().p.y, felt.pose().p.x) - from_rad, 2.0 * std::numbers::pi);
+  return all_of({below("link 1 makes its turn", std::abs(turned), 1e-6, 1.0, "rad"),
+                 {crossed == 2, std::to_string(crossed) + " dead points of the handle crossed"},
+                 below_m("link 2 keeps its length", worst_m, 1e-9),
+                 below_N("the force on the hand is bounded", most_N, 5.0 * kNeedle.N.norm() + 1e-9)});
+}
+
+AssertionResult let_go_inside_another_part() {
+  const FourBar bar = links(80, 150, 120, 131);
+  FeltLinkage felt = felt_linkage(bar);
+  const Eigen::Vector3d on_link3 = 0.5 * (Eigen::Vector3d(bar.l4_m, 0, 0) + place(felt.pose().b));
+  felt.hold(LinkPart::Handle, {on_link3});  // the handle lies on link 3: its axis is inside both
+  Eigen::Vector3d hand = felt.proxy().m;
+  (void)felt_step_N(felt, hand, hand + Eigen::Vector3d(0, 0, 0.004), true, 100);  // the grasp pulls with 2 N
+  const double most_N = felt_step_N(felt, hand, hand, false, 600);
+  const double swept_N = felt_step_N(felt, hand, hand + Eigen::Vector3d(0, 0, 0.03), false, 600);
+  (void)felt_step_N(felt, hand, on_link3 + Eigen::Vector3d(0, 0, 0.005), false, 600);
+  return all_of({below_N("no step", std::max(most_N, swept_N), 0.05),
+                 below_N("felt again when the hand comes back: 2 N less", std::abs(felt.contact_force().N.z() - 2.0), 0.01)});
+}
+
 const HardCase kRows[] = {
     {"links of length zero", "the loop's equations are singular", "refused with the lengths", no_length},
     {"links too short to close", "no pose exists", "refused with the lengths", never_closes},
@@ -185,6 +290,13 @@ const HardCase kRows[] = {
     {"hand on the pivot", "the angle GOT has no value", "hold", hand_on_pivot},
     {"hand off the plane", "only the projection may turn links", "turn by it, pull back", far_off_plane},
     {"five-bar stretched out", "two degrees of freedom become one", "closed, finite, bounded", five_bar_stretched},
+    {"fast hand at a thin needle", "a tick's travel is five times its width", "stopped", fast_hand_at_the_needle},
+    {"hand slides around a joint", "three rods meet", "no step", around_a_joint},
+    {"button pressed deep in two parts", "linkage has no mass: it could jump", "no step", grasp_deep_in_two_parts},
+    {"grasp at a pivot", "no motion of the linkage moves the hand", "stay, finite", grasp_at_a_pivot},
+    {"link 1 through the handle's dead point", "link 3 turns back, the branch changes", "goes on, bounded",
+     link1_through_the_handles_dead_point},
+    {"let go inside another part", "the proxy would have to leave both", "no step", let_go_inside_another_part},
 };
 
 class MechanismHardCases : public HardCaseTable {};

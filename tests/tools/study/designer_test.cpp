@@ -55,7 +55,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"design l1=1e6 l2=1e6 l3=1e6 l4=1e6", "over 1000 mm"},
                     Refused{"design theta=1e9", "full turn"}, Refused{"hand 1", "two numbers"},
                     Refused{"hand nan 0", "two numbers"}, Refused{"hand 1 2 3", "two numbers"},
-                    Refused{"hand 1e99 0", "two numbers"}, Refused{"turn inf", "one number"},
+                    Refused{"hand 1e99 0", "two numbers"}, Refused{"take link1 1", "no moving part"},
+                    Refused{"take base 1 2", "no moving part"}, Refused{"take link9 1 2", "no moving part"},
+                    Refused{"take link1 nan 2", "no moving part"}, Refused{"take", "no moving part"},
+                    Refused{"press 2", "neither 0 nor 1"}, Refused{"press", "neither 0 nor 1"}, Refused{"turn inf", "one number"},
                     Refused{"turn 2", "one number"}, Refused{"search", "from 40 to 2000"},
                     Refused{"search 9999999 l1=60:120", "from 40 to 2000"}, Refused{"search 50 l1", "NAME=MIN:MAX"},
                     Refused{"search 50 l1=120:60", "above the most"}, Refused{"search 50 l1=nan:nan", "out of bounds"},
@@ -68,6 +71,8 @@ TEST(DesignerCommands, AreReadInMillimetresAndRadians) {
   EXPECT_DOUBLE_EQ(chosen.bar.l1_m, 0.07);
   EXPECT_TRUE(chosen.l4_given && !chosen.needle_given);
   EXPECT_EQ(std::get<AimHand>(*parse_command("hand 10.5 -120")).at_m, Eigen::Vector2d(0.0105, -0.12));
+  EXPECT_EQ(std::get<TakePart>(*parse_command("take needle 10.5 -120")).part, mechanism::LinkPart::Needle);
+  EXPECT_TRUE(std::get<PressButton>(*parse_command("press 1")).pressed);
   EXPECT_EQ(std::get<TurnHandle>(*parse_command("turn -0.01")).by_rad, -0.01);
   const Result<Command> search = parse_command("search 50 l1=60:120 l2=150");
   ASSERT_TRUE(search.ok());
@@ -79,8 +84,8 @@ TEST(LiveTool, PuncturesTheSacAndTheForceAtTheHandFalls) {
   LiveTool tool = tool_of("l_h=140");
   EXPECT_NEAR(tool.depth_m(), -kAbove_m, 1e-4) << "begins outside the skin";
   const std::vector<TracePoint> trace = tool.insert(0.06);
-  ASSERT_EQ(tool.punctures().size(), 2U) << "skin and sac";
-  const Puncture& sac = tool.punctures().back();
+  ASSERT_EQ(tool.frame().punctured, 2U) << "skin and sac";
+  const Puncture sac = tool.frame().punctures[1];
   EXPECT_EQ(sac.layer, kSac);
   EXPECT_GT(sac.depth_m, Plant{}.sac_depth_m) << "the sac is pushed in before it gives way";
   EXPECT_LT(sac.after_N, 0.6 * sac.before_N) << "before " << sac.before_N << " N";
@@ -94,12 +99,35 @@ TEST(LiveTool, TheForceAtTheHandIsThatOfVirtualWork) {
   (void)tool.insert(0.03);
   const LiveFrame now = tool.frame();
   ASSERT_GT(now.needle_N.norm(), 0.05);
-  const auto& held = tool.held();
+  const mechanism::FeltLinkage& felt = tool.linkage();
+  const mechanism::HeldLinkage held(felt.bar(), felt.plane(), felt.link3_rad(), mechanism::Branch::Open);
   constexpr double kStep_rad = 1e-6;
   const mechanism::HeldLinkage next(held.bar(), held.plane(), held.link3_rad() + kStep_rad, held.branch());
   const double at_needle = (next.tip().m - held.tip().m).head<2>().dot(now.needle_N);
   const double at_hand = (next.grasp().m - held.grasp().m).head<2>().dot(now.hand_N);
   EXPECT_NEAR(at_hand, at_needle, 1e-4 * std::abs(at_needle));
+}
+
+TEST(LiveTool, AnyMovingPartTurnsTheLinkageAndAKeyTurnsTheHandleAgain) {
+  for (const auto part : {mechanism::LinkPart::Link1, mechanism::LinkPart::Link2, mechanism::LinkPart::Link3,
+                          mechanism::LinkPart::Handle, mechanism::LinkPart::Needle}) {
+    LiveTool tool = tool_of("l_h=140");
+    const LinkagePlaces at = tool.frame().at;
+    const Eigen::Vector2d far_ends[] = {at.p_m, at.p_m, at.b_m, 0.5 * (at.d_m + at.c_m), at.tip_m};
+    tool.take(part, far_ends[static_cast<std::size_t>(part)]);
+    EXPECT_EQ(tool.frame().held, part);
+    const double depth_m = tool.depth_m();
+    const Eigen::Vector2d from_m = tool.frame().grasp_m;
+    for (const double way_m : {0.01, -0.01, 0.02})
+      for (const Eigen::Vector2d& axis : {Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)}) {
+        tool.aim(from_m + way_m * axis);
+        for (int i = 0; i < 20; ++i) (void)tool.step(kFrame_s);
+      }
+    EXPECT_GT(std::abs(tool.depth_m() - depth_m), 0.002) << mechanism::name(part);
+    tool.turn(0.05);
+    EXPECT_EQ(tool.frame().held, mechanism::LinkPart::Handle);
+    EXPECT_LT((tool.frame().grasp_m - tool.frame().at.c_m).norm(), 1e-9);
+  }
 }
 
 TEST(LiveTool, TheSameMotionGivesTheSameForces) {
@@ -144,10 +172,10 @@ TEST(LiveTool, ComesToRestWhenTheHandRests) {
 
 TEST(Reach, EndsAtTheDeadPointsUnlessLink3TurnsFully) {
   const LiveTool rocks = tool_of("l1=80 l2=150 l3=120 l4=131");
-  const Reach reach = reach_of(rocks.held());
+  const Reach reach = reach_of(rocks.outside());
   ASSERT_FALSE(reach.range.whole_turn);
   for (const ReachPoint& end : {reach.points.front(), reach.points.back()}) {
-    const mechanism::HeldLinkage there(rocks.held().bar(), rocks.held().plane(), end.link3_rad, rocks.held().branch());
+    const mechanism::HeldLinkage there(rocks.outside().bar(), rocks.outside().plane(), end.link3_rad, rocks.outside().branch());
     EXPECT_NEAR(there.sine_of_links(), 0.0, 1e-4);
   }
   for (std::size_t i = 1; i < reach.points.size(); ++i)
@@ -178,7 +206,7 @@ TEST(LiveDesign, ALinkageThatCannotBeUsedIsRefusedAndTheLastOneStays) {
   EXPECT_TRUE(says(answer, "\"kind\": \"refused\"")) << answer;
   EXPECT_TRUE(says(answer, "\"fix\": \""));
   EXPECT_DOUBLE_EQ(live.design().bar.handle_m, 0.2);
-  EXPECT_DOUBLE_EQ(live.tool().held().bar().handle_m, 0.2);
+  EXPECT_DOUBLE_EQ(live.tool().linkage().bar().handle_m, 0.2);
 }
 
 TEST(LiveDesign, AtRestNothingIsSent) {

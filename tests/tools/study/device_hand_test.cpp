@@ -159,8 +159,8 @@ TEST(DeviceHand, ASittingAtADeviceIsKeptAsASession) {
   const Protocol protocol{.design = design(), .seed = 3, .training = 0, .penetrations = 1, .hand = PersonHand::Device};
   const Participant anna = *participant_of("anna");
   Felt felt;
-  DeviceHand hand(std::make_unique<ArmsDevice>(felt));
-  Place place{.hand = [&](Prepared, Condition condition) { return hand.begin(prepared(), condition); },
+  DeviceThread hand(std::make_unique<ArmsDevice>(felt));
+  Place place{.hand = [&](Prepared, Condition condition) { return begin_at_device(hand, prepared(), condition); },
               .file = std::move(*SittingFile::open(folder.path(), "anna", identity_of(protocol)))};
   const std::filesystem::path file = place.file->name();
   EXPECT_EQ(file.filename(), "anna-0001.mcap");
@@ -218,13 +218,13 @@ TEST(DeviceHand, ADeviceThatFallsSilentIsSaidAndThePenetrationComesAgain) {
   const support::TemporaryFolder folder;
   const Protocol protocol{.design = design(), .seed = 3, .training = 0, .penetrations = 1, .hand = PersonHand::Device};
   Felt felt;
-  DeviceHand hand(std::make_unique<ArmsDevice>(felt));
+  DeviceThread hand(std::make_unique<ArmsDevice>(felt));
   Result<Journal> journal =
       Journal::open(folder.path() / "bert.csv",
                     {.identity = identity_of(protocol), .participant = "bert", .hand = PersonHand::Device});
   Desk desk(std::move(*Session::make(protocol, *participant_of("bert"), {}, "bert.csv")), std::move(*journal), "bert",
             [] {},
-            {.hand = [&](Prepared made, Condition condition) { return hand.begin(std::move(made), condition); }});
+            {.hand = [&](Prepared made, Condition condition) { return begin_at_device(hand, std::move(made), condition); }});
   ASSERT_TRUE(desk.obey(BeginPenetration{}));
   felt.silent = true;
   for (int i = 0; i < 400 && desk.session().stage() != Stage::Resting; ++i) {
@@ -240,10 +240,10 @@ TEST(DeviceHand, ADeviceThatFallsSilentIsSaidAndThePenetrationComesAgain) {
   EXPECT_FALSE(desk.lost().has_value());
 }
 
-TEST(DeviceHand, IsNoSimulatedOne) {
-  EXPECT_FALSE(connect_hand("simulated").ok());
-  EXPECT_FALSE(connect_hand("mouse").ok());
-  EXPECT_FALSE(connect_hand("udp:127.0.0.1:1").ok()) << "nobody answers";
+TEST(DeviceThread, HasNoSimulatedDevice) {
+  EXPECT_FALSE(connect_device_thread("simulated").ok());
+  EXPECT_FALSE(connect_device_thread("mouse").ok());
+  EXPECT_FALSE(connect_device_thread("udp:127.0.0.1:1").ok()) << "nobody answers";
 }
 
 }  // namespace

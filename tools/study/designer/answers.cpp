@@ -1,5 +1,7 @@
 #include "tools/study/designer/answers.h"
 
+#include <span>
+
 #include "support/program/json.h"
 
 namespace telepalp::study {
@@ -40,9 +42,9 @@ void add_layers(Json& json, const LiveFrame& frame) {
   json.end_object();
 }
 
-void add_punctures(Json& json, const std::vector<Puncture>& punctures) {
+void add_punctures(Json& json, const LiveFrame& frame) {
   json.begin_list("punctures");
-  for (const Puncture& puncture : punctures) {
+  for (const Puncture& puncture : std::span(frame.punctures).first(frame.punctured)) {
     json.begin_object();
     json.add("layer", kLayers[puncture.layer]);
     json.add("depth", kMm * puncture.depth_m);
@@ -53,22 +55,32 @@ void add_punctures(Json& json, const std::vector<Puncture>& punctures) {
   json.end_list();
 }
 
-void add_frame(Json& json, const LiveTool& tool, const std::vector<TracePoint>& trace) {
-  const LiveFrame frame = tool.frame();
+void add_part(Json& json, std::string_view key, const std::optional<mechanism::LinkPart>& part) {
+  if (part)
+    json.add(key, mechanism::name(*part));
+  else
+    json.add_null(key);
+}
+
+void add_frame(Json& json, const LiveFrame& frame, const std::vector<TracePoint>& trace) {
   for (const auto& [key, place] : {std::pair{"a", frame.at.a_m},
                                    {"o", frame.at.o_m},
                                    {"b", frame.at.b_m},
                                    {"p", frame.at.p_m},
                                    {"d", frame.at.d_m},
                                    {"c", frame.at.c_m},
-                                   {"tip", frame.at.tip_m}})
+                                   {"tip", frame.at.tip_m},
+                                   {"grasp", frame.grasp_m}})
     add_pair(json, key, place, kMm);
   json.add("link3", frame.link3_rad);
   json.add("dead_point", frame.at_dead_point);
   add_pair(json, "needle_N", frame.needle_N);
   add_pair(json, "hand_N", frame.hand_N);
+  add_pair(json, "contact_N", frame.contact_N);
+  add_part(json, "held", frame.held);
+  add_part(json, "touched", frame.touched);
   add_layers(json, frame);
-  add_punctures(json, tool.punctures());
+  add_punctures(json, frame);
   add_trace(json, trace);
 }
 
@@ -143,16 +155,23 @@ std::string design_json(const LiveTool& tool, const Reach& reach, const std::vec
   return object("design", [&](Json& json) {
     json.add("sac_depth", kMm * Plant{}.sac_depth_m);
     json.add("sac_link3", Plant{}.link3_rad);
-    json.add("needle", kMm * tool.held().bar().needle_m);
+    json.add("needle", kMm * tool.linkage().bar().needle_m);
     add_reach(json, reach);
     json.begin_object("frame");
-    add_frame(json, tool, trace);
+    add_frame(json, tool.frame(), trace);
     json.end_object();
   });
 }
 
-std::string frame_json(const LiveTool& tool, const std::vector<TracePoint>& trace) {
-  return object("frame", [&](Json& json) { add_frame(json, tool, trace); });
+std::string frame_json(const LiveFrame& frame, const std::vector<TracePoint>& trace) {
+  return object("frame", [&](Json& json) { add_frame(json, frame, trace); });
+}
+
+std::string device_json(bool ours, std::string_view trouble) {
+  return object("device", [&](Json& json) {
+    json.add("ours", ours);
+    json.add("trouble", trouble);
+  });
 }
 
 std::string refused_json(std::string_view of, const Error& error) {

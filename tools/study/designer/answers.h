@@ -17,9 +17,11 @@ namespace telepalp::study {
 /// `kind`: design. The survey of a linkage, its first frame and the trace of its insertion.
 [[nodiscard]] std::string design_json(const LiveTool& tool, const Reach& reach, const std::vector<TracePoint>& trace);
 /// `kind`: frame. Pose, forces, layers and punctures now; `trace`: since the last frame.
-[[nodiscard]] std::string frame_json(const LiveTool& tool, const std::vector<TracePoint>& trace);
+[[nodiscard]] std::string frame_json(const LiveFrame& frame, const std::vector<TracePoint>& trace);
 /// `kind`: refused. `of`: the message that was refused: design, prediction, search or message.
 [[nodiscard]] std::string refused_json(std::string_view of, const Error& error);
+/// `kind`: device. What a page must know of a haptic device: whether it moves this page's linkage, and what is wrong.
+[[nodiscard]] std::string device_json(bool ours, std::string_view trouble);
 /// `kind`: predicting. `done` of `all` operators.
 [[nodiscard]] std::string predicting_json(int done, int all);
 /// `kind`: prediction.

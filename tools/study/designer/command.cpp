@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,11 +51,32 @@ Result<Command> design_of(std::string_view text) {
   return Command(ChooseDesign{one});
 }
 
-Result<Command> hand_of(const std::vector<std::string_view>& words) {
+/// Two numbers in mm; nullopt: they are not, or are over 10 m.
+std::optional<Eigen::Vector2d> place_of(std::span<const std::string_view> words) {
   const auto x = words.size() == 2 ? bounded(words[0], kMostHand_mm) : std::nullopt;
   const auto y = words.size() == 2 ? bounded(words[1], kMostHand_mm) : std::nullopt;
-  if (!x || !y) return error("the place of the hand is not two numbers of at most 10 m", "send hand X Y, in mm");
-  return Command(AimHand{{1e-3 * *x, 1e-3 * *y}});
+  return x && y ? std::optional(Eigen::Vector2d(1e-3 * *x, 1e-3 * *y)) : std::nullopt;
+}
+
+Result<Command> hand_of(const std::vector<std::string_view>& words) {
+  const auto at_m = place_of(words);
+  if (!at_m) return error("the place of the hand is not two numbers of at most 10 m", "send hand X Y, in mm");
+  return Command(AimHand{*at_m});
+}
+
+Result<Command> take_of(const std::vector<std::string_view>& words) {
+  const auto at_m = words.size() == 3 ? place_of(std::span(words).subspan(1)) : std::nullopt;
+  for (std::size_t i = 0; at_m && i < mechanism::kLinkParts; ++i)
+    if (const auto part = static_cast<mechanism::LinkPart>(i);
+        part != mechanism::LinkPart::Base && mechanism::name(part) == words[0])
+      return Command(TakePart{part, *at_m});
+  return error("what the hand takes is no moving part with two numbers of at most 10 m",
+               "send take PART X Y, in mm; PART is link1, link2, link3, handle or needle");
+}
+
+Result<Command> press_of(const std::vector<std::string_view>& words) {
+  if (words.size() == 1 && (words[0] == "0" || words[0] == "1")) return Command(PressButton{words[0] == "1"});
+  return error("the button is neither 0 nor 1", "send press 1 or press 0");
 }
 
 Result<Command> turn_of(const std::vector<std::string_view>& words) {
@@ -90,14 +112,16 @@ Result<Command> parse_command(std::string_view message) {
   const std::string_view verb = message.substr(0, end);
   if (verb == "design") return design_of(message.substr(end));
   const std::vector<std::string_view> words = words_of(message.substr(end));
+  if (verb == "take") return take_of(words);
   if (verb == "hand") return hand_of(words);
+  if (verb == "press") return press_of(words);
   if (verb == "turn") return turn_of(words);
   if (verb == "search") return search_of(words);
   if (verb == "renew" && words.empty()) return Command(RenewTissue{});
   if (verb == "predict" && words.empty()) return Command(AskPrediction{});
   if (verb == "cancel" && words.empty()) return Command(EndSearch{});
   return error("this is no message of the designer's page",
-               "send design, hand, turn, renew, predict, search or cancel");
+               "send design, take, hand, press, turn, renew, predict, search or cancel");
 }
 
 }  // namespace telepalp::study

@@ -14,14 +14,14 @@ Result<LiveDesign> LiveDesign::make() {
 }
 
 LiveDesign::LiveDesign(Configuration design, LiveTool tool, LiveTool::Model tissue)
-    : design_(std::move(design)), tool_(std::move(tool)), tissue_(std::move(tissue)), reach_(reach_of(tool_.held())) {}
+    : design_(std::move(design)), tool_(std::move(tool)), tissue_(std::move(tissue)), reach_(reach_of(tool_.outside())) {}
 
 std::string LiveDesign::choose(const Configuration& wanted) {
   Result<LiveTool> next = LiveTool::make(wanted, Plant{}, tissue_);
   if (!next) return refused_json("design", next.error());
   design_ = wanted;
   tool_ = std::move(*next);
-  reach_ = reach_of(tool_.held());
+  reach_ = reach_of(tool_.outside());
   return answer(put_in_m_ > 0.0 ? tool_.insert(put_in_m_) : std::vector<TracePoint>{});
 }
 
@@ -35,9 +35,11 @@ std::optional<std::string> LiveDesign::step(double seconds) {
   if (tool_.at_rest()) return std::nullopt;
   const std::vector<TracePoint> trace = tool_.step(seconds);
   put_in_m_ = tool_.depth_m();
-  return frame_json(tool_, trace);
+  return frame_json(tool_.frame(), trace);
 }
 
-std::string LiveDesign::answer(const std::vector<TracePoint>& trace) const { return design_json(tool_, reach_, trace); }
+std::string LiveDesign::answer(const std::vector<TracePoint>& trace) const {
+  return design_json(tool_, reach_, trace);
+}
 
 }  // namespace telepalp::study

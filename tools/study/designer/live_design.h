@@ -18,6 +18,7 @@ class LiveDesign {
   /// Takes `wanted`. Its needle goes in as deep as the needle of the last linkage was, so that forces can be compared
   /// while a length changes. Returns `design` with its survey, or `refused` with the sentence.
   [[nodiscard]] std::string choose(const Configuration& wanted);
+  void take(mechanism::LinkPart part, const Eigen::Vector2d& at_m) noexcept { tool_.take(part, at_m); }
   void aim(const Eigen::Vector2d& hand_m) noexcept { tool_.aim(hand_m); }
   void turn(double by_rad) noexcept { tool_.turn(by_rad); }
   /// Whole tissue, and the needle outside. Returns `design`, as choose().

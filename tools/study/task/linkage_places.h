@@ -13,14 +13,15 @@ struct LinkagePlaces {
   Eigen::Vector2d d_m, c_m;  ///< the handle, from link 3 to its end, which the hand holds
   Eigen::Vector2d tip_m;
 };
-[[nodiscard]] inline LinkagePlaces places_of(const mechanism::HeldLinkage& held) noexcept {
-  const mechanism::LinkagePlane& plane = held.plane();
+/// `linkage`: a HeldLinkage or a FeltLinkage.
+[[nodiscard]] LinkagePlaces places_of(const auto& linkage) noexcept {
+  const mechanism::LinkagePlane& plane = linkage.plane();
   const auto place = [&plane](const mechanism::InPlane<double>& at) -> Eigen::Vector2d {
     return (plane.pivot_a.m + at.x * plane.x.v + at.y * plane.y.v).head<2>();
   };
-  const mechanism::FourBarPose<double>& pose = held.pose();
+  const mechanism::FourBarPose<double> pose = linkage.pose();
   return {.a_m = place({0.0, 0.0}),
-          .o_m = place({held.bar().l4_m, 0.0}),
+          .o_m = place({linkage.bar().l4_m, 0.0}),
           .b_m = place(pose.b),
           .p_m = place(pose.p),
           .d_m = place(pose.d),

@@ -81,6 +81,18 @@ TEST(HaplyText, GivesTheAttitudeOfTheHandle) {
   EXPECT_FALSE((*haply::parse_text(text_with_handle(R"({"x":0.5,"y":0.5})")))->attitude) << "half a rotation";
 }
 
+TEST(HaplyText, GivesTheButtonsOfTheHandle) {
+  const auto pressed = [](const std::string& buttons) {
+    std::string text = text_with_handle(R"({"x":0,"y":0,"z":0,"w":1})");
+    text.replace(text.find(R"({"a":false})"), 11, buttons);
+    return (*haply::parse_text(text))->pressed;
+  };
+  EXPECT_EQ(pressed(R"({"a":false,"b":false,"c":false})"), false);
+  EXPECT_EQ(pressed(R"({"a":true,"b":false,"c":false})"), true);
+  EXPECT_EQ(pressed(R"({"b":true})"), true);
+  EXPECT_EQ((*haply::parse_text(state_text()))->pressed, std::nullopt) << "no handle";
+}
+
 TEST(HaplyFrame, AHandleThatTurnsAboutTheVerticalTurnsAboutYOfH) {
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.3, Vector3d::UnitZ()));
   const Eigen::Quaterniond in_h = haply::in_haptic_axes(turned);

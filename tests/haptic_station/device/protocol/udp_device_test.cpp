@@ -112,6 +112,16 @@ TEST(UdpDatagrams, OfVersion2AreRefusedWithTheSizeOfVersion1AndWithAnImpossibleP
   EXPECT_TRUE(udp::decode_pose(udp::encode(glitch))) << "the haptic loop bridges it, and the position counts";
 }
 
+TEST(UdpDatagrams, OfBothVersionsCarryTheButton) {
+  for (udp::Pose up : {pose(1, 2, 3), pose_of_six()}) {
+    EXPECT_FALSE(udp::decode_pose(udp::encode(up))->pressed);
+    up.pressed = true;
+    const auto read = udp::decode_pose(udp::encode(up));
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(read->pressed && !read->faulted);
+  }
+}
+
 TEST(UdpDatagrams, AnyFlippedBitOrMissingByteIsSeen) {
   const auto whole = udp::encode(pose(1, 2, 3));
   for (std::size_t i = 0; i < whole.size(); ++i)

@@ -22,22 +22,33 @@ constexpr double kAtRest_N = 1e-5;       // change of force over one step
 }  // namespace
 
 Result<LiveTool> LiveTool::make(const Configuration& configuration, const Plant& plant, Model tissue) {
-  const Result<mechanism::HeldLinkage> held = placed_linkage(configuration, plant);
-  if (!held) return held.error();
-  return LiveTool(*held, std::move(tissue));
+  const Result<mechanism::HeldLinkage> outside = placed_linkage(configuration, plant);
+  if (!outside) return outside.error();
+  Result<mechanism::FeltLinkage> felt =
+      mechanism::FeltLinkage::make(*outside, {.stiffness_N_per_m = plant.grip_N_per_m});
+  if (!felt) return felt.error();
+  return LiveTool(*outside, std::move(*felt), std::move(tissue));
 }
 
-LiveTool::LiveTool(const mechanism::HeldLinkage& held, Model tissue)
-    : outside_(held),
-      model_(std::move(tissue)),
-      held_(held),
-      tissue_(model_),
-      hand_m_(held.grasp().m),
-      aim_m_(hand_m_) {
-  tissue_.begin({.tip_m = held_.tip().m, .axis = held_.needle_axis().v});
+LiveTool::LiveTool(const mechanism::HeldLinkage& outside, mechanism::FeltLinkage linkage, Model tissue)
+    : outside_(outside), model_(std::move(tissue)), fresh_(linkage), linkage_(std::move(linkage)), tissue_(model_) {
+  take_the_end();
+  at_rest_ = true;
+  tissue_.begin({.tip_m = linkage_.tip().m, .axis = linkage_.needle_axis().v});
 }
 
-void LiveTool::renew() { *this = LiveTool(outside_, model_); }
+void LiveTool::renew() { *this = LiveTool(outside_, fresh_, model_); }
+
+void LiveTool::take(mechanism::LinkPart part, const Vector2d& at_m) noexcept {
+  linkage_.hold(part, {{at_m.x(), at_m.y(), 0.0}});
+  hand_m_ = aim_m_ = linkage_.proxy().m;
+  at_the_end_ = at_rest_ = false;
+}
+
+void LiveTool::take_the_end() noexcept {
+  take(mechanism::LinkPart::Handle, places_of(linkage_).c_m);
+  at_the_end_ = true;
+}
 
 void LiveTool::aim(const Vector2d& hand_m) noexcept {
   if (!hand_m.allFinite()) return;
@@ -46,35 +57,49 @@ void LiveTool::aim(const Vector2d& hand_m) noexcept {
 }
 
 void LiveTool::turn(double by_rad) noexcept {
-  const mechanism::LinkagePlane& plane = held_.plane();
-  const mechanism::Lever lever = mechanism::lever_of(held_.bar());
-  const double link3_rad = mechanism::crank_range(held_.bar(), held_.link3_rad()).nearest(held_.link3_rad() + by_rad);
+  if (!at_the_end_) take_the_end();
+  const mechanism::LinkagePlane& plane = linkage_.plane();
+  const mechanism::FourBar& bar = linkage_.bar();
+  const mechanism::Lever lever = mechanism::lever_of(bar);
+  const double link3_rad =
+      mechanism::crank_range(bar, linkage_.link3_rad()).nearest(linkage_.link3_rad() + by_rad);
   const double angle = link3_rad + lever.from_link3_rad;
-  const Vector3d to_m = plane.pivot_a.m + (held_.bar().l4_m + lever.length_m * std::cos(angle)) * plane.x.v +
+  const Vector3d to_m = plane.pivot_a.m + (bar.l4_m + lever.length_m * std::cos(angle)) * plane.x.v +
                         lever.length_m * std::sin(angle) * plane.y.v;
   aim(to_m.head<2>());
 }
 
-double LiveTool::hand_N() const noexcept { return held_.hand_force({tissue_.wrench().force_N}).N.norm(); }
+double LiveTool::hand_N() const noexcept { return linkage_.hand_force({tissue_.wrench().force_N}).N.norm(); }
 
-void LiveTool::note_punctures(double before_N) {
-  for (std::size_t layer = 0; layer < tissue_.size(); ++layer) {
+void LiveTool::note_punctures(double before_N) noexcept {
+  for (std::size_t layer = 0; layer < tissue_.size() && punctured_ < punctures_.size(); ++layer) {
+    const auto end = punctures_.begin() + static_cast<std::ptrdiff_t>(punctured_);
     const bool known =
-        std::ranges::any_of(punctures_, [&](const Puncture& puncture) { return puncture.layer == layer; });
+        std::any_of(punctures_.begin(), end, [&](const Puncture& puncture) { return puncture.layer == layer; });
     if (known || !tissue_.punctured(layer)) continue;
-    punctures_.push_back({.layer = layer, .depth_m = depth_m(), .before_N = before_N, .after_N = before_N});
+    punctures_[punctured_++] = {.layer = layer, .depth_m = depth_m(), .before_N = before_N, .after_N = before_N};
     since_puncture_ = 0;
   }
-  if (!punctures_.empty() && since_puncture_++ < kAfterPuncture)
-    punctures_.back().after_N = std::min(punctures_.back().after_N, hand_N());
+  if (punctured_ == 0 || since_puncture_++ >= kAfterPuncture) return;
+  double& after_N = punctures_[punctured_ - 1].after_N;
+  after_N = std::min(after_N, hand_N());
 }
 
-void LiveTool::tick() {
+void LiveTool::tick(const Vector3d& hand_m, bool pressed) noexcept {
   const double before_N = hand_N();
-  held_.step({hand_m_}, kTick_s);
-  (void)tissue_.step({.tip_m = held_.tip().m, .axis = held_.needle_axis().v}, kTick_s);
+  linkage_.step({hand_m}, pressed, kTick_s);
+  (void)tissue_.step({.tip_m = linkage_.tip().m, .axis = linkage_.needle_axis().v}, kTick_s);
   note_punctures(before_N);
   ++ticks_;
+}
+
+Force<HapticBase> LiveTool::feel(const Vector3d& hand_m, bool pressed) noexcept {
+  tick(hand_m, pressed);
+  return {linkage_.contact_force().N + linkage_.hand_force({tissue_.wrench().force_N}).N};
+}
+
+TracePoint LiveTool::trace_point() const noexcept {
+  return {.depth_m = depth_m(), .needle_N = tissue_.wrench().force_N.norm(), .hand_N = hand_N()};
 }
 
 std::vector<TracePoint> LiveTool::step(double seconds) {
@@ -86,9 +111,8 @@ std::vector<TracePoint> LiveTool::step(double seconds) {
   std::vector<TracePoint> trace;
   for (int i = 0; i < count; ++i) {
     hand_m_ += each_m;
-    tick();
-    if (ticks_ % kTraceEach == 0)
-      trace.push_back({.depth_m = depth_m(), .needle_N = tissue_.wrench().force_N.norm(), .hand_N = hand_N()});
+    tick(hand_m_, true);
+    if (ticks_ % kTraceEach == 0) trace.push_back(trace_point());
   }
   at_rest_ = way_m.norm() < 1e-9 && (tissue_.wrench().force_N - before_N).norm() < kAtRest_N;
   return trace;
@@ -101,23 +125,29 @@ std::vector<TracePoint> LiveTool::insert(double depth_m) {
   };
   constexpr double kPiece_s = 0.02;
   constexpr int kMostPieces = 500;  // 10 s; the tip of a long handle's needle is slow
-  const double piece_rad = kInserts_m_per_s * kPiece_s / mechanism::lever_of(held_.bar()).length_m;
+  const double piece_rad = kInserts_m_per_s * kPiece_s / mechanism::lever_of(linkage_.bar()).length_m;
   for (int piece = 0; piece < kMostPieces && this->depth_m() < depth_m; ++piece) {
-    const double before_rad = held_.link3_rad();
+    const double before_rad = linkage_.link3_rad();
     turn(piece_rad);
     add(step(kPiece_s));
-    if (std::abs(held_.link3_rad() - before_rad) < 1e-9) break;  // a dead point
+    if (std::abs(linkage_.link3_rad() - before_rad) < 1e-9) break;  // a dead point
   }
   add(step(kSettles_s));
   return trace;
 }
 
 LiveFrame LiveTool::frame() const noexcept {
-  LiveFrame frame{.at = places_of(held_),
-                  .link3_rad = held_.link3_rad(),
-                  .at_dead_point = std::abs(held_.sine_of_links()) < kDeadPointSine,
+  LiveFrame frame{.at = places_of(linkage_),
+                  .link3_rad = linkage_.link3_rad(),
+                  .at_dead_point = std::abs(linkage_.sine_of_links()) < kDeadPointSine,
+                  .held = linkage_.held(),
+                  .touched = linkage_.touched(),
+                  .grasp_m = linkage_.proxy().m.head<2>(),
                   .needle_N = tissue_.wrench().force_N.head<2>(),
-                  .hand_N = held_.hand_force({tissue_.wrench().force_N}).N.head<2>()};
+                  .hand_N = linkage_.hand_force({tissue_.wrench().force_N}).N.head<2>(),
+                  .contact_N = linkage_.contact_force().N.head<2>(),
+                  .punctures = punctures_,
+                  .punctured = punctured_};
   for (std::size_t layer = 0; layer < frame.layers.size(); ++layer) frame.layers[layer] = tissue_.layer(layer).state;
   return frame;
 }

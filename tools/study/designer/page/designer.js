@@ -35,12 +35,13 @@ const send = openLink(hear, (state, text) => {
   asked = waiting = false;
   if (state === 'live') askDesign();
 });
-const drawing = new Drawing(byId('drawing'), aim, (rad) => send(`turn ${rad.toFixed(6)}`));
+const drawing = new Drawing(byId('drawing'), (part, [x, y]) => send(`take ${part} ${x.toFixed(3)} ${y.toFixed(3)}`), aim,
+                            (rad) => send(`turn ${rad.toFixed(6)}`));
 const sliders = new Sliders(byId('sliders'), address.values ?? firsts[0].values, changed);
 const comparison = new Comparison(address.kept, load, keepAddress);
 const search = new SearchCard(() => sliders.values, send, load);
 
-let aimed;  // the newest place of a dragged handle; sent once for each frame of the screen
+let aimed;  // the newest place of a dragged part; sent once for each frame of the screen
 function aim(place) {
   if (!aimed) requestAnimationFrame(() => {
     send(`hand ${aimed[0].toFixed(3)} ${aimed[1].toFixed(3)}`);
@@ -84,7 +85,7 @@ function choosePreset() {
 }
 
 function hear(message) {
-  ({design: hearDesign, frame: hearFrame, refused: hearRefused, predicting: hearPredicting, prediction: hearPrediction,
+  ({design: hearDesign, frame: hearFrame, device: hearDevice, refused: hearRefused, predicting: hearPredicting, prediction: hearPrediction,
     searching: (state) => search.progress(state), found: (state) => search.found(state)})[message.kind]?.(message);
 }
 
@@ -119,6 +120,23 @@ function hearFrame(message) {
   if (pushing > 0 && (message.dead_point || (!wasInside && message.layers.sac === 'inside'))) pushing = 0;
   if (pushing < 0 && -message.tip[1] < -5) pushing = 0;
   if (pushing !== 0) push();
+}
+
+/** A haptic device moves the linkage: the pointer and the arrow keys no longer do. */
+function hearDevice({ours, trouble}) {
+  drawing.atDevice = true;
+  document.body.classList.toggle('at-device', ours);
+  byId('turn-how').textContent = 'touch a part with the device, then press its button, or hold Space here, to grasp it';
+  for (const id of ['push', 'back']) byId(id).disabled = true;
+  byId('device').hidden = trouble === '';
+  byId('device').textContent = trouble && `${trouble[0].toUpperCase()}${trouble.slice(1)}.`;
+}
+
+/** The space bar is the button of a device that has none. */
+function pressSpace(event) {
+  if (!drawing.atDevice || event.code !== 'Space' || event.repeat || event.target.matches?.('input, select, button')) return;
+  event.preventDefault();
+  send(`press ${event.type === 'keydown' ? 1 : 0}`);
 }
 
 function hearRefused(message) {
@@ -190,6 +208,7 @@ function showFacts() {
 }
 
 function showFrame(next) {
+  if (next.touched) next.hand_N = next.contact_N;  // a part that nobody holds pushes the hand by itself
   frame = next;
   const [needle, hand, depth] = [length(next.needle_N), length(next.hand_N), -next.tip[1]];
   byId('needle-N').textContent = needle.toFixed(2);
@@ -238,6 +257,8 @@ function push() {
 }
 
 function setUp() {
+  for (const type of ['keydown', 'keyup']) addEventListener(type, pressSpace);
+  addEventListener('blur', () => drawing.atDevice && send('press 0'));
   const preset = byId('preset');
   preset.append(new Option('own values', '-1'), ...firsts.map(({name}, at) => new Option(name, String(at))));
   preset.addEventListener('change', () => firsts[Number(preset.value)] && load(firsts[Number(preset.value)].values));

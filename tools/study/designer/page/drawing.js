@@ -4,6 +4,8 @@ import {svg} from './chart.js';
 const MM_PER_N = 26;  // of a force's arrow
 const LONGEST_ARROW = 90;
 const FAR = 4000;  // the tissue ends beyond the picture
+const REACH_PX = 12;  // of a pointer that takes a part
+const PARTS = {link1: 'l1', link2: 'l2', link3: 'l3', handle: 'handle', needle: 'needle'};  // of the program, and here
 
 const at = ([x, y]) => `${x.toFixed(2)} ${(-y).toFixed(2)}`;
 const way = (points) => `M ${points.map(at).join(' L ')}`;
@@ -24,6 +26,15 @@ function surface(y, tip, state) {
   return way([[-FAR, y], [FAR, y]]);
 }
 
+/** Distance of a place from the line between two others. */
+function distance(place, from, to) {
+  const along = minus(to, from);
+  const squared = along[0] ** 2 + along[1] ** 2;
+  const way = minus(place, from);
+  const share = squared > 0 ? Math.min(1, Math.max(0, (way[0] * along[0] + way[1] * along[1]) / squared)) : 0;
+  return length(minus(way, [share * along[0], share * along[1]]));
+}
+
 /** Where the needle crosses the height `y`. */
 function crossing({p, tip}, y) {
   const share = (y - p[1]) / (tip[1] - p[1]);
@@ -31,12 +42,16 @@ function crossing({p, tip}, y) {
 }
 
 export class Drawing {
-  /** `moved([x, y])`: the handle's end was dragged there [mm]. `turned(rad)`: a key turned the handle. */
-  constructor(element, moved, turned) {
+  /**
+   * `taken(part, [x, y])`: the pointer takes a part there [mm]. `moved([x, y])`: it drags the part there. `turned(rad)`: a
+   * key turned the handle.
+   */
+  constructor(element, taken, moved, turned) {
     this.element = element;
     this.parts = {};
+    this.atDevice = false;  // a haptic device moves the linkage, and the pointer does not
     this.build();
-    this.listen(moved, turned);
+    this.listen(taken, moved, turned);
     new ResizeObserver(() => this.fit(true)).observe(element);
   }
 
@@ -68,6 +83,7 @@ export class Drawing {
     this.part('hold', 'g', {class: 'd-hold', id: 'handle', tabindex: 0, role: 'slider', 'aria-label': 'Handle of the linkage', 'aria-orientation': 'horizontal'});
     this.part('knob', 'circle', {class: 'd-knob', r: 5.5}, this.parts.hold);
     this.part('grab', 'circle', {class: 'd-grab', r: 15}, this.parts.hold);
+    this.part('grasp', 'circle', {class: 'd-grasp', id: 'grasp', r: 4});
     for (const who of ['needle', 'hand']) {
       this.part(`${who}Arrow`, 'path', {class: `d-arrow ${who}`});
       this.part(`${who}Head`, 'path', {class: `d-arrow-head ${who}`});
@@ -77,21 +93,44 @@ export class Drawing {
     this.part('scaleWord', 'text', {class: 'd-label'});
   }
 
-  listen(moved, turned) {
+  /** The place of a pointer [mm]. */
+  placeOf({clientX, clientY}) {
+    const {x, y} = new DOMPoint(clientX, clientY).matrixTransform(this.element.getScreenCTM().inverse());
+    return [x, -y];
+  }
+
+  /** The moving part that a pointer at `place` takes; undefined: it is not near any. */
+  partAt(place) {
+    const {a, o, b, p, d, c, tip} = this.frame;
+    const lines = {handle: [d, c], link1: [a, p], link2: [p, b], link3: [o, b], needle: [p, tip]};
+    let [least, nearest] = [REACH_PX * this.unit, undefined];
+    for (const [part, [from, to]] of Object.entries(lines)) {
+      const far = distance(place, from, to);
+      if (far < least) [least, nearest] = [far, part];
+    }
+    return nearest;
+  }
+
+  listen(taken, moved, turned) {
     const {hold} = this.parts;
-    let held;  // the pointer that holds the handle
-    hold.addEventListener('pointerdown', (event) => {
+    let held;  // the pointer that holds a part
+    this.element.addEventListener('pointerdown', (event) => {
+      if (this.atDevice || !this.frame) return;
+      const place = this.placeOf(event);
+      const part = hold.contains(event.target) ? 'handle' : this.partAt(place);
+      if (!part) return;
       held = event.pointerId;
-      hold.setPointerCapture(held);
+      this.element.setPointerCapture(held);
       event.preventDefault();
-      hold.focus({preventScroll: true});
+      if (part === 'handle') hold.focus({preventScroll: true});
+      taken(part, place);
     });
-    hold.addEventListener('pointermove', (event) => {
-      if (event.pointerId !== held) return;
-      const {x, y} = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.element.getScreenCTM().inverse());
-      moved([x, -y]);
+    this.element.addEventListener('pointermove', (event) => {
+      const place = this.placeOf(event);
+      if (event.pointerId === held) return moved(place);
+      if (this.frame) this.element.classList.toggle('d-near', !this.atDevice && this.partAt(place) !== undefined);
     });
-    for (const end of ['pointerup', 'pointercancel']) hold.addEventListener(end, () => (held = undefined));
+    for (const end of ['pointerup', 'pointercancel']) this.element.addEventListener(end, () => (held = undefined));
     hold.addEventListener('keydown', (event) => {
       const way = {ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1, PageDown: 8, PageUp: -8}[event.key];
       if (way === undefined) return;
@@ -185,8 +224,22 @@ export class Drawing {
       part.setAttribute('cy', -c[1]);
     }
     this.names({a, o, b, p});
+    this.grasp(frame);
     this.arrow('needle', tip, frame.needle_N);
-    this.arrow('hand', c, frame.hand_N);
+    this.arrow('hand', frame.grasp, frame.hand_N);
+  }
+
+  /** Which part the hand holds or touches, and where; a hand at a device that does neither is drawn, too. */
+  grasp({grasp, held, touched}) {
+    for (const [part, name] of Object.entries(PARTS)) {
+      this.parts[name].classList.toggle('d-held', part === held);
+      this.parts[name].classList.toggle('d-touched', part === touched);
+    }
+    const atEnd = held === 'handle' && length(minus(grasp, this.frame.c)) < 0.5;
+    this.parts.grasp.style.display = atEnd ? 'none' : '';
+    this.parts.grasp.setAttribute('cx', grasp[0]);
+    this.parts.grasp.setAttribute('cy', -grasp[1]);
+    this.parts.grasp.classList.toggle('d-free', !held && !touched);
   }
 
   names({a, o, b, p}) {
