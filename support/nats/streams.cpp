@@ -13,8 +13,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kAnswersWithin = 5s;
+constexpr std::chrono::milliseconds kKeepsWithin = 20s;      // all attempts of keep()
 constexpr std::chrono::milliseconds kStoresWithin = 1s;  // one attempt of store_patiently()
-constexpr std::chrono::milliseconds kStoresAgainAfter = 100ms;
+constexpr std::chrono::milliseconds kAgainAfter = 100ms;
 
 /// True for a failure that ends by itself: the connection is lost, or the cluster has no leader at the moment. Nobody
 /// answers for a stream without a leader, and libnats reports this with the code of a server without JetStream.
@@ -24,6 +25,28 @@ bool may_pass(natsStatus status, jsErrCode code) {
   if (code != jsErrCode{}) return false;
   return status == NATS_TIMEOUT || status == NATS_CONNECTION_DISCONNECTED || status == NATS_INSUFFICIENT_BUFFER ||
          status == NATS_IO_ERROR || status == NATS_NO_SERVER;
+}
+
+struct Made {
+  natsStatus status = NATS_OK;
+  jsErrCode code{};
+};
+
+/// Makes the stream unless it is there; with one copy, if the cluster has too few servers for more.
+Made make_unless_there(jsCtx* context, jsStreamConfig config) {
+  Made made;
+  jsStreamInfo* info = nullptr;
+  made.status = js_GetStreamInfo(&info, context, config.Name, nullptr, &made.code);
+  jsStreamInfo_Destroy(info);
+  if (made.status != NATS_NOT_FOUND) return made;
+  made.code = {};
+  made.status = js_AddStream(nullptr, context, &config, nullptr, &made.code);
+  if (made.status == NATS_OK || (made.code != JSStreamReplicasNotSupportedErr && made.code != JSClusterNoPeersErr))
+    return made;
+  config.Replicas = 1;
+  made.code = {};
+  made.status = js_AddStream(nullptr, context, &config, nullptr, &made.code);
+  return made;
 }
 
 }  // namespace
@@ -61,22 +84,16 @@ Result<void> Streams::keep(const StreamSettings& settings) {
   config.MaxMsgsPerSubject = 1;
   config.MaxAge = std::chrono::nanoseconds(settings.longest_kept).count();
   config.AllowDirect = true;
-  jsErrCode code{};
-  jsStreamInfo* info = nullptr;
-  natsStatus status = js_GetStreamInfo(&info, parts_->context, settings.name.c_str(), nullptr, &code);
-  jsStreamInfo_Destroy(info);
-  if (status == NATS_NOT_FOUND) {
-    config.Replicas = settings.copies;
-    status = js_AddStream(nullptr, parts_->context, &config, nullptr, &code);
-    const bool has_too_few_servers =
-        status != NATS_OK && (code == JSStreamReplicasNotSupportedErr || code == JSClusterNoPeersErr);
-    if (has_too_few_servers) {
-      config.Replicas = 1;
-      status = js_AddStream(nullptr, parts_->context, &config, nullptr, &code);
-    }
+  config.Replicas = settings.copies;
+  const auto until = std::chrono::steady_clock::now() + kKeepsWithin;
+  while (true) {
+    const Made made = make_unless_there(parts_->context, config);
+    if (made.status == NATS_OK) return {};
+    const bool no_jetstream = made.status == NATS_NO_RESPONDERS;
+    if (no_jetstream || !may_pass(made.status, made.code) || std::chrono::steady_clock::now() >= until)
+      return refused_by_jetstream(made.status, made.code, settings.name);
+    std::this_thread::sleep_for(kAgainAfter);
   }
-  if (status != NATS_OK) return refused_by_jetstream(status, code, settings.name);
-  return {};
 }
 
 Result<void> Streams::store(const std::string& subject, std::string_view payload) {
@@ -100,7 +117,7 @@ Result<void> Streams::store_patiently(const std::string& subject, std::string_vi
     if (status == NATS_OK) return {};
     if (!may_pass(status, code) || std::chrono::steady_clock::now() >= until)
       return refused_by_jetstream(status, code, subject);
-    std::this_thread::sleep_for(kStoresAgainAfter);
+    std::this_thread::sleep_for(kAgainAfter);
   }
 }
 

@@ -32,8 +32,8 @@ class Streams {
   Streams(const Streams&) = delete;
   Streams& operator=(const Streams&) = delete;
 
-  /// Makes the stream unless there is one of this name. Error: JetStream is not enabled, it is full, or the account
-  /// lacks the permission.
+  /// Makes the stream unless there is one of this name; waits up to 20 s for a cluster that has no leader. Error:
+  /// JetStream is not enabled, it is full, the account lacks the permission, or the cluster does not answer.
   [[nodiscard]] Result<void> keep(const StreamSettings& settings);
   /// Publishes, and waits until the cluster has stored the message. Error: no connection, or no room.
   [[nodiscard]] Result<void> store(const std::string& subject, std::string_view payload);

@@ -3,7 +3,7 @@
 # fenced blocks of docs/*.md. They run as they stand, in an empty folder that holds the files they name, but for these
 # rules, which the test prints when it uses one:
 #   bounded  --seconds N becomes --seconds 2, and --operators 2 --penetrations 2 become 1 and 1: so that the test ends
-#   ctrl-c   what runs until Ctrl-C gets one after 6 s, and must end well
+#   ctrl-c   what runs until Ctrl-C gets one 6 s after its first words, and must end well
 #   started  a benchmark (and a scene's bill, which is one) takes minutes and its figures depend on the machine: it must run
 #            for 3 s, or end without an error
 #   refused  what lacks something here must say so: telepalp-station rearm and hand-over (no fault, no keys), telepalp-record
@@ -71,6 +71,7 @@ until_ctrl_c() { # SECONDS COMMAND
   bash -c "$2" >"$work/log" 2>&1 </dev/null &
   local pid=$!
   set +m
+  for _ in $(seq 600); do [ -s "$work/log" ] && break; sleep 0.1; done
   sleep "$1"
   kill -INT -- "-$pid" 2>/dev/null
   wait "$pid"

@@ -81,7 +81,7 @@ after(() => place.end());
 test('the played images are the recorded bytes in the recorded order', async () => {
   const recorded = (await messagesOf(first, '/camera/depth')).map((image) => Buffer.from(image.data).toString('base64'));
   const repeated = (await messagesOf(again, '/camera/depth')).map((image) => Buffer.from(image.data).toString('base64'));
-  assert.ok(repeated.length > 40, `${repeated.length} images`);
+  assert.ok(repeated.length > 20, `${repeated.length} images`);  // of 3 s; a busy machine plays fewer
   const start = recorded.indexOf(repeated[0]);
   assert.ok(start >= 0, 'the first played image was recorded');
   repeated.forEach((image, number) => assert.ok(image === recorded[(start + number) % recorded.length], `image ${number}`));

@@ -64,22 +64,24 @@ int run(const DesignerAsked& asked) {
   }
   asio::io_context io(1);
   Workers workers(asked.judges);  // ends before `io`, to which its threads post
-  Result<Page> page = designer_page(workers, device.get());
-  if (!page) return program::fail(page.error());
-  Result<std::unique_ptr<PageServer>> server = PageServer::open(io, asked.door, std::move(*page));
-  if (!server) return program::fail(server.error());
-  asio::signal_set signals(io, SIGINT, SIGTERM);
+  std::unique_ptr<PageServer> server;
+  asio::signal_set signals(io, SIGINT, SIGTERM);  // now, because the page's tissue takes a while to make
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {
     if (cancelled) return;
     program::end_within(program::kTimeToEnd, "telepalp-study: a search did not end within 5 s; the program ends");
-    server->reset();
+    server.reset();
     workers.searches.stop();
     workers.predictions.stop();
     io.stop();
   });
+  Result<Page> page = designer_page(workers, device.get());
+  if (!page) return program::fail(page.error());
+  Result<std::unique_ptr<PageServer>> opened = PageServer::open(io, asked.door, std::move(*page));
+  if (!opened) return program::fail(opened.error());
+  server = std::move(*opened);
   if (!asio::ip::make_address(asked.door.listen).is_loopback())
     program::log(kProgram, "the page is not encrypted: whoever can read this network can use it");
-  if (const int printed = program::print(page_address((*server)->door()) + "\n"); printed != program::kDone)
+  if (const int printed = program::print(page_address(server->door()) + "\n"); printed != program::kDone)
     return printed;
   program::log(kProgram, "open this address in a browser; Ctrl-C ends the program");
   io.run();

@@ -125,14 +125,14 @@ Result<void> serve(const ProtocolAsked& asked, Session session, Journal journal,
         });
       },
       std::move(place));
-  Result<Page> page = protocol_page(desk);
-  if (!page) return page.error();
-  Result<std::unique_ptr<PageServer>> server = PageServer::open(io, asked.door, std::move(*page));
-  if (!server) return server.error();
   asio::signal_set signals(io, SIGINT, SIGTERM);
   signals.async_wait([&](const boost::system::error_code& cancelled, int) {
     if (!cancelled) io.stop();
   });
+  Result<Page> page = protocol_page(desk);
+  if (!page) return page.error();
+  Result<std::unique_ptr<PageServer>> server = PageServer::open(io, asked.door, std::move(*page));
+  if (!server) return server.error();
   if (const int printed = program::print(page_address((*server)->door()) + "\n"); printed != program::kDone)
     return Error{.what = "the address of the page could not be printed", .where = "stdout", .fix = "free its disk"};
   if (!asio::ip::make_address(asked.door.listen).is_loopback())

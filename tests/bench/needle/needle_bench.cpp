@@ -23,6 +23,7 @@ const std::vector<NeedleSection> kSections{
      run_needle_contact_section},
     {"fem", "a prism of finite elements: return to rest, stiffness, price", run_needle_fem_section},
     {"mechanism", "a needle on a linkage: virtual work and dead points", run_needle_mechanism_section},
+    {"felt", "a linkage whose parts are felt and grasped", run_needle_felt_section},
     {"hand-over", "the prism's local models at 62 Hz: force and energy", run_needle_hand_over_section},
 };
 

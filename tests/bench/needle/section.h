@@ -37,6 +37,8 @@ struct NeedleSection {
 [[nodiscard]] std::vector<Row> run_needle_hand_over_section();
 /// Force on the hand that holds a needle by a four-bar linkage: virtual work, and dead points.
 [[nodiscard]] std::vector<Row> run_needle_mechanism_section();
+/// A linkage whose parts a hand feels and grasps: virtual work at any part, steps of the force, time of a tick.
+[[nodiscard]] std::vector<Row> run_needle_felt_section();
 /// Error of tissues that are fitted to measured insertions. `folder` has files liver_NN.csv or liver_NN.csv.gz with the
 /// columns displacement_mm and force_N.
 [[nodiscard]] std::vector<Row> run_needle_insertion_section(const std::string& folder);
