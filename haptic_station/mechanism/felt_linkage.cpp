@@ -14,13 +14,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kInside_m = 1e-4;  // a held point may lie this deep in a part, by rounding or at a joint
-constexpr std::string_view kNames[kLinkParts] = {"link1", "link2", "link3", "handle", "needle", "base"};
-
-/// The body of four_bar_design() of which a part is a piece; 0: the frame.
-constexpr int body_of(LinkPart part) noexcept {
-  constexpr int kBodies[kLinkParts] = {1, 2, 3, 3, 2, 0};
-  return kBodies[static_cast<std::size_t>(part)];
-}
 
 Vector3d nearest_on(const Vector3d& from_m, const Vector3d& to_m, const Vector3d& at_m) noexcept {
   const Vector3d along = to_m - from_m;
@@ -31,11 +24,14 @@ Vector3d nearest_on(const Vector3d& from_m, const Vector3d& to_m, const Vector3d
 
 }  // namespace
 
-std::string_view name(LinkPart part) noexcept { return kNames[static_cast<std::size_t>(part)]; }
-
 FeltLinkage::FeltLinkage(const HeldLinkage& at, const HeldMechanism& mechanism, solids::Rods rods,
                          const FeltSettings& settings) noexcept
-    : bar_(at.bar()), plane_(at.plane()), settings_(settings), mechanism_(mechanism), rods_(std::move(rods)) {
+    : bar_(at.bar()),
+      wanted_(bar_),
+      plane_(at.plane()),
+      settings_(settings),
+      mechanism_(mechanism),
+      rods_(std::move(rods)) {
   place_rods();
   hand_m_ = proxy_m_ = at.grasp().m;
 }
@@ -50,32 +46,28 @@ Point<HapticBase> FeltLinkage::in_space(const Vector2d& at_m, double off_plane_m
 }
 
 FourBarPose<double> FeltLinkage::pose() const noexcept {
-  const auto place = [this](int body, double x_m, double y_m = 0.0) -> InPlane<double> {
-    const Vector2d at_m = place_of({body, {x_m, y_m}}, mechanism_.pose());
+  const auto place = [this](LinkPart part, double share) -> InPlane<double> {
+    const Vector2d at_m = place_of(on_part(bar_, part, share), mechanism_.pose());
     return {at_m.x(), at_m.y()};
   };
-  const double handle_rad = -bar_.handle_rad;
   const double axis_rad = mechanism_.pose()[5] + bar_.needle_rad;
-  const Vector2d tip_m = mechanism_.tip_m();
-  return {.b = place(2, 0.0),
-          .p = place(1, bar_.l1_m),
-          .d = place(3, bar_.handle_at_m),
-          .c = place(3, bar_.handle_at_m + bar_.handle_m * std::cos(handle_rad), bar_.handle_m * std::sin(handle_rad)),
-          .tip = {tip_m.x(), tip_m.y()},
+  return {.b = place(LinkPart::Link2, 0.0),
+          .p = place(LinkPart::Link1, 1.0),
+          .d = place(LinkPart::Handle, 0.0),
+          .c = place(LinkPart::Handle, 1.0),
+          .tip = place(LinkPart::Needle, 1.0),
           .axis = {std::cos(axis_rad), std::sin(axis_rad)}};
 }
 
-double FeltLinkage::sine_of_links() const noexcept {
-  return std::sin(mechanism_.pose()[5] - mechanism_.pose()[2]);
-}
+double FeltLinkage::sine_of_links() const noexcept { return std::sin(mechanism_.pose()[5] - mechanism_.pose()[2]); }
 
 std::array<FeltLinkage::Line, kLinkParts> FeltLinkage::lines() const noexcept {
   const FourBarPose<double> now = pose();
   const auto place = [this](const InPlane<double>& at) -> Vector3d { return in_space({at.x, at.y}).m; };
   const Vector3d a = plane_.pivot_a.m;
   const Vector3d o = place({bar_.l4_m, 0.0});
-  return {Line{a, place(now.p)},           {place(now.b), place(now.p)},   {o, place(now.b)},
-          {place(now.d), place(now.c)},    {place(now.p), place(now.tip)}, {a, o}};
+  return {Line{a, place(now.p)},        {place(now.b), place(now.p)},   {o, place(now.b)},
+          {place(now.d), place(now.c)}, {place(now.p), place(now.tip)}, {a, o}};
 }
 
 double FeltLinkage::radius_m(LinkPart part) const noexcept {
@@ -106,18 +98,34 @@ LinkPart FeltLinkage::part_at(const Vector3d& at_m) const noexcept {
 }
 
 void FeltLinkage::attach(LinkPart part, const Vector3d& at_m) noexcept {
-  const int body = body_of(part);
-  if (body == 0) return;
-  const auto first = 3 * (body - 1);
-  const Vector2d from_m = in_plane(at_m) - mechanism_.pose().segment<2>(first);
-  const double turned = mechanism_.pose()[first + 2];
-  const Vector2d x(std::cos(turned), std::sin(turned));
-  mechanism_.hold_at({body, {x.dot(from_m), x.x() * from_m.y() - x.y() * from_m.x()}});
+  if (body_of(part) == 0) return;
+  const Line line = lines()[static_cast<std::size_t>(part)];
+  const Vector2d from_m = in_plane(line.from_m);
+  const Vector2d along_m = in_plane(line.to_m) - from_m;
+  const Vector2d to_m = in_plane(at_m) - from_m;
+  const double length_m = along_m.norm();
+  if (!(length_m > 0.0)) return;
+  grasp_ = {.share = along_m.dot(to_m) / (length_m * length_m),
+            .across_m = (along_m.x() * to_m.y() - along_m.y() * to_m.x()) / length_m};
+  mechanism_.hold_at(on_part(bar_, part, grasp_.share, grasp_.across_m));
   off_plane_m_ = normal().dot(at_m - plane_.pivot_a.m);
   held_ = part;
   touched_.reset();
   proxy_m_ = at_m;
   still_to_come_m_ = in_plane(proxy_m_) - in_plane(hand_m_);
+}
+
+void FeltLinkage::approach_wanted(double dt_s) noexcept {
+  if (bar_ == wanted_) return;
+  FourBar next = bar_;
+  approach(next, wanted_, settings_.slew, dt_s);
+  PlanarMechanism changed = mechanism_.mechanism();
+  set_lengths(changed, next);
+  if (held_) changed.grasp = on_part(next, *held_, grasp_.share, grasp_.across_m);
+  if (!mechanism_.change(changed)) return;
+  bar_ = next;
+  place_rods();
+  if (!held_ && !inside_) touch_.start_at(proxy_m_);
 }
 
 void FeltLinkage::hold(LinkPart part, const Point<HapticBase>& at) noexcept {
@@ -156,6 +164,7 @@ void FeltLinkage::step(const Point<HapticBase>& hand, bool pressed, double dt_s)
   }
   hand_m_ = hand.m;
   fading_N_ *= std::exp(-dt_s / kFades_s);
+  approach_wanted(dt_s);
   if (held_ && pressed) {
     still_to_come_m_ *= std::exp(-dt_s / kComes_s);
     mechanism_.step(in_plane(hand_m_) + still_to_come_m_);

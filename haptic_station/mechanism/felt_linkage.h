@@ -1,28 +1,22 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "haptic_station/mechanism/held_linkage.h"
+#include "haptic_station/mechanism/link_parts.h"
 #include "haptic_station/mechanism/planar_mechanism.h"
 #include "haptic_station/solids/rods.h"
 #include "haptic_station/solids/solid_proxy.h"
 
 namespace telepalp::mechanism {
 
-/// A part of a four-bar linkage that is felt. `Base` is link 4, which is fixed: it is felt, but cannot be moved.
-enum class LinkPart : std::uint8_t { Link1, Link2, Link3, Handle, Needle, Base };
-inline constexpr std::size_t kLinkParts = 6;
-/// `link1`, `link2`, `link3`, `handle`, `needle` or `base`.
-[[nodiscard]] std::string_view name(LinkPart part) noexcept;
-
 struct FeltSettings {
-  double stiffness_N_per_m = 500.0;   ///< of a part that is touched, and of the grasp: K_c of S4 eq. (8)
-  double link_radius_m = 0.006;       ///< of links and handle
-  double needle_radius_m = 0.0007;    ///< 17G: a needle of 1.4 mm
-  double hand_radius_m = 0.003;       ///< of the sphere that stands for the hand
+  double stiffness_N_per_m = 500.0;  ///< of a part that is touched, and of the grasp: K_c of S4 eq. (8)
+  double link_radius_m = 0.006;      ///< of links and handle
+  double needle_radius_m = 0.0007;   ///< 17G: a needle of 1.4 mm
+  double hand_radius_m = 0.003;      ///< of the sphere that stands for the hand
+  SlewLimits slew{};                 ///< how fast parameters move to the values that set() gave
 };
 
 /// A four-bar linkage that a hand feels and takes hold of, as paper S4 (docs/sources.md), section 2, has it: its links,
@@ -34,9 +28,9 @@ struct FeltSettings {
 ///
 /// Neither taking hold nor letting go makes a step of force. The proxy of the touch becomes the held point, and the
 /// spring to it has the same stiffness; the linkage, which has no mass, then comes to the hand within kComes_s, not at
-/// once. After letting go, what the grasp's force was more than the touch's falls off within kFades_s. A hand that begins
-/// or lets go inside a part feels no part until it has left all of them. Pure: step() does not allocate. Owner: the
-/// thread that calls step().
+/// once. After letting go, what the grasp's force was more than the touch's falls off within kFades_s. A hand that
+/// begins or lets go inside a part feels no part until it has left all of them. Pure: step() does not allocate. Owner:
+/// the thread that calls step().
 class FeltLinkage {
  public:
   static constexpr double kComes_s = 0.05;  ///< time constant
@@ -44,6 +38,11 @@ class FeltLinkage {
 
   /// The linkage as `at` has it. Error: as of assembled().
   [[nodiscard]] static Result<FeltLinkage> make(const HeldLinkage& at, const FeltSettings& settings = {});
+
+  /// Changes the linkage to `bar`, which has passed checked_at() for link3_rad(), while it is in use. step() moves all
+  /// parameters evenly, so that neither pose nor force has a step; at a pose from which the joints would not close,
+  /// they wait. The hand keeps its share of the part that it holds.
+  void set(const FourBar& bar) noexcept { wanted_ = bar; }
 
   /// One tick. `pressed`: the hand presses its button. A hand that is not finite moves nothing and feels nothing.
   void step(const Point<HapticBase>& hand, bool pressed, double dt_s) noexcept;
@@ -59,9 +58,7 @@ class FeltLinkage {
 
   /// Force on the hand of what it touches, or of the grasp, which keeps it on the path of the held point and in the
   /// linkage's plane: S4 eq. (8).
-  [[nodiscard]] Force<HapticBase> contact_force() const noexcept {
-    return {spring_N() + fading_N_};
-  }
+  [[nodiscard]] Force<HapticBase> contact_force() const noexcept { return {spring_N() + fading_N_}; }
   /// Force on the hand of the force `at_tip` on the needle's tip: HeldMechanism::hand_force_N(). Zero while nobody
   /// holds the linkage.
   [[nodiscard]] Force<HapticBase> hand_force(const Force<HapticBase>& at_tip) const noexcept;
@@ -76,12 +73,15 @@ class FeltLinkage {
   [[nodiscard]] double sine_of_links() const noexcept;
 
  private:
-  [[nodiscard]] Eigen::Vector3d spring_N() const noexcept {
-    return settings_.stiffness_N_per_m * (proxy_m_ - hand_m_);
-  }
+  [[nodiscard]] Eigen::Vector3d spring_N() const noexcept { return settings_.stiffness_N_per_m * (proxy_m_ - hand_m_); }
   struct Line {
     Eigen::Vector3d from_m;
     Eigen::Vector3d to_m;
+  };
+  /// Where the hand holds a part, in the plane; see on_part().
+  struct Grasp {
+    double share = 0.0;
+    double across_m = 0.0;
   };
   FeltLinkage(const HeldLinkage& at, const HeldMechanism& mechanism, solids::Rods rods,
               const FeltSettings& settings) noexcept;
@@ -92,10 +92,12 @@ class FeltLinkage {
   [[nodiscard]] double radius_m(LinkPart part) const noexcept;
   [[nodiscard]] LinkPart part_at(const Eigen::Vector3d& at_m) const noexcept;
   void place_rods() noexcept;
+  void approach_wanted(double dt_s) noexcept;
   void touch() noexcept;
   void attach(LinkPart part, const Eigen::Vector3d& at_m) noexcept;
 
   FourBar bar_;
+  FourBar wanted_;
   LinkagePlane plane_;
   FeltSettings settings_;
   HeldMechanism mechanism_;
@@ -103,9 +105,10 @@ class FeltLinkage {
   solids::SolidProxy touch_;
   std::optional<LinkPart> held_;
   std::optional<LinkPart> touched_;
+  Grasp grasp_;
   Eigen::Vector3d hand_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d proxy_m_ = Eigen::Vector3d::Zero();
-  double off_plane_m_ = 0.0;                              // of the held point
+  double off_plane_m_ = 0.0;                                   // of the held point
   Eigen::Vector2d still_to_come_m_ = Eigen::Vector2d::Zero();  // from the hand to the place that the linkage follows
   Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();
   bool pressed_ = false;

@@ -22,6 +22,8 @@ struct FourBar {
   double handle_rad = 0.0;    ///< phi: from the direction O to B of link 3, clockwise, to the handle
   double handle_at_m = 0.0;   ///< h: from O along link 3 to the handle's end D
   double handle_m = 0.14;     ///< l_h: length of the handle, from D to its end C, which the hand holds
+
+  [[nodiscard]] bool operator==(const FourBar&) const noexcept = default;
 };
 
 /// Which links can turn fully. Source: Grashof's theorem: if the shortest link s and the longest one l satisfy

@@ -15,10 +15,6 @@ constexpr double kNearTogether = 0.05;  // the same, for |AB| as a share of l1 +
 double length(const InPlane<double>& a) noexcept { return std::hypot(a.x, a.y); }
 double cross(const InPlane<double>& a, const InPlane<double>& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-constexpr double FourBar::*kLengths[] = {&FourBar::l1_m,     &FourBar::l2_m,        &FourBar::l3_m,    &FourBar::l4_m,
-                                         &FourBar::needle_m, &FourBar::handle_at_m, &FourBar::handle_m};
-constexpr double FourBar::*kAngles[] = {&FourBar::needle_rad, &FourBar::handle_rad};
-
 }  // namespace
 
 /// Motions of the held point G' and of the tip in the same turn of link 3 [m/rad]. Both are multiplied by the sine of
@@ -44,7 +40,7 @@ HeldLinkage::HeldLinkage(const FourBar& bar, const LinkagePlane& plane, double l
 
 void HeldLinkage::step(const Point<HapticBase>& hand, double dt_s) noexcept {
   const Eigen::Vector3d tip_before = tip().m;
-  approach_wanted(dt_s);
+  approach(bar_, wanted_, settings_.slew, dt_s);
   const bool seen = hand.m.allFinite();
   const Eigen::Vector3d from_a = hand.m - plane_.pivot_a.m;
   if (seen) turn_to({plane_.x.v.dot(from_a), plane_.y.v.dot(from_a)}, dt_s);
@@ -53,22 +49,6 @@ void HeldLinkage::step(const Point<HapticBase>& hand, double dt_s) noexcept {
   close_loop();
   hand_m_ = seen ? hand.m : grasp().m;
   tip_velocity_ = dt_s > 0.0 ? Eigen::Vector3d((tip().m - tip_before) / dt_s) : Eigen::Vector3d::Zero();
-}
-
-/// Moves all parameters by the same share of their remaining change. So each linkage on the way lies between two
-/// linkages that close, and closes too, because the condition for closing is linear in the lengths.
-void HeldLinkage::approach_wanted(double dt_s) noexcept {
-  double steps = 0.0;  // of `dt_s`, until the slowest parameter has arrived
-  for (const auto length : kLengths)
-    steps = std::max(steps, std::abs(wanted_.*length - bar_.*length) / (settings_.lengths_m_per_s * dt_s));
-  for (const auto angle : kAngles)
-    steps = std::max(steps, std::abs(wanted_.*angle - bar_.*angle) / (settings_.angles_rad_per_s * dt_s));
-  if (!(steps > 1.0)) {
-    bar_ = wanted_;
-    return;
-  }
-  for (const auto length : kLengths) bar_.*length += (wanted_.*length - bar_.*length) / steps;
-  for (const auto angle : kAngles) bar_.*angle += (wanted_.*angle - bar_.*angle) / steps;
 }
 
 /// Turns link 3 by the angle GOT, at most as fast as the settings say.

@@ -2,6 +2,7 @@
 
 #include "haptic_station/mechanism/four_bar.h"
 #include "haptic_station/mechanism/four_bar_pose.h"
+#include "haptic_station/mechanism/slewed_bar.h"
 #include "proto/words/frames.h"
 
 namespace telepalp::mechanism {
@@ -21,8 +22,7 @@ struct HoldSettings {
   double held_share = 1.0;           ///< where the hand is on the handle: 0 at D, 1 at its end C
   double most_gain = 5.0;            ///< largest force on the hand, as a multiple of the force on the needle
   double fastest_rad_per_s = 50.0;   ///< greatest speed of link 3, also when a hand crosses pivot O
-  double lengths_m_per_s = 0.02;     ///< how fast a length moves to the value that set() gave
-  double angles_rad_per_s = 0.2;     ///< how fast an angle moves to the value that set() gave
+  SlewLimits slew{};                 ///< how fast parameters move to the values that set() gave
 };
 
 /// A hand that holds the handle of a four-bar linkage (S4 section 4.1). The linkage has no mass: link 3 turns by the
@@ -74,7 +74,6 @@ class HeldLinkage {
   struct Motion;  ///< of G' and of the tip in the same turn of link 3
   [[nodiscard]] Motion motion() const noexcept;
   [[nodiscard]] Point<HapticBase> in_space(const InPlane<double>& at) const noexcept;
-  void approach_wanted(double dt_s) noexcept;
   void turn_to(const InPlane<double>& hand, double dt_s) noexcept;
   void close_loop() noexcept;
   void choose_side() noexcept;

@@ -5,6 +5,7 @@
 
 #include "haptic_station/mechanism/constraint_rows.h"
 #include "haptic_station/mechanism/four_bar_pose.h"
+#include "haptic_station/mechanism/link_parts.h"
 #include "proto/words/error_line.h"
 
 namespace telepalp::mechanism {
@@ -86,18 +87,17 @@ Result<HeldMechanism> assembled(const PlanarMechanism& mechanism, const PlanarPo
 
 PlanarDesign four_bar_design(const FourBar& bar, double link3_rad, bool open_branch) {
   const FourBarPose<double> pose = four_bar_pose(bar, link3_rad, open_branch ? 1.0 : -1.0);
-  const Lever lever = lever_of(bar);
   PlanarDesign design{.mechanism = {.bodies = 3,
                                     .pins = {{at(0, 0.0), at(1, 0.0)},
-                                             {at(1, bar.l1_m), at(2, bar.l2_m)},
-                                             {at(2, 0.0), at(3, bar.l3_m)},
-                                             {at(0, bar.l4_m), at(3, 0.0)}},
+                                             {at(1, 0.0), at(2, 0.0)},
+                                             {at(2, 0.0), at(3, 0.0)},
+                                             {at(0, 0.0), at(3, 0.0)}},
                                     .slots = {},
-                                    .grasp = at(3, lever.length_m * std::cos(lever.from_link3_rad),
-                                                lever.length_m * std::sin(lever.from_link3_rad)),
-                                    .tip = at(2, bar.l2_m + bar.needle_m * std::cos(bar.needle_rad),
-                                              bar.needle_m * std::sin(bar.needle_rad))},
+                                    .grasp = {},
+                                    .tip = {}},
                       .near = PlanarPose(9)};
+  set_lengths(design.mechanism, bar);
+  design.mechanism.grasp = on_part(bar, LinkPart::Handle, 1.0);
   place(design.near, 1, P{0.0, 0.0}, pose.p);
   place(design.near, 2, pose.b, pose.p);
   place(design.near, 3, P{bar.l4_m, 0.0}, pose.b);

@@ -48,6 +48,23 @@ void HeldMechanism::hold_at(const BodyPoint& point) noexcept {
   adopt(pose_, linear_at(pose_));
 }
 
+bool HeldMechanism::change(const PlanarMechanism& mechanism) noexcept {
+  const PlanarMechanism before = mechanism_;
+  mechanism_ = mechanism;
+  PlanarPose next = pose_;
+  Linear linear = linear_at(next);
+  for (int i = 0; i < 4 && linear.open_m > kRounding_m; ++i) {
+    next += linear.to_closed;
+    linear = linear_at(next);
+  }
+  const bool closes = linear.open_m < kClosed_m && !passes_dead_point(linear);
+  if (closes)
+    adopt(next, linear);
+  else
+    mechanism_ = before;
+  return closes;
+}
+
 HeldMechanism::Linear HeldMechanism::linear_at(const PlanarPose& pose) const noexcept {
   const JointEquations equations = joint_equations(mechanism_, pose);
   Solutions solutions = solutions_of(equations);

@@ -47,6 +47,7 @@ class ShortList {
   }
   void pop_back() noexcept { count_ -= count_ > 0 ? 1 : 0; }
   [[nodiscard]] int size() const noexcept { return count_; }
+  [[nodiscard]] Item& operator[](int i) noexcept { return items_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Item* begin() const noexcept { return items_.data(); }
   [[nodiscard]] const Item* end() const noexcept { return items_.data() + count_; }
 
@@ -84,7 +85,11 @@ class HeldMechanism {
   void step(const Eigen::Vector2d& hand_m) noexcept;
   /// The hand holds the mechanism at `point` from now on. The pose stays.
   void hold_at(const BodyPoint& point) noexcept;
+  /// Takes other lengths for the same bodies and joints, and closes the joints again from the pose as it is. False:
+  /// they do not close without passing a dead point, and nothing has changed.
+  [[nodiscard]] bool change(const PlanarMechanism& mechanism) noexcept;
 
+  [[nodiscard]] const PlanarMechanism& mechanism() const noexcept { return mechanism_; }
   [[nodiscard]] const PlanarPose& pose() const noexcept { return pose_; }
   [[nodiscard]] Eigen::Vector2d grasp_m() const noexcept;
   [[nodiscard]] Eigen::Vector2d tip_m() const noexcept;

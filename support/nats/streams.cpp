@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kAnswersWithin = 5s;
-constexpr std::chrono::milliseconds kKeepsWithin = 20s;      // all attempts of keep()
+constexpr std::chrono::milliseconds kKeepsWithin = 20s;  // all attempts of keep()
 constexpr std::chrono::milliseconds kStoresWithin = 1s;  // one attempt of store_patiently()
 constexpr std::chrono::milliseconds kAgainAfter = 100ms;
 

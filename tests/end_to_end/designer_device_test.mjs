@@ -72,6 +72,22 @@ test('the button grasps it, the hand pushes the needle through the sac and feels
   await savePicture(page, pictures, 'designer-device-punctured');
 });
 
+test('a slider changes a length in the hand, with the needle where it is', async () => {
+  const {b, o} = await frame();
+  const l3 = Math.hypot(b[0] - o[0], b[1] - o[1]);
+  let most_N = 0;
+  await page.fill('#value-l3', String(l3 + 8));
+  await page.press('#value-l3', 'Tab');
+  await until('link 3 has grown', async () => {
+    most_N = Math.max(most_N, force_N());
+    const now = await frame();
+    return Math.abs(Math.hypot(now.b[0] - now.o[0], now.b[1] - now.o[1]) - l3 - 8) < 0.01;
+  });
+  assert.equal((await frame()).held, 'handle');
+  assert.equal((await frame()).layers.skin, 'inside', 'the same tissue');
+  assert.ok(most_N <= 10, `${most_N} N`);
+});
+
 test('the button lets go; the space bar grasps, too; keys and sliders do what they say', async () => {
   const {tip} = await frame();
   device.pressed = false;

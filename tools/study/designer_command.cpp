@@ -22,14 +22,15 @@ const program::Usage kDesignerUsage{
         "serves a page in which a four-bar linkage with a needle is turned, changed and compared: forces at needle and "
         "hand, reach, dead points, the overshoot that simulated operators make, and a search for the best linkage",
     .positional = {},
-    .options = {{"port", "PORT", "port of the page; 0: any free one", "0"},
-                {"listen", "ADDRESS", "address of this machine; another than loopback lets the network see the page",
-                 "127.0.0.1"},
-                {"operators", "N", "simulated operators who judge each linkage", "12"},
-                {"seed", "N", "the same seed gives the same operators, as for telepalp-study", "1"},
-                {"threads", "N", "of a search; 0: one for each processor", "0"},
-                {"device", "DEVICE",
-                 "a haptic device at which links, handle and needle are felt and grasped: haply[:URL] or udp:HOST:PORT"}},
+    .options =
+        {{"port", "PORT", "port of the page; 0: any free one", "0"},
+         {"listen", "ADDRESS", "address of this machine; another than loopback lets the network see the page",
+          "127.0.0.1"},
+         {"operators", "N", "simulated operators who judge each linkage", "12"},
+         {"seed", "N", "the same seed gives the same operators, as for telepalp-study", "1"},
+         {"threads", "N", "of a search; 0: one for each processor", "0"},
+         {"device", "DEVICE",
+          "a haptic device at which links, handle and needle are felt and grasped: haply[:URL] or udp:HOST:PORT"}},
     .example = "telepalp-study designer --port 8766",
 };
 

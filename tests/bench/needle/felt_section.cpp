@@ -76,14 +76,17 @@ void add_work_at_any_part(std::vector<Row>& rows) {
     ++compared;
   }
   rows.push_back(at_least("felt links: places on all parts compared with virtual work", compared, "", 10'000.0));
-  rows.push_back(at_most("felt links: force on the hand at any part against virtual work: greatest error over the force "
-                         "of the needle", worst, "N/N", 1e-9));
+  rows.push_back(
+      at_most("felt links: force on the hand at any part against virtual work: greatest error over the force "
+              "of the needle",
+              worst, "N/N", 1e-9));
 }
 
 /// A hand at 2 kHz that touches a part from the side, grasps it, pushes the needle in, lets go and leaves.
 class Visit {
  public:
-  Visit(study::LiveTool& tool, Distribution& took_us) : tool_(tool), took_us_(took_us), hand_m_(tool.linkage().proxy().m) {
+  Visit(study::LiveTool& tool, Distribution& took_us)
+      : tool_(tool), took_us_(took_us), hand_m_(tool.linkage().proxy().m) {
     tool_.let_go();
   }
   /// Moves the hand there at `m_per_s`.
@@ -159,7 +162,8 @@ std::vector<Row> run_needle_felt_section() {
   std::vector<Row> rows;
   add_work_at_any_part(rows);
   const auto tissue = tissue::make_tissue(study::tissue_of(study::Plant{}));
-  const auto tool = study::LiveTool::make(study::amniocentesis_design().configurations.front(), study::Plant{}, *tissue);
+  const auto tool =
+      study::LiveTool::make(study::amniocentesis_design().configurations.front(), study::Plant{}, *tissue);
   const Visits all = visit_all(*tool);
   const std::string of = "felt links: touch, grasp, push through, let go, by four parts: ";
   rows.push_back(at_least(of + "layers punctured", all.punctures, "", 8.0));

@@ -16,9 +16,7 @@ constexpr double kTick = 0.0005;
 constexpr FeltSettings kSettings;
 const double kSurface_m = kSettings.link_radius_m + kSettings.hand_radius_m;
 
-FeltLinkage linkage(const FourBar& bar = {}) {
-  return *FeltLinkage::make(HeldLinkage(bar, {}, 1.5, Branch::Open));
-}
+FeltLinkage linkage(const FourBar& bar = {}) { return *FeltLinkage::make(HeldLinkage(bar, {}, 1.5, Branch::Open)); }
 
 Vector3d in_space(const InPlane<double>& at, double z = 0.0) { return {at.x, at.y, z}; }
 
@@ -53,11 +51,15 @@ TEST(FeltLinkage, ARodPushesAlongItsNormalByItsDepth) {
 TEST(FeltLinkage, EachPartIsFeltUnderItsName) {
   FeltLinkage felt = linkage();
   const FourBarPose<double> at = felt.pose();
-  const auto middle = [](const InPlane<double>& a, const InPlane<double>& b) -> Vector3d { return 0.5 * (in_space(a) + in_space(b)); };
+  const auto middle = [](const InPlane<double>& a, const InPlane<double>& b) -> Vector3d {
+    return 0.5 * (in_space(a) + in_space(b));
+  };
   const InPlane<double> o{felt.bar().l4_m, 0.0};
-  const std::pair<LinkPart, Vector3d> parts[] = {{LinkPart::Link1, middle({}, at.p)}, {LinkPart::Link2, middle(at.p, at.b)},
+  const std::pair<LinkPart, Vector3d> parts[] = {{LinkPart::Link1, middle({}, at.p)},
+                                                 {LinkPart::Link2, middle(at.p, at.b)},
                                                  {LinkPart::Link3, 0.9 * in_space(at.b) + 0.1 * in_space(o)},
-                                                 {LinkPart::Handle, in_space(at.c)},  {LinkPart::Needle, in_space(at.tip)},
+                                                 {LinkPart::Handle, in_space(at.c)},
+                                                 {LinkPart::Needle, in_space(at.tip)},
                                                  {LinkPart::Base, middle({}, o)}};
   for (const auto& [part, place] : parts) {
     FeltLinkage one = linkage();
@@ -179,6 +181,43 @@ TEST(FeltLinkage, TheBaseIsFeltAndNotHeld) {
   EXPECT_EQ(felt.touched(), LinkPart::Base);
   felt.step({hand}, true, kTick);
   EXPECT_EQ(felt.held(), std::nullopt);
+}
+
+TEST(FeltLinkage, LengthsThatChangeInTheHandMoveNoForceByAStep) {
+  for (const LinkPart part : {LinkPart::Link1, LinkPart::Link2, LinkPart::Link3, LinkPart::Handle, LinkPart::Needle}) {
+    FeltLinkage felt = linkage();
+    felt.hold(part, {in_space(felt.pose().p)});
+    if (part == LinkPart::Handle) felt.hold(part, {in_space(felt.pose().c)});
+    Vector3d hand = felt.proxy().m;
+    FourBar other = felt.bar();
+    other.l1_m += 0.01;
+    other.l3_m -= 0.008;
+    other.needle_rad += 0.2;
+    other.handle_rad += 0.3;
+    other.handle_m += 0.02;
+    felt.set(other);
+    EXPECT_LT(go(felt, hand, hand, true, 6000), 0.02) << name(part);
+    EXPECT_EQ(felt.bar(), other) << name(part);
+    const FourBarPose<double> at = felt.pose();
+    EXPECT_NEAR((in_space(at.p) - in_space(at.b)).norm(), other.l2_m, 1e-9) << name(part);
+    EXPECT_NEAR(in_space(at.p).norm(), other.l1_m, 1e-9) << name(part);
+    if (part != LinkPart::Handle) continue;
+    EXPECT_LT((felt.proxy().m - in_space(at.c)).norm(), 1e-9) << "the hand keeps its end";
+  }
+}
+
+TEST(FeltLinkage, APartThatGrowsAgainstAHandPushesItWithoutAStep) {
+  FeltLinkage felt = linkage();
+  const Vector3d end = in_space(felt.pose().c);
+  const Vector3d along = (end - in_space(felt.pose().d)).normalized();
+  Vector3d hand = end + 0.03 * along;
+  (void)go(felt, hand, end + (kSurface_m - 0.001) * along, false, 400);
+  ASSERT_EQ(felt.touched(), LinkPart::Handle);
+  FourBar longer = felt.bar();
+  longer.handle_m += 0.004;
+  felt.set(longer);
+  EXPECT_LT(go(felt, hand, hand, false, 1000), 0.02);
+  EXPECT_NEAR(felt.contact_force().N.norm(), 0.005 * kSettings.stiffness_N_per_m, 1e-3);
 }
 
 TEST(FeltLinkage, AHandThatIsNotANumberMovesAndFeelsNothing) {

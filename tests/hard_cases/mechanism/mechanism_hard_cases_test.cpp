@@ -273,8 +273,9 @@ AssertionResult let_go_inside_another_part() {
   const double most_N = felt_step_N(felt, hand, hand, false, 600);
   const double swept_N = felt_step_N(felt, hand, hand + Eigen::Vector3d(0, 0, 0.03), false, 600);
   (void)felt_step_N(felt, hand, on_link3 + Eigen::Vector3d(0, 0, 0.005), false, 600);
-  return all_of({below_N("no step", std::max(most_N, swept_N), 0.05),
-                 below_N("felt again when the hand comes back: 2 N less", std::abs(felt.contact_force().N.z() - 2.0), 0.01)});
+  return all_of(
+      {below_N("no step", std::max(most_N, swept_N), 0.05),
+       below_N("felt again when the hand comes back: 2 N less", std::abs(felt.contact_force().N.z() - 2.0), 0.01)});
 }
 
 const HardCase kRows[] = {

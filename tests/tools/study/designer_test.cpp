@@ -44,25 +44,24 @@ TEST_P(DesignerRefuses, AMessageThatIsNoCommandWithASentence) {
 
 INSTANTIATE_TEST_SUITE_P(
     HardCases, DesignerRefuses,
-    testing::Values(Refused{"", "no message"}, Refused{"open /etc/passwd", "no message"},
-                    Refused{"renew now", "no message"}, Refused{std::string("\0\xff", 2), "no message"},
-                    Refused{std::string(kMostCommandBytes + 1, 'x'), "bytes"}, Refused{"design l1", "not a pair"},
-                    Refused{"design l1=nan", "not a finite number"}, Refused{"design l1=1e400", "not a number"},
-                    Refused{"design l1=0", "l1 is 0 mm"}, Refused{"design l1=-5", "l1 is -5 mm"},
-                    Refused{"design l9=4", "no parameter"},
-                    Refused{"design l1=80 l2=150 l3=120 l4=400", "cannot close"},
-                    Refused{"design l1=80\nl1=90", "more than one"}, Refused{"design", "0 mechanisms"},
-                    Refused{"design l1=1e6 l2=1e6 l3=1e6 l4=1e6", "over 1000 mm"},
-                    Refused{"design theta=1e9", "full turn"}, Refused{"hand 1", "two numbers"},
-                    Refused{"hand nan 0", "two numbers"}, Refused{"hand 1 2 3", "two numbers"},
-                    Refused{"hand 1e99 0", "two numbers"}, Refused{"take link1 1", "no moving part"},
-                    Refused{"take base 1 2", "no moving part"}, Refused{"take link9 1 2", "no moving part"},
-                    Refused{"take link1 nan 2", "no moving part"}, Refused{"take", "no moving part"},
-                    Refused{"press 2", "neither 0 nor 1"}, Refused{"press", "neither 0 nor 1"}, Refused{"turn inf", "one number"},
-                    Refused{"turn 2", "one number"}, Refused{"search", "from 40 to 2000"},
-                    Refused{"search 9999999 l1=60:120", "from 40 to 2000"}, Refused{"search 50 l1", "NAME=MIN:MAX"},
-                    Refused{"search 50 l1=120:60", "above the most"}, Refused{"search 50 l1=nan:nan", "out of bounds"},
-                    Refused{"search 50 size=1:2", "no parameter"}, Refused{"search 50 l1=80", ""}));
+    testing::Values(
+        Refused{"", "no message"}, Refused{"open /etc/passwd", "no message"}, Refused{"renew now", "no message"},
+        Refused{std::string("\0\xff", 2), "no message"}, Refused{std::string(kMostCommandBytes + 1, 'x'), "bytes"},
+        Refused{"design l1", "not a pair"}, Refused{"design l1=nan", "not a finite number"},
+        Refused{"design l1=1e400", "not a number"}, Refused{"design l1=0", "l1 is 0 mm"},
+        Refused{"design l1=-5", "l1 is -5 mm"}, Refused{"design l9=4", "no parameter"},
+        Refused{"design l1=80 l2=150 l3=120 l4=400", "cannot close"}, Refused{"design l1=80\nl1=90", "more than one"},
+        Refused{"design", "0 mechanisms"}, Refused{"design l1=1e6 l2=1e6 l3=1e6 l4=1e6", "over 1000 mm"},
+        Refused{"design theta=1e9", "full turn"}, Refused{"hand 1", "two numbers"},
+        Refused{"hand nan 0", "two numbers"}, Refused{"hand 1 2 3", "two numbers"},
+        Refused{"hand 1e99 0", "two numbers"}, Refused{"take link1 1", "no moving part"},
+        Refused{"take base 1 2", "no moving part"}, Refused{"take link9 1 2", "no moving part"},
+        Refused{"take link1 nan 2", "no moving part"}, Refused{"take", "no moving part"},
+        Refused{"press 2", "neither 0 nor 1"}, Refused{"press", "neither 0 nor 1"}, Refused{"turn inf", "one number"},
+        Refused{"turn 2", "one number"}, Refused{"search", "from 40 to 2000"},
+        Refused{"search 9999999 l1=60:120", "from 40 to 2000"}, Refused{"search 50 l1", "NAME=MIN:MAX"},
+        Refused{"search 50 l1=120:60", "above the most"}, Refused{"search 50 l1=nan:nan", "out of bounds"},
+        Refused{"search 50 size=1:2", "no parameter"}, Refused{"search 50 l1=80", ""}));
 
 TEST(DesignerCommands, AreReadInMillimetresAndRadians) {
   const Result<Command> design = parse_command("design l1=70 l4=131.25 theta=-0.3");
@@ -175,7 +174,8 @@ TEST(Reach, EndsAtTheDeadPointsUnlessLink3TurnsFully) {
   const Reach reach = reach_of(rocks.outside());
   ASSERT_FALSE(reach.range.whole_turn);
   for (const ReachPoint& end : {reach.points.front(), reach.points.back()}) {
-    const mechanism::HeldLinkage there(rocks.outside().bar(), rocks.outside().plane(), end.link3_rad, rocks.outside().branch());
+    const mechanism::HeldLinkage there(rocks.outside().bar(), rocks.outside().plane(), end.link3_rad,
+                                       rocks.outside().branch());
     EXPECT_NEAR(there.sine_of_links(), 0.0, 1e-4);
   }
   for (std::size_t i = 1; i < reach.points.size(); ++i)

@@ -222,9 +222,9 @@ TEST(DeviceHand, ADeviceThatFallsSilentIsSaidAndThePenetrationComesAgain) {
   Result<Journal> journal =
       Journal::open(folder.path() / "bert.csv",
                     {.identity = identity_of(protocol), .participant = "bert", .hand = PersonHand::Device});
-  Desk desk(std::move(*Session::make(protocol, *participant_of("bert"), {}, "bert.csv")), std::move(*journal), "bert",
-            [] {},
-            {.hand = [&](Prepared made, Condition condition) { return begin_at_device(hand, std::move(made), condition); }});
+  Desk desk(
+      std::move(*Session::make(protocol, *participant_of("bert"), {}, "bert.csv")), std::move(*journal), "bert", [] {},
+      {.hand = [&](Prepared made, Condition condition) { return begin_at_device(hand, std::move(made), condition); }});
   ASSERT_TRUE(desk.obey(BeginPenetration{}));
   felt.silent = true;
   for (int i = 0; i < 400 && desk.session().stage() != Stage::Resting; ++i) {

@@ -151,14 +151,15 @@ std::string object(std::string_view kind, const auto& add) {
 
 }  // namespace
 
-std::string design_json(const LiveTool& tool, const Reach& reach, const std::vector<TracePoint>& trace) {
+std::string design_json(const LiveFrame& frame, const mechanism::FourBar& bar, const Reach& reach,
+                        const std::vector<TracePoint>& trace) {
   return object("design", [&](Json& json) {
     json.add("sac_depth", kMm * Plant{}.sac_depth_m);
     json.add("sac_link3", Plant{}.link3_rad);
-    json.add("needle", kMm * tool.linkage().bar().needle_m);
+    json.add("needle", kMm * bar.needle_m);
     add_reach(json, reach);
     json.begin_object("frame");
-    add_frame(json, tool.frame(), trace);
+    add_frame(json, frame, trace);
     json.end_object();
   });
 }

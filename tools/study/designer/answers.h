@@ -15,7 +15,8 @@ namespace telepalp::study {
 // angles in rad, forces in N; places are in the plane z = 0 of the tissue's frame, the skin at y = 0.
 
 /// `kind`: design. The survey of a linkage, its first frame and the trace of its insertion.
-[[nodiscard]] std::string design_json(const LiveTool& tool, const Reach& reach, const std::vector<TracePoint>& trace);
+[[nodiscard]] std::string design_json(const LiveFrame& frame, const mechanism::FourBar& bar, const Reach& reach,
+                                      const std::vector<TracePoint>& trace);
 /// `kind`: frame. Pose, forces, layers and punctures now; `trace`: since the last frame.
 [[nodiscard]] std::string frame_json(const LiveFrame& frame, const std::vector<TracePoint>& trace);
 /// `kind`: refused. `of`: the message that was refused: design, prediction, search or message.

@@ -51,8 +51,9 @@ inline constexpr std::size_t kMostCommandBytes = 1024;
 inline constexpr int kMostEvaluations = 2000;
 
 /// Reads a message of the page: one line, such as `design l1=80 l2=150 l4=131` (mm and rad, as in a list of
-/// mechanisms), `take link1 10.5 120` (mm), `hand 10.5 120` (mm), `press 1`, `turn 0.01` (rad), `renew`, `predict`, `search 120 l1=60:120 l2=150`, `cancel`.
-/// Error: another word, a number that is not finite or out of bounds, or a linkage that cannot be built.
+/// mechanisms), `take link1 10.5 120` (mm), `hand 10.5 120` (mm), `press 1`, `turn 0.01` (rad), `renew`, `predict`,
+/// `search 120 l1=60:120 l2=150`, `cancel`. Error: another word, a number that is not finite or out of bounds, or a
+/// linkage that cannot be built.
 [[nodiscard]] Result<Command> parse_command(std::string_view message);
 
 }  // namespace telepalp::study

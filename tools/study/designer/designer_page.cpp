@@ -8,6 +8,7 @@
 #include "tools/study/designer/command.h"
 #include "tools/study/designer/device_design.h"
 #include "tools/study/designer/live_design.h"
+#include "tools/study/task/tools.h"
 
 namespace telepalp::study {
 namespace {
@@ -52,7 +53,10 @@ class DesignerConversation final : public Conversation {
   }
   void obey(const ChooseDesign& asked) {
     background_.forget_prediction();
-    say_(given(live_.choose(asked.design)));
+    const std::optional<LiveFrame> held = device_ ? device_->held() : std::nullopt;
+    if (!held) return say_(given(live_.choose(asked.design)));
+    say_(live_.change(asked.design, *held));
+    device_->change(bar_of(live_.design(), Plant{}));
   }
   void obey(TakePart asked) { live_.take(asked.part, asked.at_m); }
   void obey(AimHand asked) { live_.aim(asked.at_m); }

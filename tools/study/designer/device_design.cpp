@@ -31,26 +31,33 @@ class DeviceDesign::Task final : public DeviceTask {
 
   Force<HapticBase> feel(const loop::GatedReading& gated, const ports::DeviceReading& reading) noexcept override {
     const bool implausible = std::max(gated.implausible_s, gated.unreadable_s) > kSilent_s;
-    const Trouble trouble = !(reading.age_s <= kSilent_s) ? Trouble::Silent : implausible ? Trouble::Implausible : Trouble::No;
+    const Trouble trouble = !(reading.age_s <= kSilent_s) ? Trouble::Silent
+                            : implausible                 ? Trouble::Implausible
+                                                          : Trouble::No;
     trouble_.store(trouble, std::memory_order_relaxed);
     share_ = trouble == Trouble::No ? std::min(1.0, share_ + kTick_s / kRise_s) : 0.0;
     if (trouble != Trouble::No) return {};
     if (!shift_m_) shift_m_ = begin_m_ - gated.at.m;
+    if (bars_.take()) tool_.change(bars_.current());
     const bool pressed = reading.pressed || pressed_.load(std::memory_order_relaxed);
     const Vector3d N = tool_.feel(gated.at.m + *shift_m_, pressed).N;
     if (until_view_-- <= 0) show();
     return {share_ * N};
   }
 
+  void change(const mechanism::FourBar& bar) { bars_.put(bar); }
   void press(bool pressed) noexcept { pressed_.store(pressed, std::memory_order_relaxed); }
   [[nodiscard]] Trouble trouble() const noexcept { return trouble_.load(std::memory_order_relaxed); }
   /// The newest frame with the trace since the last one; nullopt: no new frame.
   [[nodiscard]] std::optional<std::string> frame() {
     if (!views_.take()) return std::nullopt;
+    drawn_ = views_.current();
     std::vector<TracePoint> trace;
     for (TracePoint point; trace_.try_pop(point);) trace.push_back(point);
-    return frame_json(views_.current(), trace);
+    return frame_json(drawn_, trace);
   }
+  /// What frame() gave last.
+  [[nodiscard]] const LiveFrame& drawn() const noexcept { return drawn_; }
   /// Where the tissue's frame is in the device's. Call it when the device's thread has left this task.
   [[nodiscard]] const std::optional<Vector3d>& shift_m() const noexcept { return shift_m_; }
 
@@ -61,13 +68,15 @@ class DeviceDesign::Task final : public DeviceTask {
     (void)trace_.try_push(tool_.trace_point());  // full after 2 s: the plot then lacks points
   }
 
-  LiveTool tool_;                    // owner: the device's thread
-  Vector3d begin_m_;                 // of the hand in the tissue's frame
-  std::optional<Vector3d> shift_m_;  // owner: the device's thread; from the device's frame to the tissue's
-  double share_ = 0.0;               // owner: the device's thread; of the force, while it rises
-  int until_view_ = 0;               // owner: the device's thread
-  LatestValue<LiveFrame> views_;     // device's thread to network thread
-  SpscRing<TracePoint, 512> trace_;  // device's thread to network thread
+  LiveTool tool_;                         // owner: the device's thread
+  Vector3d begin_m_;                      // of the hand in the tissue's frame
+  std::optional<Vector3d> shift_m_;       // owner: the device's thread; from the device's frame to the tissue's
+  double share_ = 0.0;                    // owner: the device's thread; of the force, while it rises
+  int until_view_ = 0;                    // owner: the device's thread
+  LatestValue<LiveFrame> views_;          // device's thread to network thread
+  LatestValue<mechanism::FourBar> bars_;  // network thread to device's thread
+  LiveFrame drawn_;                       // owner: the network thread
+  SpscRing<TracePoint, 512> trace_;       // device's thread to network thread
   std::atomic<bool> pressed_{false};
   std::atomic<Trouble> trouble_{Trouble::No};
 };
@@ -83,6 +92,14 @@ void DeviceDesign::give(const LiveTool& tool) {
   device_.work_on(nullptr);
   task_ = std::make_unique<Task>(tool, task_ ? task_->shift_m() : std::nullopt);
   device_.work_on(task_.get());
+}
+
+void DeviceDesign::change(const mechanism::FourBar& bar) {
+  if (ours()) task_->change(bar);
+}
+
+std::optional<LiveFrame> DeviceDesign::held() const {
+  return ours() && task_->drawn().held ? std::optional(task_->drawn()) : std::nullopt;
 }
 
 void DeviceDesign::press(bool pressed) noexcept {

@@ -18,6 +18,9 @@ class LiveDesign {
   /// Takes `wanted`. Its needle goes in as deep as the needle of the last linkage was, so that forces can be compared
   /// while a length changes. Returns `design` with its survey, or `refused` with the sentence.
   [[nodiscard]] std::string choose(const Configuration& wanted);
+  /// Takes `wanted` while a hand at a device holds the linkage as `now` has it, with the needle where it is. Returns
+  /// `design` or `refused`, as choose().
+  [[nodiscard]] std::string change(const Configuration& wanted, const LiveFrame& now);
   void take(mechanism::LinkPart part, const Eigen::Vector2d& at_m) noexcept { tool_.take(part, at_m); }
   void aim(const Eigen::Vector2d& hand_m) noexcept { tool_.aim(hand_m); }
   void turn(double by_rad) noexcept { tool_.turn(by_rad); }
@@ -32,9 +35,11 @@ class LiveDesign {
  private:
   LiveDesign(Configuration design, LiveTool tool, LiveTool::Model tissue);
   [[nodiscard]] std::string answer(const std::vector<TracePoint>& trace) const;
+  void use(LiveTool tool);
 
   Configuration design_;
   LiveTool tool_;
+  std::optional<LiveTool> next_;  ///< of the linkage that change() took; renew() needs it
   LiveTool::Model tissue_;
   Reach reach_;
   double put_in_m_ = 0.0;  ///< depth to which the hand put the tip; a change of the linkage leaves it

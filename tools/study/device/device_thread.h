@@ -18,8 +18,8 @@ namespace telepalp::study {
 class DeviceTask {
  public:
   virtual ~DeviceTask() = default;
-  /// One tick of kTick_s: the hand is at `gated`. `reading`: what the device said. Returns the force on the hand, before
-  /// the limiter.
+  /// One tick of kTick_s: the hand is at `gated`. `reading`: what the device said. Returns the force on the hand,
+  /// before the limiter.
   [[nodiscard]] virtual Force<HapticBase> feel(const loop::GatedReading& gated,
                                                const ports::DeviceReading& reading) noexcept = 0;
   /// The force that the limiter let through in this tick.
@@ -48,12 +48,12 @@ class DeviceThread {
   void run() noexcept;
   void tick(const station::TickTimer::Tick& due) noexcept;
 
-  std::unique_ptr<ports::Device> device_;      // owner: the thread
-  loop::DeviceGate gate_;                      // owner: the thread
-  control::ForceLimiter limiter_;              // owner: the thread
-  Force<HapticBase> fading_;                   // owner: the thread; force after a task
-  std::atomic<DeviceTask*> asked_{nullptr};    // written by: network thread
-  std::atomic<DeviceTask*> worked_{nullptr};   // written by: the thread, at the end of each tick
+  std::unique_ptr<ports::Device> device_;     // owner: the thread
+  loop::DeviceGate gate_;                     // owner: the thread
+  control::ForceLimiter limiter_;             // owner: the thread
+  Force<HapticBase> fading_;                  // owner: the thread; force after a task
+  std::atomic<DeviceTask*> asked_{nullptr};   // written by: network thread
+  std::atomic<DeviceTask*> worked_{nullptr};  // written by: the thread, at the end of each tick
   std::atomic<bool> running_{true};
   std::thread thread_;
 };

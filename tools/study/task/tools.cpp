@@ -64,10 +64,15 @@ Vector3d tip_at(const FourBar& bar, double link3_rad) {
 
 }  // namespace
 
-Result<HeldLinkage> placed_linkage(const Configuration& configuration, const Plant& plant) {
+FourBar bar_of(const Configuration& configuration, const Plant& plant) noexcept {
   FourBar bar = configuration.bar;
   if (!configuration.l4_given) bar.l4_m = plant.l4_of_l2 * bar.l2_m;
   if (!configuration.needle_given) bar.needle_m = plant.needle_m;
+  return bar;
+}
+
+Result<HeldLinkage> placed_linkage(const Configuration& configuration, const Plant& plant) {
+  const FourBar bar = bar_of(configuration, plant);
   const Result<FourBar> good = mechanism::checked_at(bar, plant.link3_rad);
   if (!good) return good.error();
   const Vector3d touches_m = tip_at(bar, plant.link3_rad);

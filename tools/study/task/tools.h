@@ -28,6 +28,9 @@ class HeldTool {
   [[nodiscard]] virtual const mechanism::HeldLinkage* linkage() const noexcept { return nullptr; }
 };
 
+/// The linkage of `configuration`, with what it leaves to `plant`: link 4 and the needle's length.
+[[nodiscard]] mechanism::FourBar bar_of(const Configuration& configuration, const Plant& plant) noexcept;
+
 /// The linkage of `configuration` on `plant`, held at the handle's end, its tip kAbove_m above the skin. The tip
 /// touches the sac while link 3 has the angle Plant::link3_rad. All lies in the plane z = 0 of the tissue's frame.
 /// Error: the links cannot close on the way.

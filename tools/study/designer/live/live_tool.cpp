@@ -61,8 +61,7 @@ void LiveTool::turn(double by_rad) noexcept {
   const mechanism::LinkagePlane& plane = linkage_.plane();
   const mechanism::FourBar& bar = linkage_.bar();
   const mechanism::Lever lever = mechanism::lever_of(bar);
-  const double link3_rad =
-      mechanism::crank_range(bar, linkage_.link3_rad()).nearest(linkage_.link3_rad() + by_rad);
+  const double link3_rad = mechanism::crank_range(bar, linkage_.link3_rad()).nearest(linkage_.link3_rad() + by_rad);
   const double angle = link3_rad + lever.from_link3_rad;
   const Vector3d to_m = plane.pivot_a.m + (bar.l4_m + lever.length_m * std::cos(angle)) * plane.x.v +
                         lever.length_m * std::sin(angle) * plane.y.v;
@@ -139,6 +138,7 @@ std::vector<TracePoint> LiveTool::insert(double depth_m) {
 LiveFrame LiveTool::frame() const noexcept {
   LiveFrame frame{.at = places_of(linkage_),
                   .link3_rad = linkage_.link3_rad(),
+                  .open = linkage_.sine_of_links() > 0.0,
                   .at_dead_point = std::abs(linkage_.sine_of_links()) < kDeadPointSine,
                   .held = linkage_.held(),
                   .touched = linkage_.touched(),

@@ -35,6 +35,7 @@ struct Puncture {
 struct LiveFrame {
   LinkagePlaces at{};
   double link3_rad = 0.0;
+  bool open = true;            ///< the linkage is on its open branch
   bool at_dead_point = false;  ///< links 1 and 2 lie on one line, nearly
   std::optional<mechanism::LinkPart> held{};
   std::optional<mechanism::LinkPart> touched{};
@@ -75,6 +76,8 @@ class LiveTool {
   /// Whole tissue, and the needle outside, held at the handle's end.
   void renew();
 
+  /// Changes the linkage while it is in use: FeltLinkage::set().
+  void change(const mechanism::FourBar& bar) noexcept { linkage_.set(bar); }
   /// Nobody holds the linkage any more.
   void let_go() noexcept { linkage_.let_go(); }
   /// One tick with a hand that feels: it is at `hand_m` and presses its button or not. Returns the force on it.

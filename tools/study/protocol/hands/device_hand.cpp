@@ -51,11 +51,11 @@ class DeviceTrial final : public PersonTrial, private DeviceTask {
   }
 
   DeviceThread& device_;
-  DevicePenetration penetration_;          // owner: the device's thread
-  int until_view_ = 0;                     // owner: the device's thread
-  LatestValue<TrialView> views_;           // device's thread to network thread
+  DevicePenetration penetration_;           // owner: the device's thread
+  int until_view_ = 0;                      // owner: the device's thread
+  LatestValue<TrialView> views_;            // device's thread to network thread
   SpscRing<loop::TickSample, 4096> ticks_;  // device's thread to network thread; 2 s
-  std::atomic<std::uint8_t> lost_{0};      // DevicePenetration::Lost
+  std::atomic<std::uint8_t> lost_{0};       // DevicePenetration::Lost
   TrialView view_;
 };
 
