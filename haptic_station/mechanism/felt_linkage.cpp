@@ -144,6 +144,14 @@ void FeltLinkage::let_go() noexcept {
   inside_ = solids::solid_at(rods_.tree(), proxy_m_).m < -kInside_m;
 }
 
+void FeltLinkage::forget_hand() noexcept {
+  let_go();
+  touched_.reset();
+  fading_N_.setZero();
+  hand_m_ = proxy_m_;
+  pressed_ = inside_ = true;
+}
+
 /// The proxy of a hand that holds nothing, and the part that it touches.
 void FeltLinkage::touch() noexcept {
   if (inside_ && solids::solid_at(rods_.tree(), hand_m_).m > 0.0) {

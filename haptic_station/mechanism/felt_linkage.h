@@ -11,6 +11,7 @@
 
 namespace telepalp::mechanism {
 
+/// How a linkage is felt.
 struct FeltSettings {
   double stiffness_N_per_m = 500.0;  ///< of a part that is touched, and of the grasp: K_c of S4 eq. (8)
   double link_radius_m = 0.006;      ///< of links and handle
@@ -49,6 +50,9 @@ class FeltLinkage {
   /// The hand takes hold of `part` at the point of its axis nearest to `at`, and is there. Base: it lets go instead.
   void hold(LinkPart part, const Point<HapticBase>& at) noexcept;
   void let_go() noexcept;
+  /// The hand is no longer known, as when its device falls silent: nobody holds the linkage, and the next step() begins
+  /// as the first one did. A button that is pressed then must be let go first.
+  void forget_hand() noexcept;
 
   [[nodiscard]] std::optional<LinkPart> held() const noexcept { return held_; }
   /// The part that the hand touches; nullopt: none, or the hand holds one.
@@ -73,7 +77,6 @@ class FeltLinkage {
   [[nodiscard]] double sine_of_links() const noexcept;
 
  private:
-  [[nodiscard]] Eigen::Vector3d spring_N() const noexcept { return settings_.stiffness_N_per_m * (proxy_m_ - hand_m_); }
   struct Line {
     Eigen::Vector3d from_m;
     Eigen::Vector3d to_m;
@@ -85,6 +88,7 @@ class FeltLinkage {
   };
   FeltLinkage(const HeldLinkage& at, const HeldMechanism& mechanism, solids::Rods rods,
               const FeltSettings& settings) noexcept;
+  [[nodiscard]] Eigen::Vector3d spring_N() const noexcept { return settings_.stiffness_N_per_m * (proxy_m_ - hand_m_); }
   [[nodiscard]] Eigen::Vector2d in_plane(const Eigen::Vector3d& at_m) const noexcept;
   [[nodiscard]] Point<HapticBase> in_space(const Eigen::Vector2d& at_m, double off_plane_m = 0.0) const noexcept;
   [[nodiscard]] Eigen::Vector3d normal() const noexcept { return plane_.x.v.cross(plane_.y.v); }
@@ -111,7 +115,7 @@ class FeltLinkage {
   double off_plane_m_ = 0.0;                                   // of the held point
   Eigen::Vector2d still_to_come_m_ = Eigen::Vector2d::Zero();  // from the hand to the place that the linkage follows
   Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();
-  bool pressed_ = false;
+  bool pressed_ = true;  // at the last step
   bool inside_ = true;  // the hand has not been outside all parts since it began or let go
 };
 

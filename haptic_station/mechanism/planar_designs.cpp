@@ -101,6 +101,10 @@ PlanarDesign four_bar_design(const FourBar& bar, double link3_rad, bool open_bra
   place(design.near, 1, P{0.0, 0.0}, pose.p);
   place(design.near, 2, pose.b, pose.p);
   place(design.near, 3, P{bar.l4_m, 0.0}, pose.b);
+  design.needle_from = on_part(bar, LinkPart::Needle, 0.0);
+  design.hand_pivot_m = Eigen::Vector2d(bar.l4_m, 0.0);
+  for (const LinkPart part : {LinkPart::Base, LinkPart::Link1, LinkPart::Link2, LinkPart::Link3, LinkPart::Handle})
+    design.links.push_back({on_part(bar, part, 0.0), on_part(bar, part, 1.0)});
   return design;
 }
 
@@ -118,6 +122,9 @@ PlanarDesign slider_crank_design(const SliderCrank& crank, double crank_rad) {
   place(design.near, 1, P{0.0, 0.0}, end);
   place(design.near, 2, end, P{end.x - reach_m, 0.0});
   design.near[6] = end.x - reach_m;
+  design.needle_from = at(3, 0.0);
+  design.hand_pivot_m = Eigen::Vector2d::Zero();
+  design.links = {{at(1, 0.0), at(1, crank.crank_m)}, {at(1, 0.0), at(1, crank.handle_m)}, {at(2, 0.0), at(2, crank.rod_m)}};
   return design;
 }
 
@@ -139,6 +146,12 @@ PlanarDesign five_bar_design(const FiveBar& bar, const Eigen::Vector2d& joint_m)
   place(design.near, 2, left, joint);
   place(design.near, 3, P{bar.base_m, 0.0}, right);
   place(design.near, 4, right, joint);
+  design.needle_from = at(2, bar.left_far_m);
+  design.links = {{at(0, 0.0), at(0, bar.base_m)},
+                  {at(1, 0.0), at(1, bar.left_m)},
+                  {at(2, 0.0), at(2, bar.left_far_m)},
+                  {at(3, 0.0), at(3, bar.right_m)},
+                  {at(4, 0.0), at(4, bar.right_far_m)}};
   return design;
 }
 
@@ -159,6 +172,10 @@ PlanarDesign six_bar_design(const SixBar& bar, double link3_rad) {
   const P end = meeting(pivot, bar.rocker_m, arm, bar.rod_m, 1.0);
   place(design.near, 4, arm, end);
   place(design.near, 5, pivot, end);
+  design.needle_from = at(4, bar.rod_m);
+  design.links.push_back({at(1, bar.bar.l1_m), at(1, bar.bar.l1_m + bar.arm_m)});
+  design.links.push_back({at(4, 0.0), at(4, bar.rod_m)});
+  design.links.push_back({at(5, 0.0), at(5, bar.rocker_m)});
   return design;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "haptic_station/mechanism/four_bar.h"
 #include "haptic_station/mechanism/planar_mechanism.h"
 #include "proto/words/result.h"
@@ -11,10 +13,19 @@ namespace telepalp::mechanism {
 /// mechanism does not have one or two degrees of freedom.
 [[nodiscard]] Result<HeldMechanism> assembled(const PlanarMechanism& mechanism, const PlanarPose& near);
 
+/// A line from one point of a body to another one of the same body, to draw it.
+struct PlanarLine {
+  BodyPoint from;
+  BodyPoint to;
+};
+
 /// A design and a pose near which it closes.
 struct PlanarDesign {
   PlanarMechanism mechanism;
   PlanarPose near;
+  BodyPoint needle_from{};                       ///< where the needle begins; it ends at the mechanism's tip
+  std::optional<Eigen::Vector2d> hand_pivot_m{};  ///< in the frame: the held body turns about it; nullopt: about none
+  ShortList<PlanarLine, 8> links{};              ///< without the needle
 };
 
 /// `bar` as bodies 1 (link 1), 2 (link 2 with the needle) and 3 (link 3 with the handle), while link 3 has `link3_rad`.

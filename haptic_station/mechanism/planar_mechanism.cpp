@@ -138,6 +138,7 @@ bool HeldMechanism::improve(const Eigen::Vector2d& hand_m) noexcept {
 
 Eigen::Vector2d HeldMechanism::grasp_m() const noexcept { return place_of(mechanism_.grasp, pose_); }
 Eigen::Vector2d HeldMechanism::tip_m() const noexcept { return place_of(mechanism_.tip, pose_); }
+Eigen::Vector2d HeldMechanism::where_m(const BodyPoint& point) const noexcept { return place_of(point, pose_); }
 double HeldMechanism::open_m() const noexcept {
   const JointEquations equations = joint_equations(mechanism_, pose_);
   return equations.errors.size() > 0 ? equations.errors.cwiseAbs().maxCoeff() : 0.0;

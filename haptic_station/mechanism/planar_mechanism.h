@@ -93,6 +93,8 @@ class HeldMechanism {
   [[nodiscard]] const PlanarPose& pose() const noexcept { return pose_; }
   [[nodiscard]] Eigen::Vector2d grasp_m() const noexcept;
   [[nodiscard]] Eigen::Vector2d tip_m() const noexcept;
+  /// Where a point of a body is [m, in the frame's axes].
+  [[nodiscard]] Eigen::Vector2d where_m(const BodyPoint& point) const noexcept;
   /// Largest distance by which a joint is open [m].
   [[nodiscard]] double open_m() const noexcept;
   [[nodiscard]] int freedoms() const noexcept { return static_cast<int>(free_.cols()); }

@@ -110,9 +110,9 @@ void Gateway::look_after_connections_every_second() {
     if (has_keys) connection->check_access();
   }
   second_.expires_after(std::chrono::seconds(1));
-  second_.async_wait([this](boost::system::error_code cancelled) {
+  second_.async_wait(alive_.guard([this](boost::system::error_code cancelled) {
     if (!cancelled) look_after_connections_every_second();
-  });
+  }));
 }
 
 void Gateway::offer(origin::Offer offer) {
@@ -127,24 +127,24 @@ void Gateway::look_at_states() {
   context_->holder.end_if_silent(context_->now());
   for (Connection* const connection : context_->connections) connection->look_at_own_states();
   look_.expires_after(origin::StatePublisher::kLook);
-  look_.async_wait([this](boost::system::error_code cancelled) {
+  look_.async_wait(alive_.guard([this](boost::system::error_code cancelled) {
     if (!cancelled) look_at_states();
-  });
+  }));
 }
 
 void Gateway::accept() {
-  acceptor_.async_accept([this](boost::system::error_code failed, tcp::socket socket) {
+  acceptor_.async_accept(alive_.guard([this](boost::system::error_code failed, tcp::socket socket) {
     if (failed == asio::error::operation_aborted) return;
     if (failed) {  // probably no file descriptor is free; an immediate retry would waste the processor
       accept_again_.expires_after(std::chrono::milliseconds(100));
-      accept_again_.async_wait([this](boost::system::error_code cancelled) {
+      accept_again_.async_wait(alive_.guard([this](boost::system::error_code cancelled) {
         if (!cancelled) accept();
-      });
+      }));
       return;
     }
     admit(std::move(socket));
     accept();
-  });
+  }));
 }
 
 void Gateway::admit(tcp::socket socket) {

@@ -29,6 +29,7 @@
 #include "server/origin/state_publisher.h"
 #include "server/views/view_maker.h"
 #include "server/voice/voice_floor.h"
+#include "support/program/while_alive.h"
 
 namespace telepalp::gateway {
 
@@ -146,6 +147,7 @@ class Gateway {
   std::shared_ptr<GatewayContext> context_;  // shared with the connections
   std::uint16_t port_ = 0;
   std::chrono::steady_clock::time_point refusal_noted_{};
+  program::WhileAlive alive_;
 };
 
 }  // namespace telepalp::gateway

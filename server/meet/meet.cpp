@@ -84,17 +84,17 @@ void Meet::close() {
 }
 
 void Meet::accept() {
-  acceptor_.async_accept([this](const error_code& failed, tcp::socket socket) {
+  acceptor_.async_accept(alive_.guard([this](const error_code& failed, tcp::socket socket) {
     if (failed == asio::error::operation_aborted) return;
     if (!failed) {
       admit(std::move(socket));
       return accept();
     }
     again_.expires_after(std::chrono::milliseconds(100));  // probably no file descriptor is free
-    again_.async_wait([this](const error_code& cancelled) {
+    again_.async_wait(alive_.guard([this](const error_code& cancelled) {
       if (!cancelled) accept();
-    });
-  });
+    }));
+  }));
 }
 
 void Meet::admit(tcp::socket socket) {
@@ -253,9 +253,9 @@ void Meet::look_after_all() {
   }
   calls_.refuse_late(now);
   second_.expires_after(std::chrono::seconds(1));
-  second_.async_wait([this](const error_code& cancelled) {
+  second_.async_wait(alive_.guard([this](const error_code& cancelled) {
     if (!cancelled) look_after_all();
-  });
+  }));
 }
 
 }  // namespace telepalp::meet

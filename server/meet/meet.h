@@ -18,6 +18,7 @@
 #include "server/meet/caller/arrival.h"
 #include "server/meet/caller/calls.h"
 #include "server/meet/relay/relay_credentials.h"
+#include "support/program/while_alive.h"
 
 namespace telepalp::meet {
 
@@ -99,6 +100,7 @@ class Meet {
   Counts counts_;
   std::chrono::steady_clock::time_point renewed_{};  // the credentials of all sites
   std::size_t trimmed_at_ = 0;                       // the number of sites when memory was last given back
+  program::WhileAlive alive_;
 };
 
 }  // namespace telepalp::meet

@@ -38,7 +38,7 @@ const std::vector<Rule> kRules{
     {"haptic_station/ports", {"proto/words", "haptic_station/ports"}},
     {"haptic_station/solids", {"proto/words", "support/isosurface", "haptic_station/solids"}},
     {"haptic_station/tissue", {"proto/words", "haptic_station/tissue"}},
-    {"haptic_station/mechanism", {"proto/words", "haptic_station/mechanism"}},
+    {"haptic_station/mechanism", {"proto/words", "haptic_station/mechanism", "haptic_station/solids"}},
     {"haptic_station/effects",
      {"proto/words", "haptic_station/ports", "haptic_station/solids", "haptic_station/tissue",
       "haptic_station/effects"}},

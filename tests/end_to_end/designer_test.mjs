@@ -115,6 +115,7 @@ test('any part follows the mouse from where it is taken', async () => {
 
 test('a slider changes the linkage while the needle is in, and the prediction says that it is old', async () => {
   await page.click('#renew');
+  await until('the tissue is whole', async () => (await frame()).punctures.length === 0);
   await page.click('#push');
   await until('the sac is punctured', async () => (await frame()).layers.sac === 'inside');
   const deep = -(await frame()).tip[1];

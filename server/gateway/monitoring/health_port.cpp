@@ -120,17 +120,17 @@ HealthPort::~HealthPort() {
 }
 
 void HealthPort::accept() {
-  acceptor_.async_accept([this](beast::error_code failed, tcp::socket socket) {
+  acceptor_.async_accept(alive_.guard([this](beast::error_code failed, tcp::socket socket) {
     if (failed == asio::error::operation_aborted) return;
     if (!failed) {
       admit(std::move(socket));
       return accept();
     }
     accept_again_.expires_after(std::chrono::milliseconds(100));  // probably no file descriptor is free
-    accept_again_.async_wait([this](beast::error_code cancelled) {
+    accept_again_.async_wait(alive_.guard([this](beast::error_code cancelled) {
       if (!cancelled) accept();
-    });
-  });
+    }));
+  }));
 }
 
 void HealthPort::admit(tcp::socket socket) {

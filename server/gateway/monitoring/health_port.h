@@ -10,6 +10,7 @@
 #include <string>
 
 #include "proto/words/result.h"
+#include "support/program/while_alive.h"
 
 namespace telepalp::gateway {
 
@@ -49,6 +50,7 @@ class HealthPort {
   std::shared_ptr<const Options> options_;   // shared with the connections, whose last handler may run later
   std::deque<std::weak_ptr<Check>> checks_;  // oldest first
   std::uint16_t port_ = 0;
+  program::WhileAlive alive_;
 };
 
 }  // namespace telepalp::gateway

@@ -87,7 +87,7 @@ class Visit {
  public:
   Visit(study::LiveTool& tool, Distribution& took_us)
       : tool_(tool), took_us_(took_us), hand_m_(tool.linkage().proxy().m) {
-    tool_.let_go();
+    tool_.forget_hand();
   }
   /// Moves the hand there at `m_per_s`.
   void go(const Vector3d& to, bool pressed, double m_per_s = 0.1) {

@@ -229,13 +229,33 @@ TEST(FeltLinkage, AHandThatIsNotANumberMovesAndFeelsNothing) {
   EXPECT_TRUE(felt.contact_force().N.isZero());
 }
 
+TEST(FeltLinkage, AHandThatWasLostHoldsNothingAndIsNotCaughtOnTheOtherSide) {
+  FeltLinkage felt = linkage();
+  const Vector3d middle = on_link1(felt, 0.5);
+  Vector3d hand = middle + Vector3d(0, 0, 0.03);
+  (void)go(felt, hand, middle + Vector3d(0, 0, 0.007), false, 200);
+  felt.step({hand}, true, kTick);
+  ASSERT_EQ(felt.held(), LinkPart::Link1);
+  felt.forget_hand();
+  EXPECT_TRUE(felt.contact_force().N.isZero());
+  hand = middle - Vector3d(0, 0, 0.03);  // it came back on the other side, its button still pressed
+  felt.step({hand}, true, kTick);
+  EXPECT_TRUE(felt.contact_force().N.isZero());
+  (void)go(felt, hand, middle - Vector3d(0, 0, 0.008), true, 200);
+  EXPECT_EQ(felt.held(), std::nullopt);
+  EXPECT_NEAR(felt.contact_force().N.z(), -0.001 * kSettings.stiffness_N_per_m, 1e-3);
+}
+
 TEST(FeltLinkage, AStepUsesNoHeap) {
   FeltLinkage felt = linkage();
   Vector3d hand = on_link1(felt, 0.5) + Vector3d(0, 0, 0.03);
   const Vector3d near = on_link1(felt, 0.5) + Vector3d(0, 0, 0.005);
   const test::NoHeapScope no_heap;
   (void)go(felt, hand, near, false, 100);
-  (void)go(felt, hand, near, true, 100);
+  FourBar other = felt.bar();
+  other.l1_m += 0.002;
+  felt.set(other);
+  (void)go(felt, hand, near, true, 300);
   (void)go(felt, hand, near + Vector3d(0.01, 0.01, 0), true, 100);
   (void)go(felt, hand, hand, false, 100);
 }

@@ -119,6 +119,14 @@ TEST(Operators, AShortLeverLetsTheHandJumpFurtherEvenWithoutReflexes) {
   EXPECT_GT(overshoot_m({}, "l_h=70", Condition::NoReflexes), 1.5 * overshoot_m({}, "l_h=200", Condition::NoReflexes));
 }
 
+TEST(Operators, PunctureWithEveryKindOfMechanism) {
+  for (const char* const line : {"kind=slider-crank", "kind=five-bar", "kind=six-bar"}) {
+    const double m = overshoot_m({}, line, Condition::Both);
+    EXPECT_GT(m, 0.001) << line;
+    EXPECT_LT(m, 0.03) << line;
+  }
+}
+
 TEST(StudyProgram, RefusesABadListWithItsPlaceAndACommandLineWithoutAFolder) {
   const support::TemporaryFolder folder;
   const fs::path list = folder.path() / "list.txt";

@@ -26,7 +26,7 @@ class DeviceDesign::Task final : public DeviceTask {
   Task(const LiveTool& tool, const std::optional<Vector3d>& shift_m) : tool_(tool), shift_m_(shift_m) {
     const Eigen::Vector2d end_m = tool_.frame().at.c_m;
     begin_m_ = Vector3d(end_m.x(), end_m.y() + kAboveHandle_m, 0.0);
-    tool_.let_go();
+    tool_.forget_hand();
   }
 
   Force<HapticBase> feel(const loop::GatedReading& gated, const ports::DeviceReading& reading) noexcept override {
@@ -36,7 +36,10 @@ class DeviceDesign::Task final : public DeviceTask {
                                                           : Trouble::No;
     trouble_.store(trouble, std::memory_order_relaxed);
     share_ = trouble == Trouble::No ? std::min(1.0, share_ + kTick_s / kRise_s) : 0.0;
-    if (trouble != Trouble::No) return {};
+    if (trouble != Trouble::No) {
+      tool_.forget_hand();
+      return {};
+    }
     if (!shift_m_) shift_m_ = begin_m_ - gated.at.m;
     if (bars_.take()) tool_.change(bars_.current());
     const bool pressed = reading.pressed || pressed_.load(std::memory_order_relaxed);

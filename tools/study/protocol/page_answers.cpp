@@ -40,16 +40,34 @@ std::string object(std::string_view kind, const auto& add) {
   return std::move(json).finish();
 }
 
+/// Links of another mechanism than a four-bar linkage: both ends of each.
+void add_links(Json& json, const MechanismPicture& at) {
+  json.begin_list("links");
+  for (std::size_t i = 0; i < at.count; ++i) {
+    json.begin_list({});
+    for (const Eigen::Vector2d& end : at.links[i]) add_pair(json, {}, end, kMm);
+    json.end_list();
+  }
+  json.end_list();
+}
+
 /// Places outside the skin: of the needle, only the part above it.
 void add_seen(Json& json, const TrialView& trial) {
-  const LinkagePlaces& at = trial.places;
+  const MechanismPicture& at = trial.picture;
   json.begin_object("seen");
-  for (const auto& [key, place] :
-       {std::pair{"a", at.a_m}, {"o", at.o_m}, {"b", at.b_m}, {"p", at.p_m}, {"d", at.d_m}, {"c", at.c_m}})
-    add_pair(json, key, place, kMm);
-  const bool hidden = trial.through_skin && at.tip_m.y() < 0.0 && at.p_m.y() > 0.0;
-  const double share = hidden ? at.p_m.y() / (at.p_m.y() - at.tip_m.y()) : 1.0;
-  add_pair(json, "end", at.p_m + share * (at.tip_m - at.p_m), kMm);
+  if (at.four_bar)
+    for (const auto& [key, place] : {std::pair{"a", at.four_bar->a_m},
+                                     {"o", at.four_bar->o_m},
+                                     {"b", at.four_bar->b_m},
+                                     {"d", at.four_bar->d_m}})
+      add_pair(json, key, place, kMm);
+  else
+    add_links(json, at);
+  add_pair(json, "c", at.hand_m, kMm);
+  add_pair(json, "p", at.needle_m, kMm);
+  const bool hidden = trial.through_skin && at.tip_m.y() < 0.0 && at.needle_m.y() > 0.0;
+  const double share = hidden ? at.needle_m.y() / (at.needle_m.y() - at.tip_m.y()) : 1.0;
+  add_pair(json, "end", at.needle_m + share * (at.tip_m - at.needle_m), kMm);
   json.add("through_skin", hidden);
   json.end_object();
 }

@@ -64,6 +64,10 @@ std::uint32_t design_checksum(const Design& design) {
     for (const double value : {one.bar.l1_m, one.bar.l2_m, one.bar.l3_m, one.bar.l4_m, one.bar.needle_rad,
                                one.bar.needle_m, one.bar.handle_rad, one.bar.handle_at_m, one.bar.handle_m})
       all += " " + number_text(value);
+    if (!one.other) continue;
+    OtherMechanism other = *one.other;
+    all += " " + std::string(kind_of(other));
+    for (const OtherParameter& parameter : parameters_of(other)) all += " " + number_text(*parameter.value);
   }
   return codec::crc32c(std::as_bytes(std::span(all)));
 }

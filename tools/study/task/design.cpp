@@ -1,6 +1,7 @@
 #include "tools/study/task/design.h"
 
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -32,40 +33,94 @@ struct Place {
   }
 };
 
-Result<void> read_pair(std::string_view pair, const Place& at, Configuration& out) {
+/// Where a parameter's number goes; nullptr: the mechanism has no such parameter.
+struct Slot {
+  double* value = nullptr;
+  double unit = 1.0;
+};
+Slot slot_of(std::string_view name, Configuration& out) {
+  if (out.other) {
+    for (const OtherParameter& one : parameters_of(*out.other))
+      if (one.name == name) return {one.value, one.unit};
+    return {};
+  }
+  for (const MechanismParameter& one : kParameters)
+    if (one.name == name) return {&(out.bar.*one.value), one.unit};
+  return {};
+}
+
+std::string names_of(Configuration& out) {
+  if (!out.other) return kNames;
+  std::string names = "name";
+  for (const OtherParameter& one : parameters_of(*out.other)) names += ", " + std::string(one.name);
+  return names;
+}
+
+/// The kind decides which parameters there are, so it comes before them.
+Result<void> read_kind(std::string_view kind, bool first, const Place& at, Configuration& out) {
+  if (!first) return at.error("kind comes after a parameter", "give kind before the parameters");
+  if (kind == "four-bar") return {};
+  out.other = other_mechanism(kind);
+  if (out.other) return {};
+  return at.error("'" + std::string(kind) + "' is no kind of mechanism",
+                  "give four-bar, slider-crank, five-bar or six-bar");
+}
+
+Result<void> read_pair(std::string_view pair, const Place& at, bool first, Configuration& out) {
   const std::size_t equals = pair.find('=');
   if (equals == std::string_view::npos || equals + 1 == pair.size())
-    return at.error("'" + std::string(pair) + "' is not a pair name=value", std::string("give one of ") + kNames);
+    return at.error("'" + std::string(pair) + "' is not a pair name=value", "give one of " + names_of(out));
   const std::string_view name = pair.substr(0, equals);
   const std::string_view value = pair.substr(equals + 1);
   if (name == "name") {
     out.name = value;
     return {};
   }
-  for (const MechanismParameter& word : kParameters) {
-    if (word.name != name) continue;
-    double number = 0.0;
-    const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (read.ec != std::errc{} || read.ptr != value.data() + value.size())
-      return Place{at.file, at.line, at.column + equals + 1}.error("'" + std::string(value) + "' is not a number",
-                                                                   "give lengths in mm and angles in rad");
-    out.bar.*word.value = word.unit * number;
-    out.l4_given |= name == "l4";
-    out.needle_given |= name == "needle";
-    return {};
+  const Place after{at.file, at.line, at.column + equals + 1};
+  if (name == "kind") return read_kind(value, first, after, out);
+  const Slot slot = slot_of(name, out);
+  if (slot.value == nullptr)
+    return at.error("'" + std::string(name) + "' is no parameter of a mechanism", "give one of " + names_of(out));
+  double number = 0.0;
+  const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (read.ec != std::errc{} || read.ptr != value.data() + value.size())
+    return after.error("'" + std::string(value) + "' is not a number", "give lengths in mm and angles in rad");
+  *slot.value = slot.unit * number;
+  out.l4_given |= name == "l4";
+  out.needle_given |= name == "needle";
+  return {};
+}
+
+/// Lengths of a mechanism of another kind: links have one, and all joints close where the tip touches the sac.
+Result<void> check_other(Configuration& out, const Place& at) {
+  for (const OtherParameter& one : parameters_of(*out.other)) {
+    const bool is_place = one.name == "x" || one.name == "y" || one.name == "pivot" || one.name == "h";
+    const double most = one.unit == 1.0 ? 2.0 * std::numbers::pi : 1.0;
+    if (std::abs(*one.value) <= most && (one.unit == 1.0 || is_place || *one.value > 0.0)) continue;  // NaN compares false
+    return at.error(std::string(one.name) + " is " + number_text(*one.value / one.unit) +
+                        (one.unit == 1.0 ? " rad" : " mm"),
+                    "give links from above 0 to 1000 mm, and angles up to a full turn");
   }
-  return at.error("'" + std::string(name) + "' is no parameter of a mechanism", std::string("give one of ") + kNames);
+  if (const auto good = in_pose(*out.other); !good)
+    return at.error(std::string(kind_of(*out.other)) + ": " + good.error().what, good.error().fix);
+  return {};
 }
 
 Result<Configuration> read_line(const std::string& line, const Place& at) {
   Configuration out;
   out.name = "line " + std::to_string(at.line);
+  bool first = true;  // no parameter has come yet
   for (std::size_t from = line.find_first_not_of(" \t\r"); from != std::string::npos;) {
     const std::size_t end = std::min(line.size(), line.find_first_of(" \t\r", from));
-    const Result<void> read =
-        read_pair(std::string_view(line).substr(from, end - from), {at.file, at.line, from + 1}, out);
+    const std::string_view pair = std::string_view(line).substr(from, end - from);
+    const Result<void> read = read_pair(pair, {at.file, at.line, from + 1}, first, out);
     if (!read) return read.error();
+    first &= pair.starts_with("name=") || pair.starts_with("kind=");
     from = line.find_first_not_of(" \t\r", end);
+  }
+  if (out.other) {
+    if (const Result<void> good = check_other(out, at); !good) return good.error();
+    return out;
   }
   FourBar bar = out.bar;
   if (!out.l4_given) bar.l4_m = 0.875 * bar.l2_m;

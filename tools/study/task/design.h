@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,13 +9,15 @@
 
 #include "haptic_station/mechanism/four_bar.h"
 #include "proto/words/result.h"
+#include "tools/study/task/other_mechanism.h"
 
 namespace telepalp::study {
 
 /// One mechanism of a study.
 struct Configuration {
   std::string name;
-  mechanism::FourBar bar;  ///< the plant gives l4_m unless `l4_given`, and needle_m unless `needle_given`
+  std::optional<OtherMechanism> other{};  ///< in the place of `bar`
+  mechanism::FourBar bar{};               ///< the plant gives l4_m unless `l4_given`, and needle_m unless `needle_given`
   bool l4_given = false;
   bool needle_given = false;
 };
@@ -37,7 +40,8 @@ struct MechanismParameter {
 [[nodiscard]] Design amniocentesis_design();
 
 /// A list in a text file: one mechanism a line, as `name=value` pairs in mm and rad. Lines that begin with # are
-/// comments. A parameter that a line leaves out is that of S4's first linkage. Error: `file:line:column`, with what is
+/// comments. `kind=` four-bar (also without it), slider-crank, five-bar or six-bar comes before the parameters. One that
+/// a line leaves out is that of S4's first linkage, or of the kind. Error: `file:line:column`, with what is
 /// wrong.
 [[nodiscard]] Result<Design> parse_design(const std::string& text, const std::string& file);
 [[nodiscard]] Result<Design> read_design(const std::filesystem::path& file);

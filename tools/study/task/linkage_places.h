@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 
 #include "haptic_station/mechanism/held_linkage.h"
 
@@ -28,5 +30,15 @@ struct LinkagePlaces {
           .c_m = place(pose.c),
           .tip_m = place(pose.tip)};
 }
+
+/// What is drawn of a mechanism, in the plane z = 0 of the tissue's frame [m].
+struct MechanismPicture {
+  std::optional<LinkagePlaces> four_bar{};  ///< nullopt: another mechanism, drawn by `links`
+  std::array<std::array<Eigen::Vector2d, 2>, 8> links{};
+  std::size_t count = 0;  ///< of `links`
+  Eigen::Vector2d hand_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d needle_m = Eigen::Vector2d::Zero();  ///< where the needle begins
+  Eigen::Vector2d tip_m = Eigen::Vector2d::Zero();
+};
 
 }  // namespace telepalp::study

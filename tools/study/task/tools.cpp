@@ -20,7 +20,10 @@ class LinkageTool final : public HeldTool {
     return held_.hand_force({at_tip_N}).N;
   }
   [[nodiscard]] Vector3d guide_force_N() const noexcept override { return held_.constraint_force().N; }
-  [[nodiscard]] const HeldLinkage* linkage() const noexcept override { return &held_; }
+  [[nodiscard]] MechanismPicture picture() const noexcept override {
+    const LinkagePlaces at = places_of(held_);
+    return {.four_bar = at, .hand_m = at.c_m, .needle_m = at.p_m, .tip_m = at.tip_m};
+  }
   [[nodiscard]] Vector3d on_the_way_m(double way_m) const noexcept override {
     const double angle = from_rad_ + way_m / lever_m_;
     const mechanism::LinkagePlane& plane = held_.plane();
@@ -47,6 +50,9 @@ class StraightTool final : public HeldTool {
   }
   [[nodiscard]] Vector3d guide_force_N() const noexcept override { return -600.0 * beside_m_; }
   [[nodiscard]] Vector3d on_the_way_m(double way_m) const noexcept override { return {0.0, kAbove_m - way_m, 0.0}; }
+  [[nodiscard]] MechanismPicture picture() const noexcept override {
+    return {.hand_m = tip_m_.head<2>(), .needle_m = tip_m_.head<2>(), .tip_m = tip_m_.head<2>()};
+  }
 
  private:
   Vector3d tip_m_{0.0, kAbove_m, 0.0};
@@ -90,6 +96,12 @@ Result<HeldLinkage> placed_linkage(const Configuration& configuration, const Pla
 }
 
 Result<std::unique_ptr<HeldTool>> linkage_tool(const Configuration& configuration, const Plant& plant) {
+  if (configuration.other) {
+    OtherMechanism other = *configuration.other;
+    for (const OtherParameter& one : parameters_of(other))
+      if (one.name == "needle" && !configuration.needle_given) *one.value = plant.needle_m;
+    return planar_tool(other, configuration.name, plant);
+  }
   const Result<HeldLinkage> held = placed_linkage(configuration, plant);
   if (!held) return held.error();
   const mechanism::Lever lever = mechanism::lever_of(held->bar());

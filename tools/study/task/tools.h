@@ -5,6 +5,7 @@
 
 #include "haptic_station/mechanism/held_linkage.h"
 #include "tools/study/task/design.h"
+#include "tools/study/task/linkage_places.h"
 #include "tools/study/task/plant.h"
 
 namespace telepalp::study {
@@ -24,8 +25,7 @@ class HeldTool {
   [[nodiscard]] virtual Eigen::Vector3d guide_force_N() const noexcept = 0;
   /// Place on the path of the hand, at the distance `way_m` from its beginning [m].
   [[nodiscard]] virtual Eigen::Vector3d on_the_way_m(double way_m) const noexcept = 0;
-  /// The linkage, to draw it; nullptr: the needle is held directly.
-  [[nodiscard]] virtual const mechanism::HeldLinkage* linkage() const noexcept { return nullptr; }
+  [[nodiscard]] virtual MechanismPicture picture() const noexcept = 0;
 };
 
 /// The linkage of `configuration`, with what it leaves to `plant`: link 4 and the needle's length.
@@ -35,7 +35,7 @@ class HeldTool {
 /// touches the sac while link 3 has the angle Plant::link3_rad. All lies in the plane z = 0 of the tissue's frame.
 /// Error: the links cannot close on the way.
 [[nodiscard]] Result<mechanism::HeldLinkage> placed_linkage(const Configuration& configuration, const Plant& plant);
-/// The same as a tool.
+/// The mechanism of `configuration` as a tool: placed_linkage(), or planar_tool() of another kind.
 [[nodiscard]] Result<std::unique_ptr<HeldTool>> linkage_tool(const Configuration& configuration, const Plant& plant);
 /// A needle in the hand that moves along y alone, as in Gerovich 2004.
 [[nodiscard]] std::unique_ptr<HeldTool> straight_tool();

@@ -78,8 +78,8 @@ class LiveTool {
 
   /// Changes the linkage while it is in use: FeltLinkage::set().
   void change(const mechanism::FourBar& bar) noexcept { linkage_.set(bar); }
-  /// Nobody holds the linkage any more.
-  void let_go() noexcept { linkage_.let_go(); }
+  /// Nobody holds the linkage, and where the hand is is not known: FeltLinkage::forget_hand().
+  void forget_hand() noexcept { linkage_.forget_hand(); }
   /// One tick with a hand that feels: it is at `hand_m` and presses its button or not. Returns the force on it.
   [[nodiscard]] Force<HapticBase> feel(const Eigen::Vector3d& hand_m, bool pressed) noexcept;
 

@@ -16,7 +16,7 @@ TrialView view_of(const Prepared& prepared, double way_m) noexcept {
   const HeldTool& tool = *prepared.tool;
   const Eigen::Vector3d ahead_m = tool.on_the_way_m(way_m + kStep_m) - tool.on_the_way_m(way_m - kStep_m);
   const Insertion& insertion = *prepared.insertion;
-  return {.places = places_of(*tool.linkage()),
+  return {.picture = tool.picture(),
           .along = ahead_m.head<2>().normalized(),
           .through_skin = insertion.tissue().layer(0).state == tissue::LayerState::Inserted,
           .needle_N = insertion.needle_N().norm(),

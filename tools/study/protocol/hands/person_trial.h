@@ -14,7 +14,7 @@ namespace telepalp::study {
 
 /// One instant of a penetration, as the page and the journal need it. It crosses threads by copy.
 struct TrialView {
-  LinkagePlaces places{};
+  MechanismPicture picture{};
   Eigen::Vector2d along = -Eigen::Vector2d::UnitY();  ///< direction in which the hand pushes the needle in; unit
   bool through_skin = false;
   double needle_N = 0.0;  ///< force of the needle on the hand

@@ -61,22 +61,26 @@ export class Bench {
     this.arrow(ready ? {from: seen?.c ?? [0, 0], along} : undefined);
   }
 
-  pose({a, o, b, p, d, c, end, through_skin: throughSkin}) {
+  pose({a, o, b, p, d, c, end, links, through_skin: throughSkin}) {
     const {parts} = this;
     const points = skin(end, throughSkin);
     parts.skin.setAttribute('d', way(points));
     parts.body.setAttribute('d', `${way(points)} L ${at([FAR, -FAR])} L ${at([-FAR, -FAR])} Z`);
-    for (const [name, ...ends] of [['base', a, o], ['l1', a, p], ['l2', p, b], ['l3', o, b], ['handle', d, c], ['needle', p, end]])
-      parts[name].setAttribute('d', way(ends));
-    for (const [name, [x, y]] of Object.entries({a, o, b, p, knob: c})) {
+    parts.needle.setAttribute('d', way([p, end]));
+    if (links) parts.l1.setAttribute('d', links.map(way).join(' '));  // another mechanism than a four-bar linkage
+    else
+      for (const [name, ...ends] of [['base', a, o], ['l1', a, p], ['l2', p, b], ['l3', o, b], ['handle', d, c]])
+        parts[name].setAttribute('d', way(ends));
+    for (const name of ['base', 'l2', 'l3', 'handle', 'a', 'o', 'b']) parts[name].toggleAttribute('hidden', links !== undefined);
+    for (const [name, [x, y]] of Object.entries(links ? {p, knob: c} : {a, o, b, p, knob: c})) {
       parts[name].setAttribute('cx', x.toFixed(2));
       parts[name].setAttribute('cy', (-y).toFixed(2));
     }
   }
 
   /** The picture of one penetration does not move: it holds the linkage with room for the way of the handle. */
-  fit({a, o, b, p, d, c}) {
-    const all = [a, o, b, p, d, c, [0, -BELOW_MM]];
+  fit({a, o, b, p, d, c, links}) {
+    const all = [...(links ? links.flat() : [a, o, b, d]), p, c, [0, -BELOW_MM]];
     const [xs, ys] = [all.map(([x]) => x), all.map(([, y]) => y)];
     const [left, top] = [Math.min(...xs) - MARGIN_MM, Math.max(...ys) + MARGIN_MM];
     this.element.setAttribute('viewBox', `${left} ${-top} ${Math.max(...xs) + MARGIN_MM - left} ${top - Math.min(...ys)}`);
