@@ -116,7 +116,7 @@ class FeltLinkage {
   Eigen::Vector2d still_to_come_m_ = Eigen::Vector2d::Zero();  // from the hand to the place that the linkage follows
   Eigen::Vector3d fading_N_ = Eigen::Vector3d::Zero();
   bool pressed_ = true;  // at the last step
-  bool inside_ = true;  // the hand has not been outside all parts since it began or let go
+  bool inside_ = true;   // the hand has not been outside all parts since it began or let go
 };
 
 }  // namespace telepalp::mechanism

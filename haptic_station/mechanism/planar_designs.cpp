@@ -124,7 +124,8 @@ PlanarDesign slider_crank_design(const SliderCrank& crank, double crank_rad) {
   design.near[6] = end.x - reach_m;
   design.needle_from = at(3, 0.0);
   design.hand_pivot_m = Eigen::Vector2d::Zero();
-  design.links = {{at(1, 0.0), at(1, crank.crank_m)}, {at(1, 0.0), at(1, crank.handle_m)}, {at(2, 0.0), at(2, crank.rod_m)}};
+  design.links = {
+      {at(1, 0.0), at(1, crank.crank_m)}, {at(1, 0.0), at(1, crank.handle_m)}, {at(2, 0.0), at(2, crank.rod_m)}};
   return design;
 }
 

@@ -23,9 +23,9 @@ struct PlanarLine {
 struct PlanarDesign {
   PlanarMechanism mechanism;
   PlanarPose near;
-  BodyPoint needle_from{};                       ///< where the needle begins; it ends at the mechanism's tip
+  BodyPoint needle_from{};                        ///< where the needle begins; it ends at the mechanism's tip
   std::optional<Eigen::Vector2d> hand_pivot_m{};  ///< in the frame: the held body turns about it; nullopt: about none
-  ShortList<PlanarLine, 8> links{};              ///< without the needle
+  ShortList<PlanarLine, 8> links{};               ///< without the needle
 };
 
 /// `bar` as bodies 1 (link 1), 2 (link 2 with the needle) and 3 (link 3 with the handle), while link 3 has `link3_rad`.

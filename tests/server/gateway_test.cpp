@@ -279,10 +279,9 @@ TEST(Gateway, EndsInTheMomentInWhichItsTimerIsDue) {
   for (int run = 0; run < 20; ++run) {
     asio::io_context io(1);
     hub::Hub hub;
-    auto gateway = *gateway::Gateway::open(
-        io, hub, [] { return session_time(42); }, {.port = 0});
+    auto gateway = *gateway::Gateway::open(io, hub, [] { return session_time(42); }, {.port = 0});
     std::this_thread::sleep_for(origin::StatePublisher::kLook + 5ms);
-    asio::post(io, [] {});                      // while this runs, the timer's handler is queued behind the next one
+    asio::post(io, [] {});  // while this runs, the timer's handler is queued behind the next one
     asio::post(io, [&] { gateway.reset(); });
     (void)io.poll();
   }

@@ -97,8 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
                       BadList{"name=a\nname=a", "mine.txt:2:1: the name 'a' is used twice"},
                       BadList{"l1=80 kind=five-bar", "mine.txt:1:12: kind comes after a parameter"},
                       BadList{"kind=pantograph", "mine.txt:1:6: 'pantograph' is no kind of mechanism"},
-                      BadList{"kind=five-bar l1=80", "mine.txt:1:15: 'l1' is no parameter of a mechanism. fix: give "
-                                                     "one of name, base, left"},
+                      BadList{"kind=five-bar l1=80",
+                              "mine.txt:1:15: 'l1' is no parameter of a mechanism. fix: give "
+                              "one of name, base, left"},
                       BadList{"kind=slider-crank rod=0", "mine.txt:1:1: rod is 0 mm"},
                       BadList{"kind=slider-crank rod=nan", "mine.txt:1:1: rod is nan mm"},
                       BadList{"kind=slider-crank rod=10", "mine.txt:1:1: slider-crank: the joints"},

@@ -41,7 +41,8 @@ Result<Command> design_of(std::string_view text) {
   if (!read) return read.error();
   if (read->configurations.size() != 1) return error("more than one linkage is given", "give one linkage");
   const Configuration& one = read->configurations.front();
-  if (one.other) return error("the page has four-bar linkages alone", "leave kind out; telepalp-study --design takes it");
+  if (one.other)
+    return error("the page has four-bar linkages alone", "leave kind out; telepalp-study --design takes it");
   const mechanism::FourBar& bar = one.bar;
   for (const double length_m :
        {bar.l1_m, bar.l2_m, bar.l3_m, bar.l4_m, bar.needle_m, bar.handle_m, std::abs(bar.handle_at_m)})

@@ -56,10 +56,8 @@ void add_seen(Json& json, const TrialView& trial) {
   const MechanismPicture& at = trial.picture;
   json.begin_object("seen");
   if (at.four_bar)
-    for (const auto& [key, place] : {std::pair{"a", at.four_bar->a_m},
-                                     {"o", at.four_bar->o_m},
-                                     {"b", at.four_bar->b_m},
-                                     {"d", at.four_bar->d_m}})
+    for (const auto& [key, place] :
+         {std::pair{"a", at.four_bar->a_m}, {"o", at.four_bar->o_m}, {"b", at.four_bar->b_m}, {"d", at.four_bar->d_m}})
       add_pair(json, key, place, kMm);
   else
     add_links(json, at);

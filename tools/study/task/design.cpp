@@ -96,10 +96,11 @@ Result<void> check_other(Configuration& out, const Place& at) {
   for (const OtherParameter& one : parameters_of(*out.other)) {
     const bool is_place = one.name == "x" || one.name == "y" || one.name == "pivot" || one.name == "h";
     const double most = one.unit == 1.0 ? 2.0 * std::numbers::pi : 1.0;
-    if (std::abs(*one.value) <= most && (one.unit == 1.0 || is_place || *one.value > 0.0)) continue;  // NaN compares false
-    return at.error(std::string(one.name) + " is " + number_text(*one.value / one.unit) +
-                        (one.unit == 1.0 ? " rad" : " mm"),
-                    "give links from above 0 to 1000 mm, and angles up to a full turn");
+    if (std::abs(*one.value) <= most && (one.unit == 1.0 || is_place || *one.value > 0.0))
+      continue;  // NaN compares false
+    return at.error(
+        std::string(one.name) + " is " + number_text(*one.value / one.unit) + (one.unit == 1.0 ? " rad" : " mm"),
+        "give links from above 0 to 1000 mm, and angles up to a full turn");
   }
   if (const auto good = in_pose(*out.other); !good)
     return at.error(std::string(kind_of(*out.other)) + ": " + good.error().what, good.error().fix);

@@ -17,7 +17,7 @@ namespace telepalp::study {
 struct Configuration {
   std::string name;
   std::optional<OtherMechanism> other{};  ///< in the place of `bar`
-  mechanism::FourBar bar{};               ///< the plant gives l4_m unless `l4_given`, and needle_m unless `needle_given`
+  mechanism::FourBar bar{};  ///< the plant gives l4_m unless `l4_given`, and needle_m unless `needle_given`
   bool l4_given = false;
   bool needle_given = false;
 };
@@ -40,9 +40,8 @@ struct MechanismParameter {
 [[nodiscard]] Design amniocentesis_design();
 
 /// A list in a text file: one mechanism a line, as `name=value` pairs in mm and rad. Lines that begin with # are
-/// comments. `kind=` four-bar (also without it), slider-crank, five-bar or six-bar comes before the parameters. One that
-/// a line leaves out is that of S4's first linkage, or of the kind. Error: `file:line:column`, with what is
-/// wrong.
+/// comments. `kind=` four-bar (also without it), slider-crank, five-bar or six-bar comes before the parameters. One
+/// that a line leaves out is that of S4's first linkage, or of the kind. Error: `file:line:column`, with what is wrong.
 [[nodiscard]] Result<Design> parse_design(const std::string& text, const std::string& file);
 [[nodiscard]] Result<Design> read_design(const std::filesystem::path& file);
 

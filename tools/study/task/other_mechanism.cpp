@@ -26,8 +26,8 @@ Vector2d needle_of(const PlanarDesign& design, const HeldMechanism& held) {
 struct HandWay {
   std::optional<Vector2d> pivot_m;
   Vector2d from_m;
-  Vector2d along;        ///< unit, at `from_m`
-  double turns = 1.0;    ///< of a circle: +1 counter-clockwise, -1 clockwise
+  Vector2d along;      ///< unit, at `from_m`
+  double turns = 1.0;  ///< of a circle: +1 counter-clockwise, -1 clockwise
 
   [[nodiscard]] Vector2d at(double way_m) const noexcept {
     if (!pivot_m) return from_m + way_m * along;
@@ -58,7 +58,11 @@ class PlanarTool final : public HeldTool {
  public:
   PlanarTool(PlanarDesign design, HeldMechanism held, const Placement& placement, const HandWay& way,
              double grip_N_per_m)
-      : design_(std::move(design)), held_(std::move(held)), placement_(placement), way_(way), grip_N_per_m_(grip_N_per_m) {
+      : design_(std::move(design)),
+        held_(std::move(held)),
+        placement_(placement),
+        way_(way),
+        grip_N_per_m_(grip_N_per_m) {
     hand_m_ = on_the_way_m(0.0);
   }
   void step(const Vector3d& hand_m, double) noexcept override {
@@ -80,8 +84,10 @@ class PlanarTool final : public HeldTool {
     const auto place = [this](const mechanism::BodyPoint& point) -> Vector2d {
       return placement_.out(held_.where_m(point)).head<2>();
     };
-    MechanismPicture out{.four_bar = std::nullopt, .hand_m = placement_.out(held_.grasp_m()).head<2>(),
-                         .needle_m = place(design_.needle_from), .tip_m = tip_m().head<2>()};
+    MechanismPicture out{.four_bar = std::nullopt,
+                         .hand_m = placement_.out(held_.grasp_m()).head<2>(),
+                         .needle_m = place(design_.needle_from),
+                         .tip_m = tip_m().head<2>()};
     for (const mechanism::PlanarLine& link : design_.links) out.links[out.count++] = {place(link.from), place(link.to)};
     return out;
   }
@@ -95,8 +101,8 @@ class PlanarTool final : public HeldTool {
   Vector3d hand_m_;
 };
 
-/// Draws the needle out from `held`, whose tip touches the sac, until the tip has gone by `out_m` along `up`. Returns how
-/// far the hand went along `back`; nullopt: the mechanism does not follow it so far.
+/// Draws the needle out from `held`, whose tip touches the sac, until the tip has gone by `out_m` along `up`. Returns
+/// how far the hand went along `back`; nullopt: the mechanism does not follow it so far.
 std::optional<double> drawn_out_m(HeldMechanism& held, const HandWay& back, const Vector2d& up, double out_m) {
   constexpr double kStep_m = 5e-5;
   constexpr double kFurthest_m = 0.25;
@@ -149,18 +155,21 @@ std::vector<OtherParameter> parameters_of(OtherMechanism& mechanism) {
             {"needle", &one->crank.needle_m, kMm},
             {"at", &one->crank_rad, kRad}};
   if (auto* const one = std::get_if<FiveBarAt>(&mechanism))
-    return {{"base", &one->bar.base_m, kMm},           {"left", &one->bar.left_m, kMm},
-            {"left_far", &one->bar.left_far_m, kMm},   {"right", &one->bar.right_m, kMm},
-            {"right_far", &one->bar.right_far_m, kMm}, {"needle", &one->bar.needle_m, kMm},
-            {"x", &one->joint_m.x(), kMm},             {"y", &one->joint_m.y(), kMm}};
+    return {{"base", &one->bar.base_m, kMm},
+            {"left", &one->bar.left_m, kMm},
+            {"left_far", &one->bar.left_far_m, kMm},
+            {"right", &one->bar.right_m, kMm},
+            {"right_far", &one->bar.right_far_m, kMm},
+            {"needle", &one->bar.needle_m, kMm},
+            {"x", &one->joint_m.x(), kMm},
+            {"y", &one->joint_m.y(), kMm}};
   auto& six = std::get<SixBarAt>(mechanism);
-  return {{"l1", &six.bar.bar.l1_m, kMm},      {"l2", &six.bar.bar.l2_m, kMm},
-          {"l3", &six.bar.bar.l3_m, kMm},      {"l4", &six.bar.bar.l4_m, kMm},
-          {"phi", &six.bar.bar.handle_rad, kRad}, {"h", &six.bar.bar.handle_at_m, kMm},
-          {"l_h", &six.bar.bar.handle_m, kMm}, {"arm", &six.bar.arm_m, kMm},
-          {"rod", &six.bar.rod_m, kMm},        {"rocker", &six.bar.rocker_m, kMm},
-          {"pivot", &six.bar.pivot_m, kMm},    {"needle", &six.bar.needle_m, kMm},
-          {"at", &six.link3_rad, kRad}};
+  return {
+      {"l1", &six.bar.bar.l1_m, kMm},      {"l2", &six.bar.bar.l2_m, kMm},         {"l3", &six.bar.bar.l3_m, kMm},
+      {"l4", &six.bar.bar.l4_m, kMm},      {"phi", &six.bar.bar.handle_rad, kRad}, {"h", &six.bar.bar.handle_at_m, kMm},
+      {"l_h", &six.bar.bar.handle_m, kMm}, {"arm", &six.bar.arm_m, kMm},           {"rod", &six.bar.rod_m, kMm},
+      {"rocker", &six.bar.rocker_m, kMm},  {"pivot", &six.bar.pivot_m, kMm},       {"needle", &six.bar.needle_m, kMm},
+      {"at", &six.link3_rad, kRad}};
 }
 
 Result<OtherInPose> in_pose(const OtherMechanism& mechanism) {

@@ -53,8 +53,9 @@ struct OtherInPose {
 };
 [[nodiscard]] Result<OtherInPose> in_pose(const OtherMechanism& mechanism);
 
-/// The mechanism on `plant`, as linkage_tool() places a four-bar linkage, but turned so that its needle is upright where
-/// the tip touches the sac. Error: the joints cannot close there or on the way, or the hand cannot draw the needle out.
+/// The mechanism on `plant`, as linkage_tool() places a four-bar linkage, but turned so that its needle is upright
+/// where the tip touches the sac. Error: the joints cannot close there or on the way, or the hand cannot draw the
+/// needle out.
 [[nodiscard]] Result<std::unique_ptr<HeldTool>> planar_tool(const OtherMechanism& mechanism, const std::string& name,
                                                             const Plant& plant);
 
