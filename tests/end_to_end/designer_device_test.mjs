@@ -53,20 +53,40 @@ test('the handle is felt before it is grasped, and the linkage stays', async () 
   assert.deepEqual(await violations(page), []);
 });
 
-test('the button grasps it, the hand pushes the needle through the sac and feels it', async () => {
-  device.pressed = true;
-  await until('the handle is held', async () => (await frame()).held === 'handle');
-  await sleep(300);
+/** From outside into the handle's end, until it is touched. A device that was silent for 50 ms must come from outside. */
+async function touchTheEnd() {
+  await until('the handle is touched', async () => {
+    await move(START);
+    const {c, grasp} = await frame();
+    await move([START[0] + 1e-3 * (c[0] - grasp[0]), START[1] + 1e-3 * (c[1] - grasp[1]) + 0.0065, 0]);
+    return (await frame()).touched === 'handle';
+  });
+}
+
+/** Pushes the held handle's end along its way until the sac gives way. Returns the greatest force on the hand. */
+async function push(from_m) {
   const {reach, frame: from} = await page.evaluate(() => ({reach: window.designer.design.reach, frame: window.designer.frame}));
   let most_N = 0;
-  const hand = [0, START[1] - 0.0235, 0];
-  const way = reach.filter(([link3]) => link3 > from.link3);
-  for (const [, x, y] of way) {
-    await device.move([hand[0] + 1e-3 * (x - from.c[0]), hand[1] + 1e-3 * (y - from.c[1]), 0]);
+  for (const [, x, y] of reach.filter(([link3]) => link3 > from.link3)) {
+    await device.move([from_m[0] + 1e-3 * (x - from.c[0]), from_m[1] + 1e-3 * (y - from.c[1]), 0]);
     most_N = Math.max(most_N, force_N());
     if ((await frame()).layers.sac === 'inside') break;
   }
-  await until('the sac is punctured', async () => (await frame()).layers.sac === 'inside');
+  return most_N;
+}
+
+test('the button grasps it, the hand pushes the needle through the sac and feels it', async () => {
+  let most_N = 0;
+  await until('the sac is punctured', async () => {
+    device.pressed = false;  // where the device was silent for a moment, the hand has let go, and begins anew
+    await page.click('#renew');
+    await touchTheEnd();
+    device.pressed = true;
+    await sleep(500);
+    if ((await frame()).held !== 'handle') return false;
+    most_N = await push(device.at_m);
+    return (await frame()).layers.sac === 'inside';
+  });
   assert.ok(most_N > 0.3 && most_N <= 10, `${most_N} N`);
   await until('the fall is told', async () => /^Sac punctured/.test(await page.textContent('#puncture')));
   await savePicture(page, pictures, 'designer-device-punctured');
@@ -96,11 +116,7 @@ test('the button lets go; the space bar grasps, too; keys and sliders do what th
   await page.fill('#value-l_h', '150');
   await page.press('#value-l_h', 'Tab');
   await until('the new linkage is outside', async () => (await frame()).layers.skin === 'outside');
-  await device.move(START);
-  await until('nothing is felt', async () => force_N() < 0.01 && (await frame()).touched === null);
-  const {c, grasp} = await frame();
-  await move([START[0] + 1e-3 * (c[0] - grasp[0]), START[1] + 1e-3 * (c[1] - grasp[1]) + 0.0065, 0]);
-  await until('the handle is touched', async () => (await frame()).touched === 'handle');
+  await touchTheEnd();
   await page.click('h1');
   await page.keyboard.down('Space');
   await until('the handle is held', async () => (await frame()).held === 'handle');

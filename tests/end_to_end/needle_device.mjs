@@ -38,6 +38,10 @@ export class NeedleDevice {
     return new Promise((arrived) => (this.#arrived = arrived));
   }
 
+  get at_m() {
+    return this.#at_m;
+  }
+
   close() {
     this.#socket.close();
   }
