@@ -11,7 +11,7 @@
 namespace telepalp::mechanism {
 namespace {
 
-constexpr double kClosed_m = 1e-10;
+constexpr double kAssembled_m = 1e-10;
 constexpr double kSameAssembly = 1.0;  // [m or rad] a coordinate further from `near` means another assembly
 
 Error mechanism_error(std::string what, std::string fix) {
@@ -75,7 +75,7 @@ Result<HeldMechanism> assembled(const PlanarMechanism& mechanism, const PlanarPo
     if (open_m < 1e-15) break;
     pose += solutions_of(equations).one;
   }
-  if (!(open_m < kClosed_m) || !((pose - near).cwiseAbs().maxCoeff() < kSameAssembly))
+  if (!(open_m < kAssembled_m) || !((pose - near).cwiseAbs().maxCoeff() < kSameAssembly))
     return mechanism_error(
         "the joints cannot close: the widest gap is " + number_text(std::round(1e6 * open_m) / 1e3) + " mm",
         "change the lengths, or begin nearer to a pose in which they close");
