@@ -3,9 +3,9 @@
 # fenced blocks of docs/*.md. They run as they stand, in an empty folder that holds the files they name, but for these
 # rules, which the test prints when it uses one:
 #   bounded  --seconds N becomes --seconds 2, and --operators 2 --penetrations 2 become 1 and 1: so that the test ends
-#   ctrl-c   what runs until Ctrl-C gets one 6 s after its first words, and must end well
+#   ctrl-c   what runs until Ctrl-C gets one 3 s after its first words, and must end well
 #   started  a benchmark (and a scene's bill, which is one) takes minutes and its figures depend on the machine: it must run
-#            for 3 s, or end without an error
+#            for 1.5 s, or end without an error
 #   refused  what lacks something here must say so: telepalp-station rearm and hand-over (no fault, no keys), telepalp-record
 #            reseal (not encrypted) and nats:// (no cluster), --device haply (no device)
 #   differs  telepalp-replay diff must name the first message in which two sessions differ: the test has no two equal ones
@@ -102,7 +102,7 @@ run() { # EXAMPLE
       return ;;
     telepalp-bench* | "telepalp-station scene bill"* | "telepalp-study search"*)
       say "started: $line"
-      timeout 3 bash -c "$line" >"$work/log" 2>&1 </dev/null
+      timeout 1.5 bash -c "$line" >"$work/log" 2>&1 </dev/null
       code=$?
       grep -q '^error:' "$work/log" && failed "$line"
       [ "$code" = 2 ] && failed "$line ended with 2"
@@ -124,7 +124,7 @@ run() { # EXAMPLE
     timeout 300 bash -c "$(bounded "$line")" >"$work/log" 2>&1 </dev/null || failed "$line ended with $?"
   elif [[ $line == deploy/demo* || $line == "telepalp-study designer"* || $line == "telepalp-study protocol"* || ($line == telepalp-s* && $line == *--connect*) ]]; then
     say "ctrl-c: $line"
-    until_ctrl_c 6 "$line" || failed "$line ended with $?"
+    until_ctrl_c 3 "$line" || failed "$line ended with $?"
   else
     say "$line"
     timeout 300 bash -c "$line" >"$work/log" 2>&1 </dev/null || failed "$line ended with $?"
